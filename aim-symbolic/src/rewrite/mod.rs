@@ -5,6 +5,7 @@ pub(crate) mod directions;
 mod frames;
 mod limits;
 pub(crate) mod log;
+mod product;
 mod rotations;
 pub mod rules;
 mod scaling;

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 
-use super::limits::{Product, terms};
+use super::product::{Product, parts, terms};
 use super::series::Expansion;
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
@@ -345,14 +345,6 @@ fn argument(g: &mut Graph, s: Scalar, factor: Scalar) -> Option<Scalar> {
         open.extend(op.operands());
     }
     None
-}
-
-/// The two terms of a sum, or what a select takes one of.
-pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
-    match g.scalar_node(s) {
-        ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b) | Op::SelectLess(_, _, a, b)) => Some((a, b)),
-        _ => None,
-    }
 }
 
 fn root(g: &mut Graph, square: Scalar) -> Scalar {

@@ -13,10 +13,12 @@ mod frame;
 mod functions;
 mod map;
 mod methods;
+mod numbers;
 mod operators;
 mod optional;
 mod overloads;
 mod paths;
+mod place_types;
 mod places;
 mod select;
 mod sequences;
@@ -36,10 +38,10 @@ use syn::{Expr, UnOp};
 
 pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
-pub(super) use self::constants::is_mathematical;
 use self::expected::Expected;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
+pub(super) use self::numbers::is_mathematical;
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Struct, Value};
@@ -219,7 +221,7 @@ impl Translation<'_> {
                 }
                 let [before @ .., module, name] = path.as_slice() else { return None };
                 let is_known = module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64");
-                let value = if is_known { constants::mathematical(name) } else { None };
+                let value = if is_known { numbers::mathematical(name) } else { None };
                 value.map(|value| Value::Scalar(self.algebra.number(value)))
             }
         }

@@ -4,7 +4,8 @@ use std::rc::Rc;
 
 use syn::BinOp;
 
-use super::expected::{Expected, type_of};
+use super::expected::Expected;
+use super::place_types::type_of;
 use super::value::{Callable, Value};
 use super::{Translation, operators};
 use crate::declare::report::text::Text;

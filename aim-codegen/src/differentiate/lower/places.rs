@@ -7,8 +7,9 @@ use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, UnOp};
 
 use super::algebra::Algebra;
-use super::expected::{Expected, type_of};
+use super::expected::Expected;
 use super::map::{Affine, Map, Quaternion};
+use super::place_types::type_of;
 use super::value::{Place, Step, Struct, Value};
 use super::{Translation, square, strip};
 use crate::differentiate::messages;

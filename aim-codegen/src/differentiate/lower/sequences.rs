@@ -7,7 +7,8 @@ use quote::ToTokens;
 use syn::{Expr, ExprClosure, ExprMethodCall, ExprRange, RangeLimits};
 
 use super::condition::Condition;
-use super::expected::{Expected, neutral};
+use super::expected::Expected;
+use super::place_types::neutral;
 use super::value::{Callable, Value};
 use super::{Translation, operators, strip};
 use crate::differentiate::messages;

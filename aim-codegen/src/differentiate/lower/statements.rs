@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::value::Value;
-use super::{Translation, constants, functions, has_effect};
+use super::{Translation, functions, has_effect, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
 
@@ -84,7 +84,7 @@ impl Translation<'_> {
             let there: Vec<String> = match self.items.meaning(&scope, &path) {
                 Meaning::Own(module) => self.items.names_in(&module).map(str::to_owned).collect(),
                 Meaning::Outside(path) if path.last().is_some_and(|last| last == "consts") => {
-                    constants::names().map(str::to_owned).collect()
+                    numbers::names().map(str::to_owned).collect()
                 }
                 Meaning::Outside(_) => Vec::new(),
             };

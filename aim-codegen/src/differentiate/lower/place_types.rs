@@ -1,0 +1,131 @@
+//! Types of places, as far as they are written or follow from values.
+
+use syn::Expr;
+
+use super::Translation;
+use super::algebra::Algebra;
+use super::expected::Expected;
+use super::value::{Scope, Value};
+use crate::differentiate::items::Alias;
+use crate::differentiate::names::{Meaning, segments};
+use crate::differentiate::types::{self, Precision, Shape};
+
+impl Expected {
+    /// Whether a value can be of the type.
+    pub(super) fn fits(&self, value: &Value) -> bool {
+        match (self, value) {
+            (Self::Any, _) | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Sequence(_)) => true,
+            (Self::Array(element, length), Value::Array(values)) => {
+                length.is_none_or(|length| length == values.len()) && values.iter().all(|value| element.fits(value))
+            }
+            (Self::Tuple(parts), Value::Tuple(values)) => {
+                parts.len() == values.len() && parts.iter().zip(values).all(|(part, value)| part.fits(value))
+            }
+            (Self::Named(name), Value::Struct(of)) => *name == of.name,
+            (Self::Named(name), Value::Integer(_)) => types::is_integer(name),
+            (Self::Named(name), Value::Truth(_)) => name == "bool",
+            (Self::Named(name), value) => types::named(name).is_some_and(|(shape, _)| is_of(value, &shape)),
+            _ => false,
+        }
+    }
+}
+
+fn is_of(value: &Value, shape: &Shape) -> bool {
+    match (value, shape) {
+        (Value::Square(columns), Shape::Square(count)) => columns.len() == *count,
+        (Value::Scalar(_), Shape::Scalar)
+        | (Value::Planar(_), Shape::Planar)
+        | (Value::Vector(_), Shape::Vector)
+        | (Value::Four(_), Shape::Four)
+        | (Value::Quaternion(_), Shape::Quaternion)
+        | (Value::Matrix(_), Shape::Matrix)
+        | (Value::Homogeneous(_), Shape::Square(4))
+        | (Value::Affine(_), Shape::Rigid) => true,
+        _ => false,
+    }
+}
+
+/// The type of a value, so far as there is one of its kind.
+pub(super) fn type_of(value: &Value, precision: Option<Precision>) -> Expected {
+    match value {
+        Value::Struct(of) => Expected::Named(of.name.clone()),
+        Value::Array(values) => {
+            let element = values.first().map_or(Expected::Any, |first| type_of(first, precision));
+            Expected::Array(Box::new(element), Some(values.len()))
+        }
+        Value::Tuple(values) => Expected::Tuple(values.iter().map(|value| type_of(value, precision)).collect()),
+        Value::Truth(_) => Expected::Named("bool".into()),
+        Value::Integer(_) => Expected::Named("i64".into()),
+        value => types::named_like(precision, |shape| is_of(value, shape))
+            .map_or(Expected::Any, |name| Expected::Named(name.to_owned())),
+    }
+}
+
+impl Translation<'_> {
+    /// What a type says, as it is written in the function that is being run.
+    pub(super) fn expected(&mut self, ty: &syn::Type) -> Expected {
+        match ty {
+            syn::Type::Group(group) => self.expected(&group.elem),
+            syn::Type::Paren(paren) => self.expected(&paren.elem),
+            syn::Type::Reference(reference) => self.expected(&reference.elem),
+            syn::Type::Slice(slice) => Expected::Array(Box::new(self.expected(&slice.elem)), None),
+            syn::Type::Array(array) => {
+                let length = self.known_length(&array.len);
+                Expected::Array(Box::new(self.expected(&array.elem)), length)
+            }
+            syn::Type::Tuple(tuple) => Expected::Tuple(tuple.elems.iter().map(|part| self.expected(part)).collect()),
+            syn::Type::Path(path) if path.qself.is_none() => {
+                let scope = self.frame.scope.clone();
+                let Scope { self_type, generics, .. } = &*scope;
+                let path = &path.path;
+                if path.is_ident("Self") {
+                    return self_type.clone().map_or(Expected::Any, Expected::Named);
+                }
+                if path.get_ident().is_some_and(|name| generics.iter().any(|generic| name == generic)) {
+                    return Expected::Any;
+                }
+                if path.segments.last().is_none_or(|last| !last.arguments.is_none()) {
+                    return Expected::Any;
+                }
+                match self.items.meaning(&scope, &segments(path)) {
+                    Meaning::Own(name) => match self.items.alias(&name) {
+                        Some(Alias { scope, ty }) => self.within(scope.clone(), |this| this.expected(ty)),
+                        None => Expected::Named(name),
+                    },
+                    outside => Expected::Named(outside.into_type()),
+                }
+            }
+            _ => Expected::Any,
+        }
+    }
+
+    /// What an optional type says.
+    pub(super) fn expected_of(&mut self, ty: Option<&syn::Type>) -> Expected {
+        ty.map_or(Expected::Any, |ty| self.expected(ty))
+    }
+
+    /// The length of an array; nothing is said of one that is not known.
+    fn known_length(&mut self, length: &Expr) -> Option<usize> {
+        let errors = self.report.count();
+        let value = self.expression(length);
+        self.report.forget(errors);
+        self.algebra.known_index(&value)
+    }
+}
+
+/// The value of a type that is added to without a change, or multiplied by.
+pub(super) fn neutral(a: &mut Algebra, name: &str, of_sums: bool) -> Option<Value> {
+    if types::is_integer(name) {
+        return Some(a.integer(if of_sums { 0 } else { 1 }));
+    }
+    let (shape, _) = types::named(name)?;
+    let constant = match shape {
+        Shape::Scalar => return Some(Value::Scalar(a.number(if of_sums { 0.0 } else { 1.0 }))),
+        Shape::Planar | Shape::Vector | Shape::Four if of_sums => "ZERO",
+        Shape::Planar | Shape::Vector | Shape::Four => "ONE",
+        Shape::Matrix | Shape::Square(_) if of_sums => "ZERO",
+        Shape::Matrix | Shape::Square(_) | Shape::Quaternion | Shape::Rigid if !of_sums => "IDENTITY",
+        _ => return None,
+    };
+    super::constants::associated(a, name, constant)
+}

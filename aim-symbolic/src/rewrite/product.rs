@@ -1,0 +1,227 @@
+//! [`Product`]: an expression as powers of its factors.
+
+use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
+
+/// A product of more parts is not looked at.
+const MOST_PARTS: usize = 48;
+
+/// A product with a higher power is not looked at, in halves.
+const HIGHEST_POWER: i32 = 64;
+
+impl Graph {
+    /// True of what is not negative, as far as one can see.
+    pub(crate) fn is_length(&self, s: Scalar) -> bool {
+        match self.scalar_node(s) {
+            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
+            ScalarNode::Dot(v, w) => v == w,
+            ScalarNode::Op(Op::Mul(a, b)) => a == b,
+            _ => false,
+        }
+    }
+
+    /// (1 − a)(1 + a), which keeps its digits near 1.
+    pub(crate) fn around_one(&mut self, a: Scalar) -> Scalar {
+        let one = self.constant(1.0);
+        let (below, above) = (self.sub(one, a), self.add(one, a));
+        self.mul(below, above)
+    }
+
+    /// The same of 1 − a².
+    fn one_minus_square(&mut self, s: Scalar) -> Option<Scalar> {
+        let ScalarNode::Op(Op::Sub(one, square)) = self.scalar_node(s) else { return None };
+        let ScalarNode::Op(Op::Mul(a, b)) = self.scalar_node(square) else { return None };
+        (a == b && self.constant_of(one) == Some(1.0)).then(|| self.around_one(a))
+    }
+}
+
+/// The two terms of a sum, or what a select takes one of.
+pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
+    match g.scalar_node(s) {
+        ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b) | Op::SelectLess(_, _, a, b)) => Some((a, b)),
+        _ => None,
+    }
+}
+
+/// The terms of a sum, of which there is no more than one where it is none.
+pub(super) fn terms(g: &Graph, sum: Scalar) -> Vec<Scalar> {
+    let (mut terms, mut open) = (Vec::new(), vec![sum]);
+    while let Some(s) = open.pop() {
+        match parts(g, s) {
+            Some((a, b)) if terms.len() + open.len() < MOST_PARTS => open.extend([b, a]),
+            _ => terms.push(s),
+        }
+    }
+    terms
+}
+
+/// A product as powers of its factors.
+#[derive(Clone, Debug)]
+pub(super) struct Product {
+    pub(super) coefficient: f64,
+    /// Factors and their powers in halves, in the order of their first appearance.
+    pub(super) powers: Vec<(Scalar, i32)>,
+    /// The factors that appear above the line, and those that do below.
+    pub(super) above: Vec<Scalar>,
+    pub(super) below: Vec<Scalar>,
+    parts: usize,
+}
+
+impl Product {
+    pub(super) const fn new() -> Self {
+        Self { coefficient: 1.0, powers: Vec::new(), above: Vec::new(), below: Vec::new(), parts: 0 }
+    }
+
+    pub(super) fn power(&mut self, factor: Scalar, halves: i32) {
+        let side = if halves < 0 { &mut self.below } else { &mut self.above };
+        side.push(factor);
+        match self.powers.iter_mut().find(|(known, _)| *known == factor) {
+            Some((_, power)) => *power += halves,
+            None => self.powers.push((factor, halves)),
+        }
+    }
+
+    pub(super) fn power_of(&self, factor: Scalar) -> i32 {
+        self.powers.iter().find(|(known, _)| *known == factor).map_or(0, |(_, power)| *power)
+    }
+
+    /// The factors of a scalar; `None` where there are too many.
+    pub(super) fn of(g: &mut Graph, s: Scalar) -> Option<Self> {
+        let mut product = Self::new();
+        product.times(g, s, 2, &[])?;
+        Some(product)
+    }
+
+    /// Takes a factor away. Returns its power, in halves.
+    pub(super) fn remove(&mut self, factor: Scalar) -> i32 {
+        let power = self.power_of(factor);
+        self.powers.retain(|(known, _)| *known != factor);
+        power
+    }
+
+    /// Multiplies by a power of `s`, in halves, an even number; `None` where that is too long. What is in `whole` is not
+    /// taken apart.
+    pub(super) fn times(&mut self, g: &mut Graph, s: Scalar, halves: i32, whole: &[Scalar]) -> Option<()> {
+        self.parts += 1;
+        if self.parts > MOST_PARTS || halves.abs() > HIGHEST_POWER {
+            return None;
+        }
+        if whole.contains(&s) {
+            self.power(s, halves);
+            return Some(());
+        }
+        match g.scalar_node(s) {
+            ScalarNode::Op(Op::Constant(c)) => self.coefficient *= c.value().powi(halves / 2),
+            ScalarNode::Op(Op::Neg(a)) => {
+                self.coefficient *= (-1.0_f64).powi(halves / 2);
+                self.times(g, a, halves, whole)?;
+            }
+            ScalarNode::Op(Op::Mul(a, b)) if a == b => self.times(g, a, 2 * halves, whole)?,
+            ScalarNode::Op(Op::Mul(a, b)) => {
+                self.times(g, a, halves, whole)?;
+                self.times(g, b, halves, whole)?;
+            }
+            ScalarNode::Op(Op::Div(a, b)) => {
+                self.times(g, a, halves, whole)?;
+                self.times(g, b, -halves, whole)?;
+            }
+            // A guarded reciprocal is 0 of what is negative.
+            ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
+            ScalarNode::Op(Op::Sqrt(a)) => {
+                let a = g.one_minus_square(a).unwrap_or(a);
+                self.power(a, halves / 2);
+            }
+            ScalarNode::Norm(v) => {
+                let square = g.dot(v, v);
+                self.power(square, halves / 2);
+            }
+            ScalarNode::Dot(v, w) if v != w && halves == 2 => {
+                let (v, w) = (self.times_vector(g, v, whole)?, self.times_vector(g, w, whole)?);
+                let dot = g.dot(v, w);
+                self.power(dot, halves);
+            }
+            ScalarNode::Component(v, axis) if halves == 2 => {
+                let v = self.times_vector(g, v, whole)?;
+                let component = g.component(v, axis);
+                self.power(component, halves);
+            }
+            _ => {
+                let s = g.one_minus_square(s).unwrap_or(s);
+                self.power(s, halves);
+            }
+        }
+        Some(())
+    }
+
+    /// Multiplies by the factors of `v`, and gives what is left of it.
+    pub(super) fn times_vector(&mut self, g: &mut Graph, v: Vector, whole: &[Scalar]) -> Option<Vector> {
+        self.parts += 1;
+        if self.parts > MOST_PARTS {
+            return None;
+        }
+        Some(match g.vector_node(v) {
+            VectorNode::Scale(k, inner) => {
+                self.times(g, k, 2, whole)?;
+                self.times_vector(g, inner, whole)?
+            }
+            VectorNode::Neg(inner) => {
+                self.coefficient = -self.coefficient;
+                self.times_vector(g, inner, whole)?
+            }
+            VectorNode::Normalize(inner) => {
+                let square = g.dot(inner, inner);
+                self.power(square, -1);
+                self.times_vector(g, inner, whole)?
+            }
+            VectorNode::Cross(a, b) => {
+                let (a, b) = (self.times_vector(g, a, whole)?, self.times_vector(g, b, whole)?);
+                g.cross(a, b)
+            }
+            VectorNode::Rotate(rotation, inner) => {
+                let inner = self.times_vector(g, inner, whole)?;
+                g.rotate(rotation, inner)
+            }
+            VectorNode::Perp(plane, inner) => {
+                let inner = self.times_vector(g, inner, whole)?;
+                g.perp(plane, inner)
+            }
+            VectorNode::Across(inner, unit) => {
+                let inner = self.times_vector(g, inner, whole)?;
+                g.across(inner, unit)
+            }
+            _ => v,
+        })
+    }
+
+    /// The product, stated anew; `None` of 1.
+    pub(super) fn stated(self, g: &mut Graph) -> Option<Scalar> {
+        let [mut above, mut below]: [Vec<Scalar>; 2] = Default::default();
+        for &(factor, halves) in &self.powers {
+            let side = if halves > 0 { &mut above } else { &mut below };
+            for _ in 0..halves.abs() / 2 {
+                side.push(factor);
+            }
+            if halves % 2 != 0 {
+                side.push(match g.scalar_node(factor) {
+                    ScalarNode::Dot(v, w) if v == w => g.norm(v),
+                    _ => g.sqrt(factor),
+                });
+            }
+        }
+        if self.coefficient.abs() != 1.0 {
+            above.push(g.constant(self.coefficient.abs()));
+        }
+        let [above, below] = [above, below].map(|side| side.into_iter().reduce(|a, b| g.mul(a, b)));
+        let stated = match below {
+            Some(below) => {
+                let above = above.unwrap_or_else(|| g.constant(1.0));
+                Some(g.div(above, below))
+            }
+            None => above,
+        };
+        if self.coefficient >= 0.0 {
+            return stated;
+        }
+        let stated = stated.unwrap_or_else(|| g.constant(1.0));
+        Some(g.neg(stated))
+    }
+}
