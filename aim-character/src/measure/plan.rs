@@ -59,33 +59,40 @@ impl Tree<'_> {
 
     /// The children of a node that are limbs of one pair, pair by pair: mirrored in a plane through the node (and across `across`,
     /// where that is known).
-    fn pairs(&self, node: usize, across: Option<DVec3>) -> impl Iterator<Item = [usize; 2]> {
+    fn pairs(&self, node: usize, across: Option<DVec3>) -> Vec<[usize; 2]> {
         let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).take(MOST_LIMBS).collect();
-        let mirrored = move |a: usize, b: usize| {
-            if self.shape[a] != self.shape[b] {
-                return false;
+        let mut pairs = Vec::new();
+        for (k, a) in limbs.iter().enumerate() {
+            for b in &limbs[k + 1..] {
+                if self.are_mirrored(node, [*a, *b], across) {
+                    pairs.push([*a, *b]);
+                }
             }
-            let [a, b] = self.parting([a, b]);
-            let [p, q, from] = [a, b, node].map(|node| self.at(node));
-            let apart = p - q;
-            let (one, other) = (p.distance(from), q.distance(from));
-            let length = self.length(a);
-            let unit = apart.normalize_or_zero();
-            unit != DVec3::ZERO
-                && (one - other).abs() < ALIKE * one.max(other)
-                && (length - self.length(b)).abs() < ALIKE * length
-                && ((p + q) * 0.5 - from).dot(unit).abs() < MIDDLE * apart.length()
-                && across.is_none_or(|across| across.dot(unit).abs() > PARALLEL)
-        };
-        let pairs: Vec<[usize; 2]> =
-            limbs.iter().enumerate().flat_map(|(k, a)| limbs[k + 1..].iter().map(|b| [*a, *b])).collect();
-        pairs.into_iter().filter(move |[a, b]| mirrored(*a, *b))
+        }
+        pairs
+    }
+
+    fn are_mirrored(&self, node: usize, [a, b]: [usize; 2], across: Option<DVec3>) -> bool {
+        if self.shape[a] != self.shape[b] {
+            return false;
+        }
+        let [a, b] = self.parting([a, b]);
+        let [p, q, from] = [a, b, node].map(|node| self.at(node));
+        let apart = p - q;
+        let (one, other) = (p.distance(from), q.distance(from));
+        let length = self.length(a);
+        let unit = apart.normalize_or_zero();
+        unit != DVec3::ZERO
+            && (one - other).abs() < ALIKE * one.max(other)
+            && (length - self.length(b)).abs() < ALIKE * length
+            && ((p + q) * 0.5 - from).dot(unit).abs() < MIDDLE * apart.length()
+            && across.is_none_or(|across| across.dot(unit).abs() > PARALLEL)
     }
 
     /// The first bones of the widest pair: fingers and clothes hang closer together than limbs.
     fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
         let wide = |[a, b]: &[usize; 2]| self.at(*a).distance(self.at(*b));
-        self.pairs(node, across).map(|pair| self.parting(pair)).max_by(|a, b| wide(a).total_cmp(&wide(b)))
+        self.pairs(node, across).into_iter().map(|pair| self.parting(pair)).max_by(|a, b| wide(a).total_cmp(&wide(b)))
     }
 
     /// The bones at which two limbs part: their first ones, unless those are at one place.
@@ -130,8 +137,8 @@ impl BodyPlan {
             |node: usize| below(&tree, node).filter(on_plane).filter_map(|at| tree.pair(at, Some(across)));
         let ways = |at: usize| {
             // What mirrors a sibling is a limb, however near the middle it begins.
-            let limbs: Vec<usize> = tree.pairs(at, Some(across)).flatten().collect();
-            tree.children(at).filter(move |child| !limbs.contains(child)).filter(on_plane)
+            let limbs = tree.pairs(at, Some(across));
+            tree.children(at).filter(move |child| !limbs.as_flattened().contains(child)).filter(on_plane)
         };
         let next = |at: usize| {
             ways(at).max_by_key(|way| (pairs_below(*way).next().is_some(), tree.size[*way], usize::MAX - way))
