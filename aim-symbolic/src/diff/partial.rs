@@ -104,12 +104,8 @@ impl Graph {
         partials
     }
 
-    /// 1 / a of an argument that has to be positive, and 0 where it is not. Of a length it is guarded as all lengths are: its
-    /// square may be divided by, too.
+    /// 1 / a of an argument that has to be positive, and 0 where it is not.
     fn over_positive(&mut self, a: Scalar) -> Scalar {
-        if self.is_length(a) {
-            return self.reciprocal(a);
-        }
         let (one, zero) = (self.constant(1.0), self.constant(0.0));
         let over = self.div(one, a);
         self.select_less(zero, a, over, zero)

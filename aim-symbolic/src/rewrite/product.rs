@@ -10,7 +10,7 @@ const HIGHEST_POWER: i32 = 64;
 
 impl Graph {
     /// True of what is not negative, as far as one can see.
-    pub(crate) fn is_length(&self, s: Scalar) -> bool {
+    fn is_length(&self, s: Scalar) -> bool {
         match self.scalar_node(s) {
             ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
             ScalarNode::Dot(v, w) => v == w,

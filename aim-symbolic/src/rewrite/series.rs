@@ -224,45 +224,63 @@ impl Expansion {
 
     /// The series of `s`; `None` where something else varies in it, or where it has none.
     pub(super) fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
-        if let Some(&known) = self.known.get(&s) {
-            return known;
+        let mut open = vec![(s, false)];
+        while let Some((s, has_parts)) = open.pop() {
+            if self.known.contains_key(&s) {
+                continue;
+            }
+            if has_parts || s == self.number || Some(s) == self.square {
+                let found = self.find(g, s);
+                self.known.insert(s, found);
+                continue;
+            }
+            if self.known.len() + open.len() > MOST_NODES {
+                return None;
+            }
+            open.push((s, true));
+            match g.scalar_node(s) {
+                ScalarNode::Op(op) => open.extend(op.operands().map(|part| (part, false))),
+                ScalarNode::Stumpff(_, part) => open.push((part, false)),
+                _ => {}
+            }
         }
-        if self.known.len() >= MOST_NODES {
-            return None;
-        }
-        let found = self.find(g, s);
-        self.known.insert(s, found);
-        found
+        self.known_of(s).copied()
     }
 
-    fn find(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
+    fn known_of(&self, s: Scalar) -> Option<&Series> {
+        self.known.get(&s)?.as_ref()
+    }
+
+    /// The same by what is known of its parts.
+    fn find(&self, g: &Graph, s: Scalar) -> Option<Series> {
         if s == self.number {
             return Some(Series::power(1));
         }
         if Some(s) == self.square {
             return Some(Series::power(2));
         }
+        let of = |s: Scalar| self.known_of(s);
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Constant(c)) => Some(Series::constant(c.value())),
-            ScalarNode::Op(Op::Add(a, b)) => Some(self.of(g, a)?.plus(&self.of(g, b)?)),
-            ScalarNode::Op(Op::Sub(a, b)) => Some(self.of(g, a)?.plus(&self.of(g, b)?.scaled(-1.0))),
-            ScalarNode::Op(Op::Neg(a)) => Some(self.of(g, a)?.scaled(-1.0)),
-            ScalarNode::Op(Op::Mul(a, b)) => Some(self.of(g, a)?.times(&self.of(g, b)?)),
-            ScalarNode::Op(Op::Div(a, b)) => self.of(g, a)?.over(&self.of(g, b)?),
-            ScalarNode::Op(Op::Sqrt(a)) => self.of(g, a)?.raised(0.5),
-            ScalarNode::Op(Op::Call(function, a)) => self.of(g, a)?.call(function),
-            ScalarNode::Op(Op::Atan2(y, x)) => self.of(g, y)?.atan2(&self.of(g, x)?),
+            ScalarNode::Op(Op::Add(a, b)) => Some(of(a)?.plus(of(b)?)),
+            ScalarNode::Op(Op::Sub(a, b)) => Some(of(a)?.plus(&of(b)?.scaled(-1.0))),
+            ScalarNode::Op(Op::Neg(a)) => Some(of(a)?.scaled(-1.0)),
+            ScalarNode::Op(Op::Mul(a, b)) => Some(of(a)?.times(of(b)?)),
+            ScalarNode::Op(Op::Div(a, b)) => of(a)?.over(of(b)?),
+            ScalarNode::Op(Op::Sqrt(a)) => of(a)?.raised(0.5),
+            ScalarNode::Op(Op::Call(function, a)) => of(a)?.call(function),
+            ScalarNode::Op(Op::Atan2(y, x)) => of(y)?.atan2(of(x)?),
             ScalarNode::Op(Op::Pow(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
-                (_, Some(b)) => self.of(g, a)?.raised(b),
-                (Some(a), _) if a > 0.0 => self.of(g, b)?.scaled(a.ln()).exp(),
+                (_, Some(b)) => of(a)?.raised(b),
+                (Some(a), _) if a > 0.0 => of(b)?.scaled(a.ln()).exp(),
                 _ => None,
             },
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 // The branch that is taken about 0.
-                let [a, b] = [self.of(g, a)?.at_zero(), self.of(g, b)?.at_zero()];
-                (a != b).then(|| self.of(g, if a < b { then } else { otherwise }))?
+                let [a, b] = [of(a)?.at_zero(), of(b)?.at_zero()];
+                (a != b).then(|| of(if a < b { then } else { otherwise }))?.copied()
             }
-            ScalarNode::Stumpff(function, a) => self.of(g, a)?.stumpff(function),
+            ScalarNode::Stumpff(function, a) => of(a)?.stumpff(function),
             _ => None,
         }
     }

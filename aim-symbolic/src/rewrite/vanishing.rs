@@ -130,7 +130,7 @@ impl Vanishing {
             return Vec::new();
         }
         let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
-        let by = |(&base, order): (&Scalar, i32)| (order != 0).then(|| Self::plain(base, 1, order, Rest::Sum));
+        let by = |(&base, order): (&Scalar, i32)| is_order(order).then(|| Self::plain(base, 1, order, Rest::Sum));
         divisors.iter().zip(orders).filter_map(by).collect()
     }
 
@@ -299,7 +299,7 @@ fn common_factors(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> (Scalar, Vec
     let bases = first.map_or(Vec::new(), |first| first.powers.iter().map(|&(base, _)| base).collect());
     let bases: Vec<Scalar> = bases.into_iter().filter(|base| !divisors.contains(base)).collect();
     let orders = orders(g, s, &bases, &mut { MOST_SUMS }).unwrap_or_default();
-    for (base, order) in bases.into_iter().zip(orders).filter(|&(_, order)| order != 0) {
+    for (base, order) in bases.into_iter().zip(orders).filter(|&(_, order)| is_order(order)) {
         if let Some(without) = over(g, rest, base, order, &mut { MOST_SUMS }) {
             rest = without;
             common.push((base, order));
@@ -354,6 +354,11 @@ fn root(g: &mut Graph, square: Scalar) -> Scalar {
     }
 }
 
+/// Whether something is to be taken out: not of what has no power of the base, nor of what is 0.
+fn is_order(order: i32) -> bool {
+    order != 0 && order < ORDER_OF_ZERO
+}
+
 /// The least powers of bases among the terms of a sum, in halves; `None` where that is too long.
 fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Option<Vec<i32>> {
     if let Some((a, b)) = parts(g, s) {
@@ -369,9 +374,11 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
         if parts(g, factor).is_some() {
             let of_sum = orders(g, factor, bases, left)?;
-            all.iter_mut().zip(of_sum).filter(|(_, of_sum)| of_sum * power % 2 == 0).for_each(|(all, of_sum)| {
-                *all += of_sum * power / 2;
-            });
+            all.iter_mut().zip(of_sum).filter(|&(_, order)| is_order(order) && order * power % 2 == 0).for_each(
+                |(all, of_sum)| {
+                    *all += of_sum * power / 2;
+                },
+            );
         } else if let Some(found) = Vanishing::of_function(g, factor, bases)
             && let Some(place) = bases.iter().position(|&base| base == found.base())
             && found.halves() * power % 2 == 0
@@ -405,7 +412,7 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         } else {
             Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
         };
-        if let Some(found) = found.filter(|found| found.halves() != 0 && found.halves() * power % 2 == 0) {
+        if let Some(found) = found.filter(|found| is_order(found.halves()) && found.halves() * power % 2 == 0) {
             found.take_out(g, &mut product, factor)?;
         }
     }

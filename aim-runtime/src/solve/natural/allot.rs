@@ -5,6 +5,7 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, pair, square};
+use super::region::ROLLS;
 use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
@@ -34,8 +35,6 @@ const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
 /// The lanes of a pair.
 const HEADING: usize = 0;
 const PITCH: usize = 1;
-/// The compliance of a region that the head is turned out of by β is divided by 1 + this·β² for a look up: half at 20°.
-pub(super) const ROLLS: f32 = 8.0;
 
 /// How far eyes whose headings are these, in a head of one elevation, look aside from it at another: at
 /// tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η) towards elevation ε, the head's being η.

@@ -2,7 +2,6 @@
 
 use glam::{Vec3A, Vec4, Vec4Swizzles};
 
-use super::allot::ROLLS;
 use super::body::Body;
 use super::glide::{Pair, pair};
 use super::range::Range;
@@ -10,6 +9,9 @@ use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
 use crate::math::{self, trig};
 use crate::rig::BodyPart;
+
+/// What is inside of a head that is turned out of it by β gives of a pitch what it would over 1 + this·β²: half at 20°.
+pub(super) const ROLLS: f32 = 8.0;
 
 /// A part of the body in a pose.
 #[derive(Clone, Copy, Debug)]
