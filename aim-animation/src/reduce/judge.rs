@@ -80,6 +80,18 @@ impl Error {
     }
 }
 
+/// Keys, the points between neighbours, and just before each key, where steps and jumps end.
+fn points(keys: &[f32]) -> impl Iterator<Item = f32> {
+    let next = keys.iter().skip(1).copied().map(Some).chain([None]);
+    keys.iter().zip(next).flat_map(|(&from, next)| {
+        let between = move |to: f32| {
+            let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
+            (1..=BETWEEN).map(at).chain([to.next_down()])
+        };
+        core::iter::once(from).chain(next.into_iter().flat_map(between))
+    })
+}
+
 /// Measures clips against one clip.
 #[derive(Debug)]
 pub(super) struct Judge<'a> {
@@ -129,18 +141,7 @@ impl<'a> Judge<'a> {
 
     /// The errors at all keys, at eight points between neighbours, and just before each key.
     pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
-        let times = [&self.keys, &self.own_keys].into_iter().flat_map(|keys| {
-            let next = keys.iter().skip(1).copied().map(Some).chain([None]);
-            keys.iter().zip(next).flat_map(|(&from, next)| {
-                let between = move |to: f32| {
-                    // The last of them just before the key, where steps and jumps end.
-                    let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
-                    (1..=BETWEEN).map(at).chain([to.next_down()])
-                };
-                core::iter::once(from).chain(next.into_iter().flat_map(between))
-            })
-        });
-        self.errors(played, times)
+        self.errors(played, points(&self.keys).chain(points(&self.own_keys)))
     }
 
     fn errors(&self, played: &dyn Played, times: impl Iterator<Item = f32>) -> Errors {

@@ -117,7 +117,7 @@ const KINDS: [&str; 16] = [
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];
 
-/// What is lower than this part of its length has no feet: a fish, a bird in flight.
+/// The height, as a part of the length, below which nothing has feet: a fish, a bird in flight.
 const FLAT: f64 = 0.1;
 
 /// Nodes of one name that are tried as the other of a pair: work stays bounded whatever a file holds.

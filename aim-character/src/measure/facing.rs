@@ -190,7 +190,7 @@ fn tells_front_from_back(said: &Evidence) -> bool {
     said.forward.is_some() && !matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry)
 }
 
-/// Whether the head lies ahead of the hips rather than above them.
+/// True if the head lies ahead of the hips rather than above them.
 pub(crate) fn is_led_by_head(evidence: &[Evidence]) -> bool {
     evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
 }

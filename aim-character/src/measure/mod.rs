@@ -291,7 +291,7 @@ impl Measurement {
         if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
     }
 
-    /// Whether the character goes on all fours: two pairs of its limbs stand on the ground, one ahead of the other, or its head lies
+    /// True if the character goes on all fours: two pairs of its limbs stand on the ground, one ahead of the other, or its head lies
     /// ahead of its hips rather than above them and it has no wings.
     #[must_use]
     pub fn goes_on_all_fours(&self) -> bool {

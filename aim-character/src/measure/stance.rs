@@ -1,4 +1,4 @@
-//! How a body stands: on which limbs, and of which kind that makes it.
+//! The limbs that a body stands on, and the kind of body that this makes it.
 
 use aim_model::BoneName;
 use aim_runtime::glam::DVec3;
@@ -58,7 +58,7 @@ impl BodyKind {
 pub(crate) struct Limb {
     /// Its first bone.
     root: usize,
-    /// Whether its feet are on the character's left.
+    /// True if its feet are on the character's left.
     is_left: bool,
     /// The place of its first bone along the character's forward.
     ahead: f64,
@@ -101,7 +101,7 @@ pub(crate) fn standing_limbs(body: &Body<'_>, facing: &Facing) -> Vec<Limb> {
         .collect()
 }
 
-/// Whether limbs of either side begin far ahead of others of that side.
+/// True if limbs of either side begin far ahead of others of that side.
 fn is_on_all_fours(limbs: &[Limb]) -> bool {
     [false, true].into_iter().all(|is_left| {
         let limbs = || limbs.iter().filter(|limb| limb.is_left == is_left);

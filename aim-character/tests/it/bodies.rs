@@ -176,7 +176,7 @@ fn collarbones_near_the_middle_are_no_neck_and_pouches_are_no_arms() {
     }
 }
 
-/// What has limbs on two ways from its root may be one of a chest: its legs may be the arms, or its ears.
+/// A root with limbs on two ways may be that of a chest: its legs may be the arms, or its ears.
 #[test]
 fn a_nameless_body_that_may_look_either_way_has_no_plan() {
     let column = [

@@ -13,7 +13,7 @@ use super::names::{Meaning, Names, join, segments};
 /// An item by its full name, or what a type of that full name has by this name.
 type Name = (Option<String>, String);
 
-/// What a module defines, and the modules inside of it.
+/// The items of a module, and of the modules inside of it.
 #[derive(Default)]
 pub(super) struct Items {
     names: Names,
@@ -66,14 +66,8 @@ impl Items {
             }
             match item {
                 Item::Use(item) => self.names.add_use(module, &item.tree),
-                Item::Mod(item) if !has_cfg(&item.attrs) => {
-                    let (name, (_, parts)) = (
-                        join(module, &item.ident.to_string()),
-                        match &item.content {
-                            Some(content) => content,
-                            None => continue,
-                        },
-                    );
+                Item::Mod(syn::ItemMod { attrs, ident, content: Some((_, parts)), .. }) if !has_cfg(attrs) => {
+                    let name = join(module, &ident.to_string());
                     self.names.add_module(name.clone());
                     self.add_names(&name, parts);
                 }

@@ -32,12 +32,12 @@ pub(crate) fn cancelled_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
 }
 
 /// The product that `collect` multiplies together, if something of it cancels, with what `collect` leaves.
-fn cancelled<R>(
+fn cancelled<R: Copy>(
     g: &mut Graph,
     collect: impl Fn(&mut Graph, &mut Product, &[Scalar]) -> Option<R>,
 ) -> Option<(Product, R)> {
     let mut all = Product::new();
-    collect(g, &mut all, &[])?;
+    let rest_of_all = collect(g, &mut all, &[])?;
     let divisors = all.divisors(g);
     if divisors.is_empty() {
         return None;
@@ -49,8 +49,11 @@ fn cancelled<R>(
         }
         // The argument of a function may be a product itself.
         let whole: Vec<Scalar> = vanishing.iter().map(|(_, found)| found.base()).collect();
-        let mut product = Product::new();
-        let rest = collect(g, &mut product, &whole)?;
+        let (mut product, mut rest) = (all.clone(), rest_of_all);
+        if !whole.is_empty() {
+            product = Product::new();
+            rest = collect(g, &mut product, &whole)?;
+        }
         if product.cancel(g, &vanishing)? {
             return Some((product, rest));
         }

@@ -27,6 +27,11 @@ struct Length {
 }
 
 impl Length {
+    /// A base, or its root, by itself.
+    fn plain(base: Scalar, halves: i32) -> Self {
+        Self { coefficient: 1.0, others: Vec::new(), base, halves }
+    }
+
     /// Of one of the `divisors`, if one is a factor of `s`; else a constant times whatever there is.
     fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
         if let Some(mut product) = Product::of(g, s)
@@ -57,7 +62,7 @@ impl Length {
                 _ => break (s, 2),
             }
         };
-        Some(Self { coefficient, others: Vec::new(), base, halves })
+        Some(Self { coefficient, ..Self::plain(base, halves) })
     }
 
     fn square(&self, g: &mut Graph) -> Scalar {
@@ -115,9 +120,9 @@ impl Vanishing {
         found.map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
     }
 
-    /// A power of the length of which the rest is this.
-    fn plain(base: Scalar, halves: i32, order: i32, rest: Rest) -> Self {
-        Self { length: Length { coefficient: 1.0, others: Vec::new(), base, halves }, order, negative: false, rest }
+    /// A sum of which each term has this power of the base, in halves.
+    fn sum(base: Scalar, halves: i32) -> Self {
+        Self { length: Length::plain(base, 1), order: halves, negative: false, rest: Rest::Sum }
     }
 
     /// What a function vanishes with.
@@ -130,7 +135,7 @@ impl Vanishing {
             return Vec::new();
         }
         let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
-        let by = |(&base, order): (&Scalar, i32)| is_order(order).then(|| Self::plain(base, 1, order, Rest::Sum));
+        let by = |(&base, order): (&Scalar, i32)| is_order(order).then(|| Self::sum(base, order));
         divisors.iter().zip(orders).filter_map(by).collect()
     }
 
@@ -174,7 +179,7 @@ impl Vanishing {
                 // acos w = atan2(√(1 − w²), w)
                 Function::Acos => {
                     let base = g.around_one(a);
-                    one(Length { coefficient: 1.0, others: Vec::new(), base, halves: 1 }, Rest::Arc(a))
+                    one(Length::plain(base, 1), Rest::Arc(a))
                 }
                 _ => None,
             },
@@ -374,11 +379,11 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
         if parts(g, factor).is_some() {
             let of_sum = orders(g, factor, bases, left)?;
-            all.iter_mut().zip(of_sum).filter(|&(_, order)| is_order(order) && order * power % 2 == 0).for_each(
-                |(all, of_sum)| {
-                    *all += of_sum * power / 2;
-                },
-            );
+            for (all, order) in all.iter_mut().zip(of_sum) {
+                if is_order(order) && order * power % 2 == 0 {
+                    *all += order * power / 2;
+                }
+            }
         } else if let Some(found) = Vanishing::of_function(g, factor, bases)
             && let Some(place) = bases.iter().position(|&base| base == found.base())
             && found.halves() * power % 2 == 0
@@ -408,7 +413,7 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         let found = if factor == base {
             None
         } else if parts(g, factor).is_some() {
-            Some(Vanishing::plain(base, 1, orders(g, factor, &[base], left)?[0], Rest::Sum))
+            Some(Vanishing::sum(base, orders(g, factor, &[base], left)?[0]))
         } else {
             Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
         };

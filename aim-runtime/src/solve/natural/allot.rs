@@ -5,7 +5,7 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, pair, square};
-use super::region::ROLLS;
+use super::region::calm;
 use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
 use crate::limits::Interval;
 use crate::math::Bounded;
@@ -262,7 +262,7 @@ impl<const C: usize> Gaze<'_, C> {
         gives[head] = total;
         for (number, region) in regions[..head].iter().enumerate() {
             let out = if AXIS == PITCH && wanted > 0.0 { directions[head].x - directions[number].x } else { 0.0 };
-            gives[number] = region.part.compliance[AXIS] / (1.0 + ROLLS * out * out);
+            gives[number] = region.part.compliance[AXIS] / calm(out);
             total += gives[number];
         }
         // Mostly all have room for their parts.

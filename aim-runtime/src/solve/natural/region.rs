@@ -10,8 +10,11 @@ use crate::kinematics::bearing::Bearings;
 use crate::math::{self, trig};
 use crate::rig::BodyPart;
 
-/// What is inside of a head that is turned out of it by β gives of a pitch what it would over 1 + this·β²: half at 20°.
-pub(super) const ROLLS: f32 = 8.0;
+/// By how much less of a pitch is made by what is inside of a head that is turned out of it by β, radians: 1 + 8·β², 2 at 20°.
+#[cfg_attr(not(aim_small), inline(always))]
+pub(super) fn calm(aside: f32) -> f32 {
+    1.0 + 8.0 * aside * aside
+}
 
 /// A part of the body in a pose.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +55,7 @@ impl Region<'_> {
         let own = pair(info.compliance());
         let share = Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO);
         let aside = self.ahead + (1.0 - share.x) * turn.x;
-        share * turn * Vec4::new(1.0, 1.0 / (1.0 + ROLLS * aside * aside), 1.0, 1.0)
+        share * turn * Vec4::new(1.0, 1.0 / calm(aside), 1.0, 1.0)
     }
 }
 

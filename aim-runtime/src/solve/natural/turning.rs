@@ -310,7 +310,13 @@ impl<const C: usize> Gaze<'_, C> {
         let held = total.max(region.lo.min(before)).min(region.hi.max(before));
         let step = Vec4::splat(rate * dt);
         let held = held.max(before - step).min(before + step);
-        let now = self.distribute(region, goals, [goal, before, held], from, joints, motion);
+        let now = if inner.is_some() {
+            self.distribute(region, goals, [goal, before, held], from, joints, motion)
+        } else {
+            let held = motion.reaches[outer].hold(held);
+            joints[outer] = with_angles(held);
+            held
+        };
         // Range and rate come first.
         let is_free = (now - total).abs().cmple(Vec4::splat(SAME_RAD));
         if is_free.bitmask() & 3 != 3 {
@@ -328,32 +334,13 @@ impl<const C: usize> Gaze<'_, C> {
         }
     }
 
-    /// Turns a region's joints so that their angles add up to `total`, where those of their goals add up to `goal` and those that
+    /// Turns the joints of a region of several so that their angles add up to `total`, where those of their goals add up to `goal` and those that
     /// they have to `before`. Returns what they do add up to.
     ///
     /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
     /// rest.
-    #[cfg_attr(not(aim_small), inline(always))]
-    fn distribute(
-        &self,
-        region: &Region<'_>,
-        goals: &PerJoint<Pair, C>,
-        [goal, before, total]: [Pair; 3],
-        from: &PerJoint<Joint, C>,
-        joints: &mut PerJoint<Joint, C>,
-        motion: &Motion<'_, C>,
-    ) -> Pair {
-        let outer = region.part.outer;
-        if outer < region.part.inner {
-            return self.distribute_among(region, goals, [goal, before, total], from, joints, motion);
-        }
-        let held = motion.reaches[outer].hold(total);
-        joints[outer] = with_angles(held);
-        held
-    }
-
     #[inline(never)]
-    fn distribute_among(
+    fn distribute(
         &self,
         region: &Region<'_>,
         goals: &PerJoint<Pair, C>,
