@@ -10,10 +10,13 @@ use aim_runtime::glam::DVec3;
 const HEAD_PART: f64 = 0.5;
 /// However short a bone is, it counts as this part of the mean of its region.
 const SHORTEST: f64 = 0.1;
-/// A bone's own pitches and rate, relative to its part of its region's, so that one bone may make up for another that the
-/// animation has bent already. The region's budget bounds their sum. Headings have no slack: of a chain's innermost region the
-/// budget does not know how far the animation turns it, but ranges that count from the bind pose do.
-const SLACK: f64 = 1.25;
+/// A bone's own pitches, relative to its part of its region's, so that one bone may make up for another: a head that is turned
+/// aside nods by itself, as a neck would roll it, and so does a head on a neck that the animation has bent already. The region's
+/// budget bounds their sum. Headings have no slack: of a chain's innermost region the budget does not know how far the animation
+/// turns it, but ranges that count from the bind pose do.
+const PITCH_SLACK: f64 = 2.0;
+/// The same of its rate.
+const RATE_SLACK: f64 = 1.25;
 /// The least end of a range to either side, radians: one that can be declared, of however many bones a neck has.
 const LEAST_END: f64 = 1.5 / 180.0 * core::f64::consts::PI;
 
@@ -99,12 +102,12 @@ fn lengths(bones: &[&BoneAxes]) -> Vec<Option<f64>> {
 
 /// Ranges and rate of a joint that makes `part` of a budget's turn. Angles in radians.
 pub(crate) fn of_budget(budget: &Budget, part: f64) -> Budget {
-    let with_slack = (part * SLACK).min(1.0);
+    let with_slack = |slack: f64| (part * slack).min(1.0);
     let range = |ends: [f64; 2], part: f64| ends.map(|end| whole(end * part).abs().max(LEAST_END).copysign(end));
     Budget {
         heading: range(budget.heading, part),
-        pitch: range(budget.pitch, with_slack),
-        rate: whole(budget.rate * with_slack),
+        pitch: range(budget.pitch, with_slack(PITCH_SLACK)),
+        rate: whole(budget.rate * with_slack(RATE_SLACK)),
         acceleration: budget.acceleration,
     }
 }

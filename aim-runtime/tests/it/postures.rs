@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use crate::natural::{at, thug};
-use aim_runtime::glam::Mat3A;
+use aim_runtime::glam::{Mat3A, Vec3};
 use aim_runtime::{Joint, Pose, Role};
 
 /// The heading of a target near the zenith says little: the head looks up rather than aside, whichever side the target passes
@@ -46,10 +46,9 @@ fn a_look_up_over_the_shoulder_does_not_tip_the_head() {
             let mut rig = thug();
             let pose = upright(&rig);
             rig.snap(&Pose::new(&pose), at(side * heading, elevation));
-            // Forward, left and up are x, y and z here.
-            let turn = |joint: &Joint| Mat3A::from_rotation_z(joint.heading()) * Mat3A::from_rotation_y(-joint.pitch());
-            let head = turn(&rig.joints[2]) * turn(&rig.joints[1]);
-            let roll = head.y_axis.z.atan2(head.z_axis.z) / DEG;
+            // The eye rolls nothing.
+            rig.joints[0] = Joint::default();
+            let roll = roll_of(&rig, 0.0);
             assert!(roll.abs() < 1.5, "{heading}°, {elevation}°: the head rolls by {roll}°");
         }
     }
@@ -70,19 +69,116 @@ fn a_neck_nods_little_under_a_head_turned_aside() {
     }
 }
 
-/// Head, neck and chest after a snap to a target, the head turned aside by the animation, and the roll of the head in degrees.
-fn looking(side_deg: f32, heading_deg: f32, pitch_deg: f32) -> (NumericRig, f32) {
+/// What is below and aside a head looks down to: a chest that bent under it would roll it.
+#[test]
+fn a_look_down_over_the_shoulder_does_not_tip_the_head() {
+    let chest = |heading_deg: f32| looking(0.0, heading_deg, -45.0).0.joints[2].pitch() / DEG;
+    for side in [-50.0, 50.0] {
+        let (ahead, aside) = (chest(0.0), chest(side));
+        assert!(ahead < -3.0 && aside > 0.5 * ahead, "the chest bends by {aside}° aside, by {ahead}° ahead");
+    }
+}
+
+/// Where a head cannot nod any further its neck does, but for one that is turned far aside: it would roll the head, and hardly lift
+/// it.
+#[test]
+fn a_neck_does_not_roll_a_head_that_cannot_nod() {
+    let reach = |heading_deg: f32, elevation_deg: f32| {
+        let mut rig = stiff_person();
+        let pose = upright(&rig);
+        rig.snap(&Pose::new(pose), at(heading_deg, elevation_deg));
+        (rig.joints[1].pitch() / DEG, roll_of(&rig, 0.0))
+    };
+    let (neck, roll) = reach(0.0, 25.0);
+    assert!(neck > 18.0 && roll.abs() < 0.1, "{neck}°, {roll}°");
+    for side in [-1.0, 1.0] {
+        let (neck, roll) = reach(side * 100.0, 25.0);
+        assert!(neck < 10.0 && roll.abs() < 15.0, "the neck nods by {neck}°, the head rolls by {roll}°");
+    }
+}
+
+/// Where nothing helps a head to its target, each frame comes to the same as the one before.
+#[test]
+fn a_head_that_cannot_nod_stands_still() {
+    for side in [-1.0, 1.0] {
+        let mut rig = stiff_person();
+        let mut pose = upright(&rig);
+        pose[0].matrix3 = Mat3A::from_rotation_y(side * 80.0 * DEG) * pose[0].matrix3;
+        let pose = Pose::new(pose);
+        let frame = |rig: &mut NumericRig| {
+            rig.aim(&pose, at(side * 80.0, 20.0), 1.0 / 60.0);
+            rig.joints.iter().flat_map(|joint| [joint.heading(), joint.pitch()]).collect::<Vec<_>>()
+        };
+        for _ in 0..240 {
+            frame(&mut rig);
+        }
+        let mut before = frame(&mut rig);
+        for _ in 0..20 {
+            let now = frame(&mut rig);
+            let most = now.iter().zip(&before).map(|(now, before)| (now - before).abs()).fold(0.0, f32::max);
+            assert!(most < 1e-3 * DEG, "{:?} after {:?}", now, before);
+            before = now;
+        }
+    }
+}
+
+/// While a target goes over the head the eye looks up to it, wherever the head has to turn.
+#[test]
+fn an_eye_follows_over_the_head() {
+    for aside in [-0.1, 0.03, 0.2_f32] {
+        let mut rig = thug();
+        let pose = Pose::new(upright(&rig));
+        let frame = |rig: &mut NumericRig, angle: f32| {
+            rig.aim(&pose, over(aside, angle), 1.0 / 60.0);
+            rig.joints[0].pitch() / DEG
+        };
+        for _ in 0..120 {
+            frame(&mut rig, 60.0);
+        }
+        for step in 0..50 {
+            let angle = 60.0 + 3.0 * step as f32;
+            let pitch = frame(&mut rig, angle);
+            assert!(!(80.0..=125.0).contains(&angle) || pitch > 10.0, "{angle}°: the eye looks up by {pitch}°");
+        }
+    }
+}
+
+/// A target so far round from the front over the head, and so much to the left.
+fn over(aside_m: f32, angle_deg: f32) -> Vec3 {
+    at(0.0, angle_deg) + WORLD[2] * aside_m
+}
+
+/// Head, neck and chest.
+fn person() -> NumericRig {
     let mut rig = thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
         *info = info.with_role(role).with_heading(-39.0 * DEG, 39.0 * DEG).with_pitch(-31.0 * DEG, 37.0 * DEG);
     }
-    let mut pose = upright(&rig);
-    pose[0].matrix3 = Mat3A::from_rotation_y(side_deg * DEG) * pose[0].matrix3;
-    rig.snap(&Pose::new(pose), at(heading_deg, pitch_deg));
+    rig
+}
+
+/// The same with a head that hardly nods.
+fn stiff_person() -> NumericRig {
+    let mut rig = person();
+    rig.infos[0] = rig.infos[0].with_pitch(-3.0 * DEG, 3.0 * DEG);
+    rig
+}
+
+/// How far a head rolls that the animation turns aside so far, degrees.
+fn roll_of(rig: &NumericRig, side_deg: f32) -> f32 {
     // Forward, left and up are x, y and z here; the animation turns the head about what is up.
     let turn = |joint: &Joint| Mat3A::from_rotation_z(joint.heading()) * Mat3A::from_rotation_y(-joint.pitch());
     let inside = turn(&rig.joints[2]) * turn(&rig.joints[1]);
     let head = inside * Mat3A::from_rotation_z(side_deg * DEG) * turn(&rig.joints[0]);
-    let roll = head.y_axis.z.atan2(head.z_axis.z) / DEG;
+    head.y_axis.z.atan2(head.z_axis.z) / DEG
+}
+
+/// Head, neck and chest after a snap to a target, the head turned aside by the animation, and the roll of the head in degrees.
+fn looking(side_deg: f32, heading_deg: f32, pitch_deg: f32) -> (NumericRig, f32) {
+    let mut rig = person();
+    let mut pose = upright(&rig);
+    pose[0].matrix3 = Mat3A::from_rotation_y(side_deg * DEG) * pose[0].matrix3;
+    rig.snap(&Pose::new(pose), at(heading_deg, pitch_deg));
+    let roll = roll_of(&rig, side_deg);
     (rig, roll)
 }

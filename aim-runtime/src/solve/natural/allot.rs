@@ -147,8 +147,18 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
     fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
+        /// From the first of these elevations on, an eye looks where the target is, though the others turn to it by way of the
+        /// front; wholly from the second.
+        const STEEP_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
         let nearest = way.from + way.way - unfit;
-        let point = self.pivot + self.bearings.direction(nearest) * (self.goal.aimed - self.pivot).length();
+        let to_target = self.goal.aimed - self.pivot;
+        let distance = to_target.length();
+        let mut to_point = self.bearings.direction(nearest) * distance;
+        let steep = (way.to.y.abs() - STEEP_RAD[0]) / (STEEP_RAD[1] - STEEP_RAD[0]);
+        if self.has_eye && steep > 0.0 {
+            to_point += (to_target - to_point) * steep.at_most(1.0);
+        }
+        let point = self.pivot + to_point;
         Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit.x } }
     }
 
@@ -246,7 +256,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// how far they turn.
     ///
     /// A pitch p under a head turned aside by β lifts the gaze by no more than p·cos β, and rolls the head by p·sin β: a region
-    /// complies with a look up the less, the farther the head is turned out of it.
+    /// complies with it the less, the farther the head is turned out of it.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
         let heading = self.turn_axis::<HEADING>(wanted.x, directions);
@@ -261,7 +271,7 @@ impl<const C: usize> Gaze<'_, C> {
         let mut total = regions[head].part.compliance[AXIS];
         gives[head] = total;
         for (number, region) in regions[..head].iter().enumerate() {
-            let out = if AXIS == PITCH && wanted > 0.0 { directions[head].x - directions[number].x } else { 0.0 };
+            let out = if AXIS == PITCH { directions[head].x - directions[number].x } else { 0.0 };
             gives[number] = region.part.compliance[AXIS] / calm(out);
             total += gives[number];
         }

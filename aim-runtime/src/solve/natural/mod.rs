@@ -6,7 +6,7 @@
 //!
 //! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]): the regions make g·max(0, E − D)/E of
 //!    it, E being its angle, and more where the eye could not do the rest; each by its compliance as far as its room goes,
-//!    heading and elevation each for itself. So a target out of reach to the side is followed level. A trunk leans back the less,
+//!    heading and elevation each for itself. So a target out of reach to the side is followed level. A trunk bends the less,
 //!    the farther the head is turned out of it, which it would tip.
 //! 2. Each region, from the root outward, turns its outermost forward to the direction that it was allotted, measured in the
 //!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
@@ -359,8 +359,11 @@ impl<const C: usize> Gaze<'_, C> {
             None if self.has_eye => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
             None => {
                 // What a head lacks near the zenith is all heading, and would add up from frame to frame.
-                more = Vec4::ZERO;
-                self.settle_in_rounds(&way, from, posture, (&mut more, ROUNDS))?
+                let mut made = Vec4::ZERO;
+                let allotment = self.settle_in_rounds(&way, from, posture, (&mut made, ROUNDS))?;
+                // Where nothing helps the next frame tries again, and does not take it for plain.
+                more = if allotment.fit.within_reach || square(made) > 0.0 { made } else { more };
+                allotment
             }
         };
         if gives_up && !allotment.fit.within_reach {

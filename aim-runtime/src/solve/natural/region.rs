@@ -26,7 +26,7 @@ pub(super) struct Region<'a> {
     pub(super) own_forward: Vec3A,
     pub(super) forward: Vec3A,
     /// The heading of the latter.
-    ahead: f32,
+    pub(super) ahead: f32,
     /// The shifts by the pose: of the middle of the joints' ranges, where those have ends, and of the budget.
     pub(super) shifts: [Pair; 2],
     /// The sums that the joints' ranges allow, and the budget in this pose.

@@ -223,6 +223,11 @@ impl<const C: usize> Gaze<'_, C> {
         whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
         // Nor do they turn further than the outermost would then have to turn back.
         whole = whole.max(region.lo).min(region.hi);
+        if more.y != 0.0 {
+            // Beyond 60° aside a pitch inside rolls the forward, and hardly lifts it.
+            let cos = trig::sin_cos(region.ahead + whole.x).1.at_least(0.0);
+            more.y *= (4.0 * cos * cos).at_most(1.0);
+        }
         for index in (part.outer + 1..=part.inner).rev() {
             let own = region.share_of(whole, &body.infos()[index]);
             let held = self.ranges[index].hold_from(angles(&from[index]), own + more);

@@ -28,7 +28,7 @@ pub struct Mannequin {
         bone = "head",
         role = head,
         heading = -39deg..=39deg,
-        pitch = -31deg..=37deg,
+        pitch = -50deg..=60deg,
         limits_from = bind_pose,
         rate = 150deg,
         stiffness = 2.0
@@ -39,7 +39,7 @@ pub struct Mannequin {
         bone = "neck",
         role = neck,
         heading = -39deg..=39deg,
-        pitch = -31deg..=37deg,
+        pitch = -50deg..=60deg,
         limits_from = bind_pose,
         rate = 150deg,
         stiffness = 2.0
@@ -50,7 +50,7 @@ pub struct Mannequin {
         bone = "spine3",
         role = chest,
         heading = -9deg..=9deg,
-        pitch = -11deg..=7deg,
+        pitch = -18deg..=12deg,
         limits_from = bind_pose,
         rate = 37deg,
         stiffness = 13.43
@@ -61,7 +61,7 @@ pub struct Mannequin {
         bone = "spine2",
         role = chest,
         heading = -7deg..=7deg,
-        pitch = -9deg..=6deg,
+        pitch = -14deg..=9deg,
         limits_from = bind_pose,
         rate = 29deg,
         stiffness = 17.09
@@ -72,7 +72,7 @@ pub struct Mannequin {
         bone = "spine1",
         role = chest,
         heading = -7deg..=7deg,
-        pitch = -9deg..=6deg,
+        pitch = -14deg..=9deg,
         limits_from = bind_pose,
         rate = 29deg,
         stiffness = 17.09
@@ -83,7 +83,7 @@ pub struct Mannequin {
         bone = "spine",
         role = chest,
         heading = -7deg..=7deg,
-        pitch = -9deg..=6deg,
+        pitch = -14deg..=9deg,
         limits_from = bind_pose,
         rate = 29deg,
         stiffness = 17.09
