@@ -256,6 +256,10 @@ impl Vanishing {
         match &self.rest {
             &Rest::Stumpff(function) => product.power(g.stumpff(function, square), halves),
             &Rest::StumpffOf(function, argument) => product.power(g.stumpff(function, argument), halves),
+            &Rest::Tangent(function) if function.hyperbolic => {
+                let tangent = Self::hyperbolic_tangent(g, function, square);
+                product.power(tangent, halves);
+            }
             &Rest::Tangent(function) => {
                 product.power(g.stumpff(function, square), halves);
                 product.power(g.stumpff(function.of_order(0), square), -halves);
@@ -272,6 +276,18 @@ impl Vanishing {
             }
         }
         Some(())
+    }
+
+    /// tanh r / r of the square r²: c₁/c₀, and from r = 20 on, long before cosh r overflows, by its name.
+    fn hyperbolic_tangent(g: &mut Graph, function: Stumpff, square: Scalar) -> Scalar {
+        let [odd, even] = [1, 0].map(|order| g.stumpff(function.of_order(order), square));
+        let near = g.div(odd, even);
+        let (edge, r, one) = (g.constant(400.0), g.sqrt(square), g.constant(1.0));
+        // Nothing is divided by 0 where it is not taken.
+        let divisor = g.select_less(square, edge, one, r);
+        let tangent = g.call(Function::Tanh, r);
+        let far = g.div(tangent, divisor);
+        g.select_less(square, edge, near, far)
     }
 
     /// `s` over the power of the length, and its series within the radius.

@@ -111,6 +111,28 @@ fn functions_of_a_length_have_their_limits_where_it_is_0() {
     }
 }
 
+/// A saturated length overflows nowhere, however long it is: ∇∇(l·tanh k l) → (1 − n nᵀ)/l, and so does ∇(n·tanh k l).
+#[test]
+fn a_saturated_length_has_its_derivatives_far_out() {
+    use aim::glam::{DVec3, Vec3};
+    let n = DVec3::new(0.6, -0.48, 0.64);
+    for size in [15.0, 16.0, 60.0, 100.0, 1e3, 1e6] {
+        let single = single::derived(Vec3::new(0.6, -0.48, 0.64) * size, 1.3);
+        let double = double::derived(n * f64::from(size), 1.3);
+        for ((name, single, _), (_, double, _)) in single.into_iter().zip(double) {
+            if !["saturated", "friction"].contains(&name) {
+                continue;
+            }
+            for (i, j) in (0..9).map(|number| (number / 3, number % 3)) {
+                let expected = (f64::from(u8::from(i == j)) - n[i] * n[j]) / f64::from(size);
+                let near = |found: f64, tolerance: f64| (found - expected).abs() * f64::from(size) < tolerance;
+                assert!(near(double[i][j], 1e-12), "{name} at {size}: {} instead of {expected}", double[i][j]);
+                assert!(near(single[i][j].into(), 1e-5), "{name} at {size}: {} instead of {expected}", single[i][j]);
+            }
+        }
+    }
+}
+
 /// What people write by hand of rotations, lenses and angles.
 mod as_written {
     use aim::differentiate;
