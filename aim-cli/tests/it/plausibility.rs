@@ -261,9 +261,11 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
     // Before 0.7 s nothing counts, and for 1.5 s after a jump nothing does.
     let (_, t) = worst(&beside(0.0, &|_| 0.0)).expect("it can be told");
     assert!((t - 0.7).abs() < 0.02, "{t} s");
-    let late = beside(0.0, &|t| if t < 0.5 { 0.0 } else { 30.0 });
-    let first = late.frames.iter().find(|seen| seen.heading_counts).expect("it counts again").t;
-    assert!((first - 2.0).abs() < 0.12, "{first} s");
+    for jump in [6.0, 30.0] {
+        let late = beside(0.0, &|t| if t < 0.5 { 0.0 } else { jump });
+        let first = late.frames.iter().find(|seen| seen.heading_counts).expect("it counts again").t;
+        assert!((first - 2.0).abs() < 0.12, "{jump}°: {first} s");
+    }
     // A target that is followed counts all the time.
     let followed = beside(9.0, &|t| 20.0 * t);
     assert!(followed.frames.iter().filter(|seen| seen.t > 0.72).all(|seen| seen.heading_counts));

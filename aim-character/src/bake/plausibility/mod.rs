@@ -142,8 +142,9 @@ const LEVEL_DEG: f64 = 60.0;
 /// Time that a gaze has to come up or down to a target, seconds, and the change of elevation that starts it, degrees.
 const ARRIVAL_S: f64 = 0.7;
 const CHANGE_DEG: f64 = 10.0;
-/// A change by that much within this time, seconds, is a jump aside and no movement to be followed; the time that a head and a chest
-/// have after one, which go from one side to the other.
+/// A change of the heading by so much, degrees, within this time, seconds, is a jump aside and no movement to be followed; the time
+/// that a head and a chest have after one, which go from one side to the other.
+const JUMP_DEG: f64 = 5.0;
 const JUMP_S: f64 = 0.1;
 const TURN_S: f64 = 1.5;
 
@@ -280,7 +281,7 @@ impl Turned {
         while self.recent.front().is_some_and(|(at, _)| t - at > JUMP_S + 1e-6) {
             self.recent.pop_front();
         }
-        let jumps = self.recent.iter().any(|(_, before)| wrapped(heading_deg - before).abs() > CHANGE_DEG);
+        let jumps = self.recent.iter().any(|(_, before)| wrapped(heading_deg - before).abs() > JUMP_DEG);
         if jumps {
             self.from = Some(t + TURN_S);
         }
