@@ -71,7 +71,7 @@ impl Graph {
             Op::Div(_, b) if active(b) && !self.is_guarded_or_positive(b) => {
                 Some((Zero(b), "the quotient is not finite"))
             }
-            Op::Sqrt(a) => Some((Zero(a), "the root's derivatives count as 0")),
+            Op::Sqrt(a) if !self.is_guarded_or_positive(a) => Some((Zero(a), "the root's derivatives count as 0")),
             Op::Call(Function::Ln, a) => Some((Zero(a), "the logarithm's derivatives count as 0")),
             Op::Call(Function::Asin | Function::Acos, a) => Some((One(a), "the angle's derivatives count as 0")),
             Op::Call(Function::Floor, a) => Some((Equal(s, a), "the derivatives pass over the jump")),
@@ -95,12 +95,15 @@ impl Graph {
 
     /// Whether a division by it is guarded, or it is a hyperbolic cosine.
     fn is_guarded_or_positive(&self, b: Scalar) -> bool {
-        matches!(
-            self.scalar_node(b),
+        match self.scalar_node(b) {
             ScalarNode::Norm(_)
-                | ScalarNode::Op(Op::Call(Function::Cosh, _))
-                | ScalarNode::Stumpff(Stumpff { hyperbolic: true, order: 0 }, _)
-        )
+            | ScalarNode::Op(Op::Call(Function::Cosh, _))
+            | ScalarNode::Stumpff(Stumpff { hyperbolic: true, order: 0 }, _) => true,
+            ScalarNode::Op(Op::SelectLess(a, .., otherwise)) => {
+                self.is_tiny(a) && self.constant_of(otherwise) == Some(1.0)
+            }
+            _ => false,
+        }
     }
 
     /// Whether it is the least length, by which what was stated is guarded already.

@@ -282,12 +282,16 @@ impl Vanishing {
     fn hyperbolic_tangent(g: &mut Graph, function: Stumpff, square: Scalar) -> Scalar {
         let [odd, even] = [1, 0].map(|order| g.stumpff(function.of_order(order), square));
         let near = g.div(odd, even);
-        let (edge, r, one) = (g.constant(400.0), g.sqrt(square), g.constant(1.0));
+        let (edge, one) = (g.constant(400.0), g.constant(1.0));
+        let (margin, tiny) = (g.sub(square, edge), g.intern_scalar(ScalarNode::Op(Op::Tiny)));
         // Nothing is divided by 0 where it is not taken.
-        let divisor = g.select_less(square, edge, one, r);
+        let guarded = g.select_less(tiny, margin, square, one);
+        let r = g.sqrt(guarded);
+        // Not r itself, of which this would be a quotient to rewrite again.
+        let divisor = g.select_less(tiny, margin, r, one);
         let tangent = g.call(Function::Tanh, r);
         let far = g.div(tangent, divisor);
-        g.select_less(square, edge, near, far)
+        g.select_less(tiny, margin, far, near)
     }
 
     /// `s` over the power of the length, and its series within the radius.
