@@ -12,6 +12,9 @@ use crate::rig::Side;
 
 /// A gaze higher or lower than this has a heading that says little, radians.
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
+/// From the first of these elevations on, up or down, what is aside is [turned to](Bearings::turned) less aside than it is; from the
+/// second on even what is behind, by way of the front.
+pub(crate) const BY_THE_FRONT_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
 
 /// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
 #[cfg_attr(not(aim_small), inline(always))]

@@ -1,4 +1,4 @@
-//! How regions hold themselves in a natural gaze: level heads, calm necks.
+//! Postures in a natural gaze: level heads, calm necks.
 #![allow(clippy::cast_precision_loss, reason = "steps are counted")]
 
 use crate::common::*;
@@ -69,7 +69,7 @@ fn a_neck_nods_little_under_a_head_turned_aside() {
     }
 }
 
-/// What is below and aside a head looks down to: a chest that bent under it would roll it.
+/// A head looks by itself at something below and aside: a chest that bent under it would roll it.
 #[test]
 fn a_look_down_over_the_shoulder_does_not_tip_the_head() {
     let chest = |heading_deg: f32| looking(0.0, heading_deg, -45.0).0.joints[2].pitch() / DEG;

@@ -282,16 +282,23 @@ impl Vanishing {
     fn hyperbolic_tangent(g: &mut Graph, function: Stumpff, square: Scalar) -> Scalar {
         let [odd, even] = [1, 0].map(|order| g.stumpff(function.of_order(order), square));
         let near = g.div(odd, even);
-        let (edge, one) = (g.constant(400.0), g.constant(1.0));
-        let (margin, tiny) = (g.sub(square, edge), g.intern_scalar(ScalarNode::Op(Op::Tiny)));
+        let (edge, one) = (400.0, g.constant(1.0));
         // Nothing is divided by 0 where it is not taken.
-        let guarded = g.select_less(tiny, margin, square, one);
+        let guarded = Self::where_above(g, square, edge, square, one);
         let r = g.sqrt(guarded);
         // Not r itself, of which this would be a quotient to rewrite again.
-        let divisor = g.select_less(tiny, margin, r, one);
+        let divisor = Self::where_above(g, square, edge, r, one);
         let tangent = g.call(Function::Tanh, r);
         let far = g.div(tangent, divisor);
-        g.select_less(tiny, margin, far, near)
+        Self::where_above(g, square, edge, far, near)
+    }
+
+    /// `then` where a square is above the edge, else `otherwise`.
+    fn where_above(g: &mut Graph, square: Scalar, edge: f64, then: Scalar, otherwise: Scalar) -> Scalar {
+        let edge = g.constant(edge);
+        let margin = g.sub(square, edge);
+        let tiny = g.intern_scalar(ScalarNode::Op(Op::Tiny));
+        g.select_less(tiny, margin, then, otherwise)
     }
 
     /// `s` over the power of the length, and its series within the radius.
@@ -304,16 +311,13 @@ impl Vanishing {
             let (product, c) = (g.mul(sum, x), g.constant(c));
             g.add(product, c)
         });
-        let edge = g.constant(radius * radius);
-        let margin = g.sub(square, edge);
-        let tiny = g.intern_scalar(ScalarNode::Op(Op::Tiny));
         // Nothing is divided by 0 where the series is taken.
         let one = g.constant(1.0);
         let power = (0..self.order / 2).fold(one, |power, _| g.mul(power, square));
         let power = if self.order % 2 == 0 { power } else { g.mul(power, number) };
-        let divisor = g.select_less(tiny, margin, power, one);
+        let divisor = Self::where_above(g, square, radius * radius, power, one);
         let closed = g.div(s, divisor);
-        g.select_less(tiny, margin, closed, series)
+        Self::where_above(g, square, radius * radius, closed, series)
     }
 }
 

@@ -22,7 +22,7 @@ pub(super) fn names() -> impl Iterator<Item = &'static str> {
     NUMBERS.iter().map(|(name, _)| *name)
 }
 
-/// Whether there is a mathematical constant of this name.
+/// True if there is a mathematical constant of this name.
 pub(in crate::differentiate) fn is_mathematical(name: &str) -> bool {
     mathematical(name).is_some()
 }

@@ -11,7 +11,7 @@ use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Precision, Shape};
 
 impl Expected {
-    /// Whether a value can be of the type.
+    /// True if a value can be of the type.
     pub(super) fn fits(&self, value: &Value) -> bool {
         match (self, value) {
             (Self::Any, _) | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Sequence(_)) => true,
@@ -62,7 +62,7 @@ pub(super) fn type_of(value: &Value, precision: Option<Precision>) -> Expected {
 }
 
 impl Translation<'_> {
-    /// What a type says, as it is written in the function that is being run.
+    /// The meaning of a type as it is written in the function that is being run.
     pub(super) fn expected(&mut self, ty: &syn::Type) -> Expected {
         match ty {
             syn::Type::Group(group) => self.expected(&group.elem),
@@ -99,7 +99,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What an optional type says.
+    /// The same of a type that may be left out.
     pub(super) fn expected_of(&mut self, ty: Option<&syn::Type>) -> Expected {
         ty.map_or(Expected::Any, |ty| self.expected(ty))
     }

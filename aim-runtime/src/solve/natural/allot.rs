@@ -7,6 +7,7 @@ use glam::{Vec3A, Vec4};
 use super::glide::{Pair, pair, square};
 use super::region::calm;
 use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
+use crate::kinematics::bearing::BY_THE_FRONT_RAD;
 use crate::limits::Interval;
 use crate::math::Bounded;
 use crate::math::trig;
@@ -147,14 +148,12 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
     fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
-        /// From the first of these elevations on, an eye looks where the target is, though the others turn to it by way of the
-        /// front; wholly from the second.
-        const STEEP_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
         let nearest = way.from + way.way - unfit;
         let to_target = self.goal.aimed - self.pivot;
         let distance = to_target.length();
         let mut to_point = self.bearings.direction(nearest) * distance;
-        let steep = (way.to.y.abs() - STEEP_RAD[0]) / (STEEP_RAD[1] - STEEP_RAD[0]);
+        // An eye looks where the target is, though the others turn to what is steep by way of the front.
+        let steep = (way.to.y.abs() - BY_THE_FRONT_RAD[0]) / (BY_THE_FRONT_RAD[1] - BY_THE_FRONT_RAD[0]);
         if self.has_eye && steep > 0.0 {
             to_point += (to_target - to_point) * steep.at_most(1.0);
         }

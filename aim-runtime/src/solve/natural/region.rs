@@ -7,7 +7,7 @@ use super::glide::{Pair, pair};
 use super::range::Range;
 use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
-use crate::math::{self, trig};
+use crate::math::{self, Bounded, trig};
 use crate::rig::BodyPart;
 
 /// By how much less of a pitch is made by what is inside of a head that is turned out of it by β, radians: 1 + 8·β², 2 at 20°.
@@ -26,7 +26,7 @@ pub(super) struct Region<'a> {
     pub(super) own_forward: Vec3A,
     pub(super) forward: Vec3A,
     /// The heading of the latter.
-    pub(super) ahead: f32,
+    ahead: f32,
     /// The shifts by the pose: of the middle of the joints' ranges, where those have ends, and of the budget.
     pub(super) shifts: [Pair; 2],
     /// The sums that the joints' ranges allow, and the budget in this pose.
@@ -46,7 +46,7 @@ impl Region<'_> {
         hi: Vec4::ZERO,
     };
 
-    /// What an inner joint makes of the region's turn.
+    /// The part of the region's turn that an inner joint makes.
     ///
     /// A pitch p under a forward that is turned aside by β rolls it by p·sin β: the inner joint makes the less of the region's, the
     /// farther the forward is turned out of it.
@@ -56,6 +56,13 @@ impl Region<'_> {
         let share = Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO);
         let aside = self.ahead + (1.0 - share.x) * turn.x;
         share * turn * Vec4::new(1.0, 1.0 / calm(aside), 1.0, 1.0)
+    }
+
+    /// The part that inner joints make of a pitch which the outermost lacks, in a turn of the region: beyond 60° aside it would roll the
+    /// forward, and hardly lift it.
+    pub(super) fn part_inside(&self, turn: Pair) -> f32 {
+        let cos = trig::sin_cos(self.ahead + turn.x).1.at_least(0.0);
+        (4.0 * cos * cos).at_most(1.0)
     }
 }
 

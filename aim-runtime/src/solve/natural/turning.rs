@@ -202,8 +202,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some((wanted, within - goals[outer]))
     }
 
-    /// What the inner joints make: their turns are taken back from what is sought and from the point, which is returned with their
-    /// sum.
+    /// Finds the goals of the inner joints. Their turns are taken back from what is sought and from the point, which is returned with
+    /// their sum.
     #[inline(never)]
     fn inner_goals(
         &self,
@@ -224,9 +224,7 @@ impl<const C: usize> Gaze<'_, C> {
         // Nor do they turn further than the outermost would then have to turn back.
         whole = whole.max(region.lo).min(region.hi);
         if more.y != 0.0 {
-            // Beyond 60° aside a pitch inside rolls the forward, and hardly lifts it.
-            let cos = trig::sin_cos(region.ahead + whole.x).1.at_least(0.0);
-            more.y *= (4.0 * cos * cos).at_most(1.0);
+            more.y *= region.part_inside(whole);
         }
         for index in (part.outer + 1..=part.inner).rev() {
             let own = region.share_of(whole, &body.infos()[index]);
