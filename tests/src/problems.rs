@@ -58,6 +58,8 @@ pub fn all() -> Vec<Problem> {
         chain_aim("aim in a general frame", 99, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
+        spun_point(),
+        turned_point(),
         points_on_planes(),
         turned_in_words(),
         chord(),
@@ -510,6 +512,37 @@ fn turned_form() -> Problem {
         let by = vectors.into_iter().chain([u]).flat_map(|v| components(g, v)).chain([w.into()]).collect();
         let products = [(0, 0), (0, 1), (1, 1)].map(|(i, k)| g.dot(vectors[i], images[k]));
         (products.to_vec(), by)
+    })
+}
+
+/// The square of what a point is off another, after a product with a quaternion of any length on both sides.
+fn spun_point() -> Problem {
+    Problem::new("spun point", 77, |g| {
+        let (u, w) = (g.vector_input("q"), g.input("q_w"));
+        let [point, goal] = ["point", "goal"].map(|name| g.vector_input(name));
+        let (u_square, w_square, along) = (g.dot(u, u), g.mul(w, w), g.dot(u, point));
+        let (kept, two) = (g.sub(w_square, u_square), g.constant(2.0));
+        let (along, aside) = (g.mul(two, along), g.mul(two, w));
+        let cross = g.cross(u, point);
+        let terms = [(kept, point), (along, u), (aside, cross)].map(|(k, v)| g.scale(k, v));
+        let spun = g.add_vectors(terms[0], terms[1]);
+        let spun = g.add_vectors(spun, terms[2]);
+        let off = g.sub_vectors(spun, goal);
+        (vec![g.dot(off, off)], components(g, u).into_iter().chain([w.into()]).collect())
+    })
+}
+
+/// How far a point is along two vectors after a turn about another by its length, by that and the point.
+fn turned_point() -> Problem {
+    Problem::new("turned point", 137, |g| {
+        let [turn, point] = ["turn", "point"].map(|name| g.vector_input(name));
+        let rotation = g.attitude(Attitude::Turn(turn));
+        let turned = g.rotate(rotation, point);
+        let places = ["m", "n"].map(|name| {
+            let normal = g.vector_input(name);
+            g.dot(normal, turned)
+        });
+        (places.to_vec(), [turn, point].into_iter().flat_map(|v| components(g, v)).collect())
     })
 }
 

@@ -129,6 +129,12 @@ impl Graph {
         Vector(self.vectors.intern(node))
     }
 
+    /// The cross product of two vectors in either order, and whether that is the other, where it is there already.
+    pub(crate) fn known_cross(&self, v: Vector, w: Vector) -> Option<(Vector, bool)> {
+        let known = |v, w| self.vectors.index.get(&VectorNode::Cross(v, w)).map(|&place| Vector(place));
+        known(v, w).map(|cross| (cross, false)).or_else(|| known(w, v).map(|cross| (cross, true)))
+    }
+
     /// Stores a node that a pass has made of others, in the form in which the constructors make it.
     pub(crate) fn remade_scalar(&mut self, node: ScalarNode) -> Scalar {
         match node {

@@ -174,12 +174,21 @@ impl Fold {
 
     /// The constant that something is multiplied by, and what.
     fn multiple(&self, a: Scalar) -> (f64, Scalar) {
-        let ScalarNode::Op(Op::Mul(x, y)) = self.g.scalar_node(a) else { return (1.0, a) };
-        match (self.constant_of(x), self.constant_of(y)) {
-            (Some(c), None) => (c, y),
-            (None, Some(c)) => (c, x),
+        match self.g.scalar_node(a) {
+            ScalarNode::Op(Op::Add(x, y)) if x == y && self.constants => (2.0, x),
+            ScalarNode::Op(Op::Mul(x, y)) => match (self.constant_of(x), self.constant_of(y)) {
+                (Some(c), None) => (c, y),
+                (None, Some(c)) => (c, x),
+                _ => (1.0, a),
+            },
             _ => (1.0, a),
         }
+    }
+
+    /// c (d a) = a where c d = 1
+    fn cancelled(&self, factor: Scalar, multiple: Scalar) -> Option<Scalar> {
+        let (c, (d, a)) = (self.constant_of(factor)?, self.multiple(multiple));
+        (c * d == 1.0).then_some(a)
     }
 
     /// √a √a = a
@@ -206,10 +215,13 @@ impl Fold {
             (Some(x), Some(y)) => self.g.constant(x * y),
             (Some(0.0), None) | (None, Some(1.0)) => a,
             (None, Some(0.0)) | (Some(1.0), None) => b,
-            _ => self.square(a, b).or_else(|| self.chosen(a, b)).or_else(|| self.chosen(b, a)).unwrap_or_else(|| {
-                let (a, b) = self.ordered(a, b);
-                self.g.mul(a, b)
-            }),
+            _ => {
+                let shorter = self.square(a, b).or_else(|| self.cancelled(a, b)).or_else(|| self.cancelled(b, a));
+                shorter.or_else(|| self.chosen(a, b)).or_else(|| self.chosen(b, a)).unwrap_or_else(|| {
+                    let (a, b) = self.ordered(a, b);
+                    self.g.mul(a, b)
+                })
+            }
         };
         if minus_a == minus_b { product } else { self.neg(product) }
     }

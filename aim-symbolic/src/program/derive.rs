@@ -1,14 +1,15 @@
 //! From statements to the smallest program: the passes in their order, and the few choices between them.
 
 use crate::diff::sweep::{Course, Swept};
+use crate::ir::node::Node;
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
-    self, ACROSS_FOR_CROSS, BASES, CANCELLING, CONSTANT_SCALE, DIRECTIONS, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS,
-    LIMITS, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE,
-    WORDING,
+    self, ACROSS_FOR_CROSS, BASES, CANCELLING, COMMON_CROSS, COMMON_DOT, CONSTANT_SCALE, CROSS_OF_DOTS, DIRECTIONS,
+    DROP_RADIAL, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL,
+    OTHER_SIDES, PRODUCTS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
 };
-use crate::{Graph, Placement, Program, Rotation, Scalar, Variable};
+use crate::{Function, Graph, Op, Placement, Program, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
 /// What a program is asked for: a value, or one of its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,6 +65,8 @@ enum Sweep {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Choices {
     sweep: Sweep,
+    /// The variables by which derivatives are taken forward nevertheless.
+    forward: Vec<Variable>,
     /// The rules that lose against their competitor.
     without: Vec<Rule>,
     /// How many rotations go to the other side of a dot.
@@ -74,7 +77,8 @@ pub(crate) struct Choices {
 
 impl Choices {
     fn first() -> Self {
-        Self { sweep: Sweep::Reverse(Placement::Late), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() }
+        let sweep = Sweep::Reverse(Placement::Late);
+        Self { sweep, forward: Vec::new(), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() }
     }
 }
 
@@ -147,6 +151,7 @@ fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way
     let mut changes: Vec<Change> =
         sweeps(wanted).into_iter().map(|sweep| -> Change { Box::new(move |c| c.sweep = sweep) }).collect();
     changes.extend(best.by_matrices());
+    changes.extend(best.forward(wanted));
     if best.is_small() {
         best.arrange(without);
         return best.improved_again(&changes, g, wanted, without);
@@ -156,11 +161,7 @@ fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way
 
 /// The sweeps worth a try; by the way back where nothing speaks for another.
 fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
-    let by_one = wanted.iter().filter_map(|w| match *w {
-        Want::Derivative(_, x) => Some(x),
-        _ => None,
-    });
-    let variables = distinct(by_one.chain(wanted.iter().flat_map(|w| w.of_all())));
+    let variables = variables(wanted);
     let values = distinct(wanted.iter().filter_map(|w| w.stated()));
     let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
     if !variables.is_empty() {
@@ -170,6 +171,15 @@ fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
         }
     }
     sweeps
+}
+
+/// The variables by which first derivatives are wanted.
+fn variables(wanted: &[Want]) -> Vec<Variable> {
+    let by_one = wanted.iter().filter_map(|w| match *w {
+        Want::Derivative(_, x) => Some(x),
+        _ => None,
+    });
+    distinct(by_one.chain(wanted.iter().flat_map(|w| w.of_all())))
 }
 
 /// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
@@ -230,9 +240,50 @@ impl Way {
         best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
+    /// The rivals of a small program with a derivative taken forward: by a number that sines and cosines are of, which are each other's
+    /// derivatives.
+    fn forward(&self, wanted: &[Want]) -> Vec<Change> {
+        let g = &self.g;
+        let of = |node: &Node| match *node {
+            Node::Scalar(s) => match g.scalar_node(s) {
+                ScalarNode::Op(Op::Call(Function::Sin | Function::Cos, a)) => Some(Node::Scalar(a)),
+                _ => None,
+            },
+            Node::Vector(_) => None,
+        };
+        let arguments: Vec<Node> =
+            if self.is_small() { g.order(&self.outputs).iter().filter_map(of).collect() } else { Vec::new() };
+        let turns = |x: &Variable| arguments.iter().any(|&a| g.depends_on(a, &[*x]));
+        let by = variables(wanted).into_iter().filter(turns).take(MOST_SIDES);
+        by.map(|x| -> Change {
+            Box::new(move |c| {
+                if !c.forward.contains(&x) {
+                    c.forward.push(x);
+                }
+            })
+        })
+        .collect()
+    }
+
     /// The rival by matrices, where quaternions turn several vectors.
     fn by_matrices(&self) -> Option<Change> {
         (!self.g.busy_quaternions(&self.g.order(&self.outputs)).is_empty()).then(|| optional(MATRIX))
+    }
+
+    /// The rivals with products with one vector gathered, where there are cross products: those, also with what is gathered kept
+    /// whole, then dot products.
+    fn gathered(&self) -> Vec<Change> {
+        let is_cross =
+            |node: &Node| matches!(*node, Node::Vector(v) if matches!(self.g.vector_node(v), VectorNode::Cross(..)));
+        if self.g.order(&self.outputs).iter().filter(|node| is_cross(node)).count() < 2 {
+            return Vec::new();
+        }
+        let with: Change = Box::new(|c| c.without.retain(|off| !CROSSES.contains(off)));
+        let whole: Change = Box::new(|c| {
+            c.without.retain(|off| !CROSSES.contains(off));
+            c.without.push(DROP_RADIAL);
+        });
+        vec![optional(LINEAR_MAP), with, whole, optional(COMMON_DOT), optional(LINEAR_MAP)]
     }
 
     /// Tries more arrangements of its sums and products.
@@ -243,6 +294,9 @@ impl Way {
 
 /// What a rival does differently.
 type Change = Box<dyn Fn(&mut Choices)>;
+
+/// Rules that gather cross products.
+const CROSSES: [Rule; 2] = [CROSS_OF_DOTS, COMMON_CROSS];
 
 /// With a rule that applies only where that is found to pay.
 fn optional(rule: Rule) -> Change {
@@ -257,6 +311,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
     }
+    rivals.extend(first.forward(wanted));
     // A rotation that left more than one direction may be dearer on the many sides than on the one.
     let innermost = distinct(g.cancelled().iter().rev().copied());
     if g.cancelled().len() > innermost.len() {
@@ -275,6 +330,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
         rivals.push(optional(CONSTANT_SCALE));
     }
     rivals.extend(first.by_matrices());
+    rivals.extend(first.gathered());
     let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS].contains(rule) || first.is_small();
     for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
         rivals.push(Box::new(move |c| {
@@ -340,26 +396,24 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let of_all = wanted.iter().flat_map(|want| want.of_all());
     let of_all = of_all.flat_map(|x| residuals.iter().map(move |&s| (s, x)));
     let pairs = distinct(wanted.iter().filter_map(by_variable).chain(of_all));
-    match choices.sweep {
-        Sweep::Reverse(placement) => {
-            for &s in &stated {
-                let variables: Vec<Variable> = pairs.iter().filter(|(of, _)| *of == s).map(|(_, x)| *x).collect();
-                if !variables.is_empty() {
-                    let (gradient, passages) = g.swept_back(value(s), &variables, placement);
-                    log.sweeps.push(Swept { course: Course::Back(value(s)), passages });
-                    firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
-                }
+    let goes_back = |x: &Variable| choices.sweep != Sweep::Forward && !choices.forward.contains(x);
+    if let Sweep::Reverse(placement) = choices.sweep {
+        for &s in &stated {
+            let of = pairs.iter().filter(|(of, x)| *of == s && goes_back(x));
+            let variables: Vec<Variable> = of.map(|(_, x)| *x).collect();
+            if !variables.is_empty() {
+                let (gradient, passages) = g.swept_back(value(s), &variables, placement);
+                log.sweeps.push(Swept { course: Course::Back(value(s)), passages });
+                firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
             }
         }
-        Sweep::Forward => {
-            for x in distinct(pairs.iter().map(|(_, x)| *x)) {
-                let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
-                let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
-                let (tangents, passages) = g.swept_forward(&values, x);
-                log.sweeps.push(Swept { course: Course::Forward(x), passages });
-                firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
-            }
-        }
+    }
+    for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !goes_back(x))) {
+        let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
+        let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
+        let (tangents, passages) = g.swept_forward(&values, x);
+        log.sweeps.push(Swept { course: Course::Forward(x), passages });
+        firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
     }
     let first = |s: Scalar, x: Variable| {
         firsts.iter().find(|(key, _)| *key == (s, x)).map(|(_, d)| *d).expect("every wanted derivative was taken")
@@ -404,5 +458,6 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     if !choices.kept.is_empty() {
         outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);
     }
-    g.rewrite_with(&outputs, &SCALES, &rules, log)
+    let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);
+    g.rewrite_with(&outputs, &PRODUCTS, &rules, log)
 }

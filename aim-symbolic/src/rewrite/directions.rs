@@ -143,6 +143,7 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
         VectorNode::Scale(_, inner) | VectorNode::Neg(inner) | VectorNode::Normalize(inner) => {
             is_across_within(g, inner, u, depth)
         }
+        VectorNode::Sub(a, b) if is_part_along(g, b, a, u) => true,
         VectorNode::Add(a, b) | VectorNode::Sub(a, b) => {
             is_across_within(g, a, u, depth) && is_across_within(g, b, u, depth)
         }
@@ -150,6 +151,15 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
         VectorNode::Cross(a, b) => is_along(g, a, u) || is_along(g, b, u),
         _ => is_zero(g, v),
     }
+}
+
+/// Whether `v` is the part of `whole` along `u`: (whole · u)/(u · u) u.
+fn is_part_along(g: &Graph, v: Vector, whole: Vector, u: Vector) -> bool {
+    let is_dot = |s, a: Vector, b: Vector| g.scalar_node(s) == ScalarNode::Dot(a.min(b), a.max(b));
+    scaled(g, v).is_some_and(|(k, along)| {
+        along == u
+            && matches!(g.scalar_node(k), ScalarNode::Op(Op::Div(dot, square)) if is_dot(dot, whole, u) && is_dot(square, u, u))
+    })
 }
 
 /// `v − (v · u) u` is the part of v across the direction u.

@@ -3,6 +3,7 @@
 pub(crate) mod bases;
 pub(crate) mod directions;
 mod frames;
+mod gathered;
 mod limits;
 pub(crate) mod log;
 mod product;

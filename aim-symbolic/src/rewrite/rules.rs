@@ -8,7 +8,7 @@
 use core::fmt;
 
 use crate::ir::node::Node;
-use crate::rewrite::{bases, directions, frames, limits, rotations, scaling, sums};
+use crate::rewrite::{bases, directions, frames, gathered, limits, rotations, scaling, sums};
 use crate::{Graph, Scalar, Vector};
 
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
@@ -93,7 +93,7 @@ impl Rules<'_> {
 /// The rules of all sets but [`LIMITS`], each once, in the order of the passes that they belong to.
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
-    for rule in [WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES].iter().flat_map(|set| set.rules) {
+    for rule in [WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES, PRODUCTS].iter().flat_map(|set| set.rules) {
         if !all.contains(rule) {
             all.push(*rule);
         }
@@ -194,11 +194,18 @@ pub const SCALES: RuleSet = RuleSet {
     sums: Sums::Shared,
 };
 
+/// Products with one vector out of the sums that they are in. A module for the web derives rigs alone, which have none.
+pub const PRODUCTS: RuleSet = RuleSet {
+    rules: if cfg!(aim_small) { &[] } else { &[LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT] },
+    sums: Sums::Shared,
+};
+
 /// Rules of components: what any compiler of formulas does, all at once.
 pub const ARITHMETIC: [Rule; 8] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
 
 /// Rules that apply only where that is found to pay.
-pub(crate) const OPTIONAL: [Rule; 4] = [TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX];
+pub(crate) const OPTIONAL: [Rule; 8] =
+    [TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX];
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
 pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
@@ -326,6 +333,16 @@ rules! {
     COMMON_VECTOR = "common vector of a sum": Vector(scaling::common_vector);
     /// A constant vector is divided by its largest component, which is multiplied afterwards: a factor of 1 is free.
     CONSTANT_SCALE = "a constant direction by its largest component": Vector(scaling::constant_scale);
+    /// What a rotation, or its derivative, makes of vectors is k v + m u × v + n (u · v) u. For several vectors its matrix is made once,
+    /// by which each is multiplied with half the operations.
+    LINEAR_MAP = "a linear map as a matrix": Vector(gathered::linear_map);
+    /// The difference of the multiples of two vectors by each other's products with a third is a cross product with their own:
+    /// (u · c) a − (a · c) u = (u × a) × c.
+    CROSS_OF_DOTS = "a difference of multiples is a cross product": Vector(gathered::cross_of_dots);
+    /// Vectors that are all multiplied by one, by a cross product, are added first and multiplied once: a × c + b × c = (a + b) × c.
+    COMMON_CROSS = "a cross product of a sum": Vector(gathered::crosses);
+    /// The same of dot products, where the sum of the vectors serves something else, too: a · c + b · c = (a + b) · c.
+    COMMON_DOT = "a dot product of a sum": Scalar(gathered::dots);
     /// In components: a product with 0 is 0 and leaves its sum, a product with 1 is its other factor. The axes of the
     /// bones are such zeros and ones.
     CONSTANTS = "fold constants": Components;

@@ -242,6 +242,48 @@ pub fn cone_barrier<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_p).chain(neg(by_p)).chain(by_axis).chain([-(k * along)]).collect()
 }
 
+/// Registration with a robust loss, by a quaternion of any length. With q a = (n, −s), n = w a + u × a and s = u · a, the point goes to
+/// (q a) q* = s u + w n + u × n, and ∂(g · q a q*)/∂q = 2 (s g + n × g, n · g). 85.
+pub fn robust_registration<T: Number>(x: &[T]) -> Vec<T> {
+    let (u, w, shift) = (vector(x), x[3], vector(&x[4..]));
+    let (from, to, width) = (vector(&x[7..]), vector(&x[10..]), x[13]);
+    let (n, s) = (add(times(w, from), cross(u, from)), dot(u, from));
+    let turned = add(add(times(s, u), times(w, n)), cross(u, n));
+    let off = sub(add(turned, shift), to);
+    let square = dot(off, off);
+    let over = reciprocal(square + width * width);
+    let value = square * over;
+    let g = times((over + over) * (one::<T>() - value), off);
+    let twice = add(g, g);
+    let by_u = add(times(s, twice), cross(n, twice));
+    [value].into_iter().chain(by_u).chain([dot(n, twice)]).chain(g).collect()
+}
+
+/// Odometry: what is ahead grows with the heading by what is aside, and that shrinks by what is ahead. 30.
+pub fn odometry<T: Number>(x: &[T]) -> Vec<T> {
+    let (sin, cos) = (x[2].call(Function::Sin), x[2].call(Function::Cos));
+    let [dx, dy] = [x[3] - x[0], x[4] - x[1]];
+    let [ahead, aside] = [cos * dx + sin * dy, cos * dy - sin * dx];
+    let off = [ahead - x[6], aside - x[7], x[5] - x[2] - x[8]];
+    let value = dot(off, off);
+    let g = off.map(|c| c + c);
+    let [by_x, by_y] = [cos * g[0] - sin * g[1], sin * g[0] + cos * g[1]];
+    let by_heading = g[0] * aside - g[1] * ahead - g[2];
+    vec![value, -by_x, -by_y, by_heading, by_x, by_y, g[2]]
+}
+
+/// The distance from a line. How far along the line the nearest point is does not matter: what is off it is square to it. 39.
+pub fn line_distance<T: Number>(x: &[T]) -> Vec<T> {
+    let (p, a, b) = (vector(x), vector(&x[3..]), vector(&x[6..]));
+    let (off, way) = (sub(p, a), sub(b, a));
+    let part = dot(off, way) / dot(way, way);
+    let aside = sub(off, times(part, way));
+    let distance = dot(aside, aside).sqrt();
+    let by_p = times(reciprocal(distance), aside);
+    let by_b = times(part, by_p);
+    [distance].into_iter().chain(by_p).chain(sub(by_b, by_p)).chain(neg(by_b)).collect()
+}
+
 /// Range and bearing of a landmark from a pose in the plane; r² is r times r, and so is its reciprocal. 13.
 pub fn bearing_and_range<T: Number>(x: &[T]) -> Vec<T> {
     let d = [x[3] - x[0], x[4] - x[1]];

@@ -45,6 +45,9 @@ fn problems() -> impl Iterator<Item = Problem> {
         gaussian "Gaussian negative log-likelihood, 3×3 inverse" by gaussian;
         cone_barrier "cone barrier" by cone_barrier;
         bearing_and_range "bearing and range" by bearing_and_range;
+        robust_registration "robust registration, any quaternion" by robust_registration;
+        odometry "odometry in the plane" by odometry;
+        line_distance "distance from a line" by line_distance;
         aim_by_quaternion "aim, joint turned by a quaternion" by aim_by_quaternion eye at 4;
         aim_by_rotation_vector "aim, joint turned by a rotation vector" by aim_by_rotation_vector eye at 3;
         aim_with_telescope "aim with a telescope" by aim_with_telescope eye at 3;

@@ -15,7 +15,7 @@ pub(crate) mod problems {
     }
 
     /// Bundle adjustment: a camera of nine parameters and a point.
-    #[differentiate(wrt(camera, point), budget = 209)]
+    #[differentiate(wrt(camera, point), budget = 194)]
     pub(crate) fn bundle_adjustment(camera: [f64; 9], point: DVec3, observed: DVec2) -> DVec2 {
         let [rx, ry, rz, tx, ty, tz, focal, k1, k2] = camera;
         let p = DQuat::from_scaled_axis(DVec3::new(rx, ry, rz)) * point + DVec3::new(tx, ty, tz);
@@ -86,6 +86,31 @@ pub(crate) mod problems {
     pub(crate) fn bearing_and_range(pose: [f64; 3], landmark: [f64; 2]) -> [f64; 2] {
         let (dx, dy) = (landmark[0] - pose[0], landmark[1] - pose[1]);
         [(dx * dx + dy * dy).sqrt(), dy.atan2(dx) - pose[2]]
+    }
+
+    /// Registration of two points with a robust loss, by a quaternion as it is.
+    #[differentiate(wrt(q, shift), budget = 90)]
+    pub(crate) fn robust_registration(q: DQuat, shift: DVec3, from: DVec3, to: DVec3, width: f64) -> f64 {
+        let square = (q * from + shift - to).length_squared();
+        square / (square + width * width)
+    }
+
+    /// What a pose in the plane, seen from another, is off a measured one.
+    #[differentiate(wrt(pose, other), budget = 30)]
+    pub(crate) fn odometry(pose: [f64; 3], other: [f64; 3], measured: DVec3) -> f64 {
+        let (dx, dy) = (other[0] - pose[0], other[1] - pose[1]);
+        let (sin, cos) = pose[2].sin_cos();
+        let ahead = cos * dx + sin * dy - measured.x;
+        let aside = cos * dy - sin * dx - measured.y;
+        let turned = other[2] - pose[2] - measured.z;
+        ahead * ahead + aside * aside + turned * turned
+    }
+
+    /// The distance of a point from the line through two others.
+    #[differentiate(wrt(p, a, b), budget = 39)]
+    pub(crate) fn line_distance(p: DVec3, a: DVec3, b: DVec3) -> f64 {
+        let (off, way) = (p - a, b - a);
+        (off - off.dot(way) / way.dot(way) * way).length()
     }
 
     /// The aim of an eye, its joint turned by a quaternion.
