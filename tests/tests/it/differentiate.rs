@@ -1,6 +1,6 @@
 //! Functions of users, differentiated beside themselves: against central differences, and at what cost.
 
-use aim::glam::{DAffine3, DMat3, DQuat, DVec2, DVec3, EulerRot, Mat3, Quat, Vec3, Vec3A};
+use aim::glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3, EulerRot, Mat3, Quat, Vec3, Vec3A};
 use aim::{DRigid, Rigid, differentiate};
 use aim_tests::random::Random;
 
@@ -205,6 +205,66 @@ fn plane(v: DVec2, weights: [f64; 3], x: f64) -> DVec2 {
     let [a, b, c] = weights;
     let turned = DVec2::from_angle(x) * a + v.perp() * b;
     turned.lerp(v.normalize(), c) * v.perp_dot(turned) + v.extend(x).cross(DVec3::X).truncate() * weights[1]
+}
+
+/// To four components and back, and what may have no direction.
+#[differentiate(wrt(v, w))]
+fn projected(v: DVec3, w: DVec3, m: DMat4) -> DVec3 {
+    let seen = m * v.extend(1.0);
+    let way = match w.try_normalize() {
+        Some(way) => way,
+        None => DVec3::X,
+    };
+    let four = seen.reject_from(w.extend(v.x)) * seen.max_element() - seen.midpoint(w.extend(2.0));
+    let bent = v.normalize().refract(way, 0.7) + v.move_towards(w, 0.3) + v.copysign(w) + v.normalize_or(w);
+    bent + four.truncate() * four.min_element() / seen.element_product() + v.exp().rem_euclid(DVec3::splat(0.4))
+}
+
+/// The same of two, and powers.
+#[differentiate(wrt(v, w))]
+fn flat(v: DVec2, w: DVec2) -> DVec2 {
+    let powers = v.exp().powf(1.3) * w.abs().extend(1.0).powf(0.4).truncate();
+    powers * v.recip() * w.signum() + v.copysign(w) * w.element_product() + v.exp().rem_euclid(DVec2::splat(0.4))
+}
+
+#[test]
+fn methods_of_glam_are_what_they_are_there() {
+    let mut random = Random::new(11);
+    let mut judged = 0;
+    while judged < 60 {
+        let [v, w] = [0; 2].map(|_| vector(&mut random));
+        let m = DMat4::from_cols_array(&core::array::from_fn(|_| random.within(1.0)));
+        let at = [v, w].map(|v| v.to_array()).concat().try_into().expect("six numbers");
+        let of = |at: [f64; 6]| (DVec3::from_slice(&at[..3]), DVec3::from_slice(&at[3..]));
+        // Away from where a method has a kink.
+        let wraps = (v.exp() / 0.4).to_array().into_iter().all(|x| (x - x.round()).abs() > 0.05);
+        let (normal, seen) = (w.normalize(), (m * v.extend(1.0)).to_array());
+        let bends = 1.0 - 0.49 * (1.0 - normal.dot(v.normalize()).powi(2)) > 0.02;
+        let four = (m * v.extend(1.0)).reject_from(w.extend(v.x)) * (m * v.extend(1.0)).max_element()
+            - (m * v.extend(1.0)).midpoint(w.extend(2.0));
+        let apart = |mut all: [f64; 4]| {
+            all.sort_by(f64::total_cmp);
+            all.windows(2).all(|pair| pair[1] - pair[0] > 0.02)
+        };
+        let is_large = v.abs().min(w.abs()).min_element() > 0.1 && seen.iter().all(|x| x.abs() > 0.1);
+        if !(wraps && bends && is_large && apart(seen) && apart(four.to_array()) && v.distance(w) > 0.35) {
+            continue;
+        }
+        judged += 1;
+        let (value, (by_v, by_w)): (DVec3, (DMat3, DMat3)) = projected_jacobian(v, w, m);
+        for k in 0..3 {
+            near(value[k], projected(v, w, m)[k]);
+            let slopes = [by_v.row(k).to_array(), by_w.row(k).to_array()].concat().try_into().expect("six numbers");
+            check(|at| projected(of(at).0, of(at).1, m)[k], at, slopes);
+        }
+        let (v, w) = (v.truncate(), w.truncate());
+        let (value, (by_v, by_w)) = flat_jacobian(v, w);
+        for k in 0..2 {
+            near(value[k], flat(v, w)[k]);
+            let of = |[a, b, c, d]: [f64; 4]| flat(DVec2::new(a, b), DVec2::new(c, d))[k];
+            check(of, [v.x, v.y, w.x, w.y], [by_v[0][k], by_v[1][k], by_w[0][k], by_w[1][k]]);
+        }
+    }
 }
 
 #[test]

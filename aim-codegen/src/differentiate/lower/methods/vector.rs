@@ -36,6 +36,15 @@ functions! {
     trunc(v: Vector) = Vec3::new(v.x.trunc(), v.y.trunc(), v.z.trunc());
     fract(v: Vector) = v - v.trunc();
     clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
+    try_normalize(v: Vector) = if v.length_squared() > 0.0 { Some(v.normalize()) } else { None };
+    normalize_or(v: Vector, otherwise: Vector) = if v.length_squared() > 0.0 { v.normalize() } else { otherwise };
+    refract(v: Vector, normal: Vector, eta: Scalar) = if 1.0 - eta * eta * (1.0 - normal.dot(v).powi(2)) >= 0.0 {
+        eta * v - (eta * normal.dot(v) + (1.0 - eta * eta * (1.0 - normal.dot(v).powi(2))).sqrt()) * normal
+    } else {
+        0.0 * v
+    };
+    move_towards(v: Vector, w: Vector, most: Scalar) =
+        if (w - v).length_squared() <= most * most { w } else { v + most * (w - v).normalize() };
     clamp_length(v: Vector, least: Scalar, most: Scalar) = v.clamp_length_min(least).clamp_length_max(most);
     clamp_length_min(v: Vector, least: Scalar) =
         if v.length_squared() < least * least { least * v.normalize() } else { v };
@@ -51,6 +60,10 @@ functions! {
     cross(v: Vector, w: Vector) -> Vector { a.cross(v, w) }
     recip(v: Vector) = Vec3::new(v.x.recip(), v.y.recip(), v.z.recip());
     signum(v: Vector) = Vec3::new(v.x.signum(), v.y.signum(), v.z.signum());
+    exp(v: Vector) = Vec3::new(v.x.exp(), v.y.exp(), v.z.exp());
+    powf(v: Vector, n: Scalar) = Vec3::new(v.x.powf(n), v.y.powf(n), v.z.powf(n));
+    copysign(v: Vector, w: Vector) = Vec3::new(v.x.copysign(w.x), v.y.copysign(w.y), v.z.copysign(w.z));
+    rem_euclid(v: Vector, w: Vector) = Vec3::new(v.x.rem_euclid(w.x), v.y.rem_euclid(w.y), v.z.rem_euclid(w.z));
     min_element(v: Vector) = v.x.min(v.y).min(v.z);
     max_element(v: Vector) = v.x.max(v.y).max(v.z);
     element_product(v: Vector) = v.x * v.y * v.z;
@@ -61,6 +74,7 @@ functions! {
     with_y(v: Vector, c: Scalar) = Vec3::new(v.x, c, v.z);
     with_z(v: Vector, c: Scalar) = Vec3::new(v.x, v.y, c);
     truncate(v: Vector) = Vec2::new(v.x, v.y);
+    extend(v: Vector, w: Scalar) = Vec4::new(v.x, v.y, v.z, w);
     to_vec3a(v: Vector) -> Vector { v }
     to_vec3(v: Vector) -> Vector { v }
     into(v: Vector) -> Vector { v }
@@ -73,6 +87,13 @@ functions! {
     perp(v: Planar) = Vec2::new(-v.y, v.x);
     perp_dot(v: Planar, w: Planar) = v.extend(0.0).cross(w.extend(0.0)).z;
     rotate(v: Planar, w: Planar) = Vec2::new(v.x * w.x - v.y * w.y, v.y * w.x + v.x * w.y);
+    recip(v: Planar) = Vec2::new(v.x.recip(), v.y.recip());
+    signum(v: Planar) = Vec2::new(v.x.signum(), v.y.signum());
+    exp(v: Planar) = Vec2::new(v.x.exp(), v.y.exp());
+    powf(v: Planar, n: Scalar) = Vec2::new(v.x.powf(n), v.y.powf(n));
+    copysign(v: Planar, w: Planar) = Vec2::new(v.x.copysign(w.x), v.y.copysign(w.y));
+    rem_euclid(v: Planar, w: Planar) = Vec2::new(v.x.rem_euclid(w.x), v.y.rem_euclid(w.y));
+    element_product(v: Planar) = v.x * v.y;
     to_angle(v: Planar) = v.y.atan2(v.x);
     angle_to(v: Planar, w: Planar) = v.perp_dot(w).atan2(v.dot(w));
     min_element(v: Planar) = v.x.min(v.y);
@@ -96,6 +117,12 @@ functions! {
     distance(v: Four, w: Four) = (v - w).length();
     distance_squared(v: Four, w: Four) = (v - w).length_squared();
     normalize(v: Four) = v * v.length().recip();
+    midpoint(v: Four, w: Four) = (v + w) * 0.5;
+    min_element(v: Four) = v.x.min(v.y).min(v.z.min(v.w));
+    max_element(v: Four) = v.x.max(v.y).max(v.z.max(v.w));
+    element_product(v: Four) = v.x * v.y * (v.z * v.w);
+    project_onto(v: Four, w: Four) = w * (v.dot(w) * w.dot(w).recip());
+    reject_from(v: Four, w: Four) = v - v.project_onto(w);
     lerp(v: Four, w: Four, k: Scalar) = v + (w - v) * k;
     abs(v: Four) = Vec4::new(v.x.abs(), v.y.abs(), v.z.abs(), v.w.abs());
     min(v: Four, w: Four) = Vec4::new(v.x.min(w.x), v.y.min(w.y), v.z.min(w.z), v.w.min(w.w));
