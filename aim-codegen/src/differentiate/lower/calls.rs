@@ -14,7 +14,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
-use super::{Translation, strip};
+use super::{Translation, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -52,7 +52,7 @@ struct Callee<'a> {
 
 impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall, expected: &Expected) -> Value {
-        if let Some(value) = self.changing_method(call) {
+        if let Some(value) = self.changing_method(call).or_else(|| self.contained(call)) {
             return value;
         }
         let receiver = self.expression(&call.receiver);
@@ -67,6 +67,9 @@ impl Translation<'_> {
             return value;
         }
         if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
+            return value;
+        }
+        if let Some(value) = self.column_or_row(&receiver, call) {
             return value;
         }
         if let Some(value) = self.own_method(&receiver, call) {
@@ -109,6 +112,28 @@ impl Translation<'_> {
             [x, y, z, w] => Some(Value::Four([x, y, z, w])),
             _ => None,
         }
+    }
+
+    /// `m.col(k)` and `m.row(k)` of a matrix of two or four; `None` for any other call.
+    fn column_or_row(&mut self, receiver: &Value, call: &ExprMethodCall) -> Option<Value> {
+        let name = call.method.to_string();
+        let (Value::Square(_) | Value::Homogeneous(_), "col" | "row", Some(index), 1) =
+            (receiver, name.as_str(), call.args.first(), call.args.len())
+        else {
+            return None;
+        };
+        let mut columns = square::columns(self.algebra, receiver)?;
+        if name == "row" {
+            columns = square::transposed(&columns);
+        }
+        let value = self.expression(index);
+        let Some(index) = self.algebra.known_index(&value) else {
+            return Some(self.refuse_known(&value, index, messages::index_unknown()));
+        };
+        Some(match columns.get(index) {
+            Some(column) => square::vector(self.algebra, column),
+            None => self.refuse(&call.args, messages::index_outside("a matrix")),
+        })
     }
 
     /// A method that the module has for a struct of its own, or by a trait for numbers; `None` if there is none.
@@ -297,6 +322,7 @@ impl Translation<'_> {
                 let value = self.expression(value);
                 return Value::some(value);
             }
+            ("swap", [one, other], _) if is_of("mem") => return self.exchanged(&call.func, one, other),
             ("zip", [one, other], _) if is_of("iter") => {
                 let one = self.expression(one);
                 return self.zipped(one, other);

@@ -2,13 +2,13 @@
 
 use aim_symbolic::Scalar;
 use quote::ToTokens;
-use syn::{Arm, BinOp, Expr, ExprIf, ExprMatch, Local, Member, Pat, RangeLimits};
+use syn::{Arm, BinOp, Expr, ExprIf, ExprMatch, ExprMethodCall, Local, Member, Pat, RangeLimits};
 
 use super::condition::Condition;
 use super::expected::Expected;
 use super::statements::is_rest;
 use super::value::Value;
-use super::{Translation, has_effect, operators};
+use super::{Translation, has_effect, operators, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::Meaning;
 
@@ -192,25 +192,8 @@ impl Translation<'_> {
                 Some(matched.or(next))
             }),
             Pat::Range(range) => {
-                let x = number(value);
-                let low = match &range.start {
-                    Some(start) => {
-                        let start = number(&self.expression(start))?;
-                        Condition::at_most(self.algebra, start, x?)
-                    }
-                    None => Condition::Known(true),
-                };
-                let high = match &range.end {
-                    Some(end) => {
-                        let end = number(&self.expression(end))?;
-                        match range.limits {
-                            RangeLimits::Closed(_) => Condition::at_most(self.algebra, x?, end),
-                            RangeLimits::HalfOpen(_) => Condition::less(self.algebra, x?, end),
-                        }
-                    }
-                    None => Condition::Known(true),
-                };
-                Some(low.and(high))
+                let ends = [&range.start, &range.end].map(Option::as_deref);
+                self.is_between(number(value), ends, &range.limits)
             }
             Pat::Tuple(tuple) => match value {
                 Value::Tuple(values) if values.len() == tuple.elems.len() => {
@@ -258,6 +241,46 @@ impl Translation<'_> {
                 None
             }
         }
+    }
+
+    /// `(low..high).contains(&x)`; `None` for any other call.
+    pub(super) fn contained(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let (Expr::Range(range), "contains", Some(x), 1) =
+            (strip(&call.receiver), call.method.to_string().as_str(), call.args.first(), call.args.len())
+        else {
+            return None;
+        };
+        let x = self.expression(x);
+        let x = number(&self.referenced(x));
+        let ends = [&range.start, &range.end].map(Option::as_deref);
+        Some(self.is_between(x, ends, &range.limits).map_or(Value::Unknown, Value::Truth))
+    }
+
+    /// Whether a number is in a range.
+    fn is_between(
+        &mut self,
+        x: Option<Scalar>,
+        [start, end]: [Option<&Expr>; 2],
+        limits: &RangeLimits,
+    ) -> Option<Condition> {
+        let low = match start {
+            Some(start) => {
+                let start = number(&self.expression(start))?;
+                Condition::at_most(self.algebra, start, x?)
+            }
+            None => Condition::Known(true),
+        };
+        let high = match end {
+            Some(end) => {
+                let end = number(&self.expression(end))?;
+                match limits {
+                    RangeLimits::Closed(_) => Condition::at_most(self.algebra, x?, end),
+                    RangeLimits::HalfOpen(_) => Condition::less(self.algebra, x?, end),
+                }
+            }
+            None => Condition::Known(true),
+        };
+        Some(low.and(high))
     }
 
     /// Whether each of several values matches its pattern.

@@ -49,6 +49,17 @@ impl Value {
         }
     }
 
+    /// The components of a vector; `None` of anything else.
+    pub(super) fn components(&self, a: &mut Algebra) -> Option<Vec<Self>> {
+        let count = match self {
+            Self::Planar(_) => 2,
+            Self::Vector(_) => 3,
+            Self::Four(_) => 4,
+            _ => return None,
+        };
+        (0..count).map(|place| self.element(a, place)).collect()
+    }
+
     /// An element of it.
     pub(super) fn element(&self, a: &mut Algebra, place: usize) -> Option<Self> {
         match self {

@@ -133,13 +133,30 @@ impl Translation<'_> {
                 let [Some(Value::Reference(one)), Some(Value::Reference(other))] = picked else {
                     return Some(self.refuse(&call.args, messages::index_unknown()));
                 };
-                let values = [&other, &one].map(|place| self.read(place));
-                let [first, second] = values;
-                self.write(&call.method, &one, first);
-                Some(self.write(&call.method, &other, second))
+                Some(self.swapped(&call.method, [&one, &other]))
             }
             _ => None,
         }
+    }
+
+    /// `mem::swap(&mut one, &mut other)`
+    pub(super) fn exchanged(&mut self, target: &impl ToTokens, one: &Expr, other: &Expr) -> Value {
+        let [one, other] = [one, other].map(|lent| match strip(lent) {
+            Expr::Reference(reference) => &*reference.expr,
+            place => place,
+        });
+        match (self.place(one), self.place(other)) {
+            (Some(one), Some(other)) => self.swapped(target, [&one, &other]),
+            _ => Value::Unknown,
+        }
+    }
+
+    /// Gives each of two places the value of the other.
+    fn swapped(&mut self, target: &impl ToTokens, places: [&Place; 2]) -> Value {
+        let [one, other] = places;
+        let [first, second] = [self.read(other), self.read(one)];
+        self.write(target, one, first);
+        self.write(target, other, second)
     }
 
     /// What this expression names; `None` after an error.

@@ -147,6 +147,12 @@ impl Translation<'_> {
 
     /// Gives the names of a pattern their values.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
+        let value = match pattern {
+            // What is written with `into` or `from`.
+            Pat::Tuple(_) => value.components(self.algebra).map_or(value, Value::Tuple),
+            Pat::Slice(_) => value.components(self.algebra).map_or(value, Value::Array),
+            _ => value,
+        };
         match pattern {
             Pat::Ident(name) => {
                 if let Some(by_ref) = &name.by_ref {

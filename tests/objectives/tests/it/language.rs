@@ -4,7 +4,7 @@ use aim::glam::{DMat3, DQuat, DVec2, DVec3, DVec4};
 
 #[aim::differentiate(check = true)]
 mod functions {
-    use aim::glam::{DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
+    use aim::glam::{DMat2, DMat3, DMat4, DQuat, DVec2, DVec3, DVec4};
     use core::ops::{Add, Mul};
 
     use consts::*;
@@ -183,6 +183,33 @@ mod functions {
             (DMat4::perspective_lh(open, 1.5, 0.1, 100.0) * left).project_point3(q),
         )
     }
+
+    #[differentiate(wrt(x, p))]
+    pub(super) fn by_parts(x: [[f64; 3]; 3], p: DVec3) -> [f64; 4] {
+        let m = DMat3::from_cols_array_2d(&x);
+        let (a, b, c) = (m * p).into();
+        let flat = DMat2::from_cols_array_2d(&[[a, b], [c, p.x]]);
+        let homogeneous =
+            DMat4::from_mat3(m) * DMat4::from_cols_array_2d(&[[a; 4], [b, c, 1.0, 0.0], [0.5; 4], [a, b, c, 2.0]]);
+        let [low, high] = flat.col(1).into();
+        let (row, col) = (homogeneous.row(1), homogeneous.col(3));
+        [flat.row(0).dot(flat.col(0)), low * high, row.dot(col), row.w]
+    }
+
+    #[differentiate(wrt(p))]
+    pub(super) fn folded(p: DVec3) -> f64 {
+        let (mut p, mut size) = (p, 1.0);
+        for _ in 0..3 {
+            p = p.abs() - 1.0;
+            if p.x < p.y {
+                core::mem::swap(&mut p.x, &mut p.y);
+            }
+            let mut longer = 2.0 * size;
+            core::mem::swap(&mut size, &mut longer);
+            p *= 2.0 + if (-0.5..0.5).contains(&p.z) { longer } else { 0.0 };
+        }
+        p.length() / size + if (..=p.x).contains(&p.y) { p.z } else { 0.0 }
+    }
 }
 
 #[track_caller]
@@ -200,6 +227,8 @@ fn companions_compute_what_rust_means() {
         let (p, q) = (DVec3::new(a, b, c), DVec3::new(d, e, a * e));
         same(&[defaults_gradient(a).0], &[defaults(a)]);
         let m = [[a, b, c], [b, d, e], [c, e, a]];
+        same(&by_parts_jacobian(m, q).0, &by_parts(m, q));
+        same(&[folded_gradient(p).0], &[folded(p)]);
         same(&[log_determinant_gradient(m).0], &[log_determinant(m)]);
         same(&[hit_gradient(p, q).0], &[hit(p, q)]);
         let spring = Spring { rest: b, most: (c > 0.0).then_some(d) };

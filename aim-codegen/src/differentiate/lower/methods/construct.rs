@@ -106,6 +106,11 @@ functions! {
         let columns = [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]].map(|column| a.vector(column));
         Map::of_columns(a, columns)
     }
+    from_cols_array_2d(columns: Array) -> Matrix {
+        let numbers = columns_of::<3>(&columns)?.concat();
+        let columns = [0, 3, 6].map(|k| a.vector([numbers[k], numbers[k + 1], numbers[k + 2]]));
+        Map::of_columns(a, columns)
+    }
     from_diagonal(v: Vector) -> Matrix { Map::Diagonal(v) }
     from(m: Matrix) -> Matrix { m }
 }
@@ -135,6 +140,7 @@ functions! {
         let numbers: [Scalar; 4] = scalars(&numbers)?;
         numbers.chunks(2).map(<[Scalar]>::to_vec).collect()
     }
+    from_cols_array_2d(columns: Array) -> Square { columns_of::<2>(&columns)? }
     from_angle(x: Scalar) = Mat2::from_cols(Vec2::new(x.cos(), x.sin()), Vec2::new(-x.sin(), x.cos()));
     from_diagonal(v: Planar) -> Square {
         let parts = a.parts(v);
@@ -149,6 +155,7 @@ functions! {
         let numbers: [Scalar; 16] = scalars(&numbers)?;
         numbers.chunks(4).map(<[Scalar]>::to_vec).collect()
     }
+    from_cols_array_2d(columns: Array) -> Square { columns_of::<4>(&columns)? }
     from_diagonal(v: Four) -> Square { square::diagonal(a, &v) }
     from_mat3_translation(m: Matrix, v: Vector) -> Homogeneous { Affine { map: m, translation: v } }
     from_translation(v: Vector) = Mat4::from_mat3_translation(Mat3::IDENTITY, v);
@@ -240,6 +247,16 @@ fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
 /// The quaternion of a rotation, without its numbers.
 fn rotation_of(map: Map) -> Result<Quaternion, Text> {
     if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::matrix_not_rotation()) }
+}
+
+/// The columns of a matrix of so many.
+fn columns_of<const N: usize>(columns: &[Value]) -> Result<Vec<Vec<Scalar>>, Text> {
+    let of = |column: &Value| match column {
+        Value::Array(numbers) => scalars::<N>(numbers).map(|numbers| numbers.to_vec()),
+        _ => Err(messages::numbers_expected(N)),
+    };
+    let columns: Vec<Vec<Scalar>> = columns.iter().map(of).collect::<Result<_, _>>()?;
+    if columns.len() == N { Ok(columns) } else { Err(messages::numbers_expected(N * N)) }
 }
 
 fn scalars<const N: usize>(values: &[Value]) -> Result<[Scalar; N], Text> {

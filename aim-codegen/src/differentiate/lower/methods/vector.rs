@@ -94,6 +94,7 @@ functions! {
     copysign(v: Planar, w: Planar) = Vec2::new(v.x.copysign(w.x), v.y.copysign(w.y));
     rem_euclid(v: Planar, w: Planar) = Vec2::new(v.x.rem_euclid(w.x), v.y.rem_euclid(w.y));
     element_product(v: Planar) = v.x * v.y;
+    into(v: Planar) -> Planar { v }
     to_angle(v: Planar) = v.y.atan2(v.x);
     angle_to(v: Planar, w: Planar) = v.perp_dot(w).atan2(v.dot(w));
     min_element(v: Planar) = v.x.min(v.y);
@@ -131,5 +132,6 @@ functions! {
     element_sum(v: Four) = v.x + v.y + v.z + v.w;
     truncate(v: Four) = Vec3::new(v.x, v.y, v.z);
     to_array(v: Four) -> Array { v.map(Value::Scalar).to_vec() }
+    into(v: Four) -> Four { v }
     clone(v: Four) -> Four { v }
 }
