@@ -24,7 +24,7 @@ class Maths:
 
     def __init__(self, tool):
         self.sqrt, self.sin, self.cos, self.exp, self.log = tool.sqrt, tool.sin, tool.cos, tool.exp, tool.log
-        self.atan2 = tool.atan2
+        self.atan2, self.tan = tool.atan2, tool.tan
 
 
 def number(like, above, below):
@@ -299,13 +299,213 @@ def cart(m, angle, speed, force, cart, pole, length, pull, wanted):
     return u * u + v * v
 
 
-SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat3": 9, "[f64; 4]": 4}
+def tetra(m, a, b, c, d, inv, mu, lam):
+    e = [sub(b, a), sub(c, a), sub(d, a)]
+    cols = [inv[0:3], inv[3:6], inv[6:9]]
+    f = [[sum(e[k][i] * col[k] for k in range(3)) for i in range(3)] for col in cols]
+    j = dot(f[0], cross(f[1], f[2]))
+    half = number(a[0], 1, 2)
+    sq = sum(dot(x, x) for x in f)
+    return half * mu[0] * (sq - 3 - 2 * m.log(j)) + half * lam[0] * (j - 1) * (j - 1)
+
+
+def odometry(m, x, y, heading, ox, oy, turned_, seen):
+    s, c = m.sin(heading[0]), m.cos(heading[0])
+    dx, dy = ox[0] - x[0], oy[0] - y[0]
+    u, v, w = c * dx + s * dy - seen[0], c * dy - s * dx - seen[1], turned_[0] - heading[0] - seen[2]
+    return u * u + v * v + w * w
+
+
+def three_points(m, q, t, a, b, c, x, y, z):
+    r = [sub(add(carried(q, p), t), w) for p, w in ((a, x), (b, y), (c, z))]
+    return sum(dot(v, v) for v in r)
+
+
+def camera(m, q, t, p, focal, seen):
+    l = add(carried(q, p), t)
+    u, v = focal[0] * l[0] / l[2] - seen[0], focal[0] * l[1] / l[2] - seen[1]
+    return u * u + v * v
+
+
+def rotor(m, q, v, thrust, mass, pull, drag, wanted):
+    lift = carried(q, [0, 0, thrust[0]])
+    a = sub(sub(add([x / mass[0] for x in lift], pull), scale(drag[0] * m.sqrt(dot(v, v)), v)), wanted)
+    return dot(a, a)
+
+
+def capsule(m, p, a, b, radius):
+    pa, ba = sub(p, a), sub(b, a)
+    h = dot(pa, ba) / dot(ba, ba)
+    off = sub(pa, scale(h, ba))
+    return m.sqrt(dot(off, off)) - radius[0]
+
+
+def logits(m, x, y, z, wanted):
+    e = [m.exp(v[0]) for v in (x, y, z)]
+    s = e[0] + e[1] + e[2]
+    r = [v / s - w for v, w in zip(e, wanted)]
+    return dot(r, r)
+
+
+def double_pendulum(m, one, two, ro, rt, m1, n1, l, k, g):
+    (one,), (two,), (ro,), (rt,), (m1,), (n1,), (l,), (k,), (g,) = one, two, ro, rt, m1, n1, l, k, g
+    half = number(one, 1, 2)
+    kin = half * (m1 + n1) * l * l * ro * ro + half * n1 * k * k * rt * rt + n1 * l * k * ro * rt * m.cos(one - two)
+    h = -(m1 + n1) * g * l * m.cos(one) - n1 * g * k * m.cos(two)
+    return kin - h
+
+
+def specular(m, roughness, light, view, normal, base):
+    t = add(light, view)
+    r = m.sqrt(dot(t, t))
+    h = [x / r for x in t]
+    nh, nl, nv, vh = dot(normal, h), dot(normal, light), dot(normal, view), dot(view, h)
+    a2 = roughness[0] * roughness[0]
+    k = nh * nh * (a2 - 1) + 1
+    d = a2 / (k * k)
+    o = 1 - vh
+    f = base[0] + (1 - base[0]) * o * o * o * o * o
+    g = 1 / ((nl + m.sqrt(a2 + (1 - a2) * nl * nl)) * (nv + m.sqrt(a2 + (1 - a2) * nv * nv)))
+    return d * f * g
+
+
+def area(m, a, b, c, rest):
+    n = cross(sub(b, a), sub(c, a))
+    x = number(a[0], 1, 2) * m.sqrt(dot(n, n)) - rest[0]
+    return x * x
+
+
+def volume(m, a, b, c, d, rest):
+    x = dot(cross(sub(b, a), sub(c, a)), sub(d, a)) / 6 - rest[0]
+    return x * x
+
+
+def two_planes(m, turn, t, a, n, b, k):
+    u, v = dot(n, add(turned(m, turn, a), t)), dot(k, add(turned(m, turn, b), t))
+    return u * u / (1 + u * u) + v * v / (1 + v * v)
+
+
+def mahalanobis(m, x, mean, cov):
+    a, b, c, d, e, f = cov
+    off = sub(x, mean)
+    co = [[b * c - f * f, e * f - d * c, d * f - b * e], [e * f - d * c, a * c - e * e, d * e - a * f], [d * f - b * e, d * e - a * f, a * b - d * d]]
+    det = a * co[0][0] + d * co[0][1] + e * co[0][2]
+    half = number(x[0], 1, 2)
+    return half * sum(off[i] * sum(co[i][j] * off[j] for j in range(3)) for i in range(3)) / det + half * m.log(det)
+
+
+def spin_energy(m, q, w, inertia, wanted):
+    r = sub(carried(q, [i * x for i, x in zip(inertia, w)]), wanted)
+    return dot(r, r)
+
+
+def relative(m, p, q, seen):
+    u, w = [-x for x in p[:3]], p[3]
+    v, z = q[:3], q[3]
+    vec = add(add(scale(w, v), scale(z, u)), cross(u, v))
+    r = sub(vec, seen[:3]) + [w * z - dot(u, v) - seen[3]]
+    return sum(x * x for x in r)
+
+
+def bicycle(m, x, y, yaw, speed, steer, base, dt, wanted):
+    (x,), (y,), (yaw,), (speed,), (steer,), (base,), (dt,) = x, y, yaw, speed, steer, base, dt
+    r = [x + dt * speed * m.cos(yaw) - wanted[0], y + dt * speed * m.sin(yaw) - wanted[1], yaw + dt * speed / base * m.tan(steer) - wanted[2]]
+    return dot(r, r)
+
+
+def morse(m, a, b, depth, width, rest):
+    u = sub(a, b)
+    e = 1 - m.exp(-width[0] * (m.sqrt(dot(u, u)) - rest[0]))
+    return depth[0] * e * e
+
+
+def stillinger(m, a, b, c, strength, gamma, cut):
+    u, v = sub(a, b), sub(c, b)
+    p, q = m.sqrt(dot(u, u)), m.sqrt(dot(v, v))
+    k = dot(u, v) / (p * q) + number(a[0], 1, 3)
+    return strength[0] * m.exp(gamma[0] / (p - cut[0]) + gamma[0] / (q - cut[0])) * k * k
+
+
+def bending(m, a, b, c, d, rest):
+    e = sub(b, a)
+    n, k = cross(e, sub(c, a)), cross(sub(d, a), e)
+    x = m.atan2(dot(cross(n, k), e) / m.sqrt(dot(e, e)), dot(n, k)) - rest[0]
+    return x * x
+
+
+def generalized_icp(m, turn, shift, a, b, w):
+    r = sub(add(turned(m, turn, a), shift), b)
+    wr = [sum(w[3 * k + i] * r[k] for k in range(3)) for i in range(3)]
+    return dot(r, wr)
+
+
+def corotated(m, f, mu, lam):
+    a, c, b, d = f
+    s = m.sqrt((a + d) * (a + d) + (c - b) * (c - b))
+    j = a * d - b * c
+    return mu[0] * (a * a + b * b + c * c + d * d - 2 * s + 2) + number(a, 1, 2) * lam[0] * (j - 1) * (j - 1)
+
+
+def stvk(m, a, b, c, inv, mu, lam):
+    p, q = sub(b, a), sub(c, a)
+    u, v = add(scale(inv[0], p), scale(inv[1], q)), add(scale(inv[2], p), scale(inv[3], q))
+    e, f, g = dot(u, u) - 1, dot(v, v) - 1, dot(u, v)
+    return number(a[0], 1, 4) * mu[0] * (e * e + f * f + 2 * g * g) + number(a[0], 1, 8) * lam[0] * (e + f) * (e + f)
+
+
+def angle_error(m, q, wanted):
+    n = m.sqrt(sum(x * x for x in q))
+    v, z = [x / n for x in q[:3]], q[3] / n
+    u, w = [-x for x in wanted[:3]], wanted[3]
+    vec = add(add(scale(w, v), scale(z, u)), cross(u, v))
+    return 2 * m.atan2(m.sqrt(dot(vec, vec)), w * z - dot(u, v))
+
+
+def drag(m, p, v, wind, sc, density, k):
+    rho = density[0] * m.exp(-p[2] / sc[0])
+    off = sub(v, wind)
+    return k[0] * rho * m.sqrt(dot(off, off)) * dot(off, v)
+
+
+def radar(m, az, el, r, at, seen):
+    (az,), (el,), (r,) = az, el, r
+    p = sub(add([r * m.cos(el) * m.cos(az), r * m.cos(el) * m.sin(az), r * m.sin(el)], at), seen)
+    return dot(p, p)
+
+
+def ray_sphere(m, o, d, c, r):
+    off = sub(o, c)
+    b = dot(off, d)
+    return -b - m.sqrt(b * b - dot(off, off) + r[0] * r[0])
+
+
+def spatial_arm(m, one, two, three, upper, lower, target):
+    (one,), (two,), (three,), (upper,), (lower,) = one, two, three, upper, lower
+    reach = upper * m.cos(two) + lower * m.cos(two + three)
+    p = sub([reach * m.cos(one), reach * m.sin(one), upper * m.sin(two) + lower * m.sin(two + three)], target)
+    return dot(p, p)
+
+
+def dipoles(m, a, b, place):
+    r2 = dot(place, place)
+    return (dot(a, b) - 3 * dot(a, place) * dot(b, place) / r2) / (r2 * m.sqrt(r2))
+
+
+def tracking(m, x, v, force, mass, dt, wanted, effort):
+    a = [f / mass[0] for f in force]
+    nx = [xi + dt[0] * vi + number(xi, 1, 2) * dt[0] * dt[0] * ai - w for xi, vi, ai, w in zip(x, v, a, wanted)]
+    sp = [vi + dt[0] * ai for vi, ai in zip(v, a)]
+    sq = lambda z: sum(t * t for t in z)
+    return sq(nx) + 0.1 * sq(sp) + effort[0] * sq(force)
+
+
+SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat2": 4, "DMat3": 9, "[f64; 4]": 4, "[f64; 6]": 6}
 
 
 def signatures():
     """Of each function: what derivatives are by, and its arguments with their sizes."""
-    for wrt, name, arguments in re.findall(r"wrt\((.*?)\)\)\]\npub fn (\w+)\((.*?)\) ->", OBJECTIVES.read_text()):
-        pairs = re.findall(r"(\w+): (\[f64; 4\]|\w+)", arguments)
+    for wrt, name, arguments in re.findall(r"wrt\((.*?)\)\)\]\npub fn (\w+)\((.*?)\) ->", OBJECTIVES.read_text(), re.S):
+        pairs = re.findall(r"(\w+): (\[f64; \d\]|\w+)", arguments)
         yield name, wrt.split(", "), [(argument, SIZES[ty]) for argument, ty in pairs]
 
 

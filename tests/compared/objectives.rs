@@ -2,7 +2,7 @@
 //! tools'.
 
 use aim_rig::prelude::*;
-use glam::{DMat3, DQuat, DVec2, DVec3};
+use glam::{DMat2, DMat3, DQuat, DVec2, DVec3};
 
 /// Reprojection by an equidistant fisheye lens.
 #[differentiate(wrt(p, focal, k))]
@@ -188,7 +188,16 @@ pub fn lens(p: DVec3, k: [f64; 4], focal: f64, seen: DVec2) -> f64 {
 
 /// The residual of velocity and place between two keyframes, by what an inertial sensor measured between them.
 #[differentiate(wrt(q, v, w, shift))]
-pub fn preintegrated(q: DQuat, v: DVec3, w: DVec3, shift: DVec3, pull: DVec3, time: f64, gain: DVec3, way: DVec3) -> f64 {
+pub fn preintegrated(
+    q: DQuat,
+    v: DVec3,
+    w: DVec3,
+    shift: DVec3,
+    pull: DVec3,
+    time: f64,
+    gain: DVec3,
+    way: DVec3,
+) -> f64 {
     let back = q.conjugate();
     let faster = back * (w - v - time * pull) - gain;
     let further = back * (shift - time * v - 0.5 * time * time * pull) - way;
@@ -270,7 +279,278 @@ pub fn cart(angle: f64, speed: f64, force: f64, cart: f64, pole: f64, length: f6
     let (sine, cosine) = (angle.sin(), angle.cos());
     let below = cart + pole * sine * sine;
     let forth = (force + pole * sine * (length * speed * speed + pull * cosine)) / below;
-    let round = (-force * cosine - pole * length * speed * speed * cosine * sine - (cart + pole) * pull * sine) / (length * below);
+    let round = (-force * cosine - pole * length * speed * speed * cosine * sine - (cart + pole) * pull * sine)
+        / (length * below);
     let (u, v) = (forth - wanted.x, round - wanted.y);
     u * u + v * v
+}
+
+/// The energy of a tetrahedron of neo-Hookean stuff.
+#[differentiate(wrt(a, b, c, d))]
+pub fn tetra(a: DVec3, b: DVec3, c: DVec3, d: DVec3, inverse: DMat3, mu: f64, lambda: f64) -> f64 {
+    let shape = DMat3::from_cols(b - a, c - a, d - a);
+    let f = shape * inverse;
+    let j = f.determinant();
+    let square = f.x_axis.length_squared() + f.y_axis.length_squared() + f.z_axis.length_squared();
+    0.5 * mu * (square - 3.0 - 2.0 * j.ln()) + 0.5 * lambda * (j - 1.0) * (j - 1.0)
+}
+
+/// What a pose in the plane, seen from another, is off a measured one.
+#[differentiate(wrt(x, y, heading, ox, oy, turned))]
+pub fn odometry(x: f64, y: f64, heading: f64, ox: f64, oy: f64, turned: f64, seen: DVec3) -> f64 {
+    let (s, c) = heading.sin_cos();
+    let (dx, dy) = (ox - x, oy - y);
+    let u = c * dx + s * dy - seen.x;
+    let v = c * dy - s * dx - seen.y;
+    let w = turned - heading - seen.z;
+    u * u + v * v + w * w
+}
+
+/// Registration of three points by a quaternion.
+#[differentiate(wrt(q, t))]
+pub fn three_points(q: DQuat, t: DVec3, a: DVec3, b: DVec3, c: DVec3, x: DVec3, y: DVec3, z: DVec3) -> f64 {
+    let u = q * a + t - x;
+    let v = q * b + t - y;
+    let w = q * c + t - z;
+    u.dot(u) + v.dot(v) + w.dot(w)
+}
+
+/// Reprojection by a camera that a quaternion turns.
+#[differentiate(wrt(q, t, p))]
+pub fn camera(q: DQuat, t: DVec3, p: DVec3, focal: f64, seen: DVec2) -> f64 {
+    let local = q * p + t;
+    let u = focal * local.x / local.z - seen.x;
+    let v = focal * local.y / local.z - seen.y;
+    u * u + v * v
+}
+
+/// What a rotor that pushes along its own axis is off a wanted acceleration.
+#[differentiate(wrt(q, v, thrust))]
+pub fn rotor(q: DQuat, v: DVec3, thrust: f64, mass: f64, pull: DVec3, drag: f64, wanted: DVec3) -> f64 {
+    let lift = q * DVec3::new(0.0, 0.0, thrust);
+    let a = lift / mass + pull - drag * v.length() * v - wanted;
+    a.dot(a)
+}
+
+/// The distance of a point from a cylinder without ends.
+#[differentiate(wrt(p, a, b))]
+pub fn capsule(p: DVec3, a: DVec3, b: DVec3, radius: f64) -> f64 {
+    let (pa, ba) = (p - a, b - a);
+    let h = pa.dot(ba) / ba.dot(ba);
+    let off = pa - h * ba;
+    off.length() - radius
+}
+
+/// What three probabilities are off the wanted ones.
+#[differentiate(wrt(x, y, z))]
+pub fn logits(x: f64, y: f64, z: f64, wanted: DVec3) -> f64 {
+    let (ex, ey, ez) = (x.exp(), y.exp(), z.exp());
+    let sum = ex + ey + ez;
+    let (u, v, w) = (ex / sum - wanted.x, ey / sum - wanted.y, ez / sum - wanted.z);
+    u * u + v * v + w * w
+}
+
+/// The Lagrangian of two pendulums, one on the other.
+#[differentiate(wrt(one, two, rate_one, rate_two))]
+pub fn double_pendulum(
+    one: f64,
+    two: f64,
+    rate_one: f64,
+    rate_two: f64,
+    m: f64,
+    n: f64,
+    l: f64,
+    k: f64,
+    g: f64,
+) -> f64 {
+    let kinetic = 0.5 * (m + n) * l * l * rate_one * rate_one
+        + 0.5 * n * k * k * rate_two * rate_two
+        + n * l * k * rate_one * rate_two * (one - two).cos();
+    let height = -(m + n) * g * l * one.cos() - n * g * k * two.cos();
+    kinetic - height
+}
+
+/// A glossy reflection with its geometric term and Fresnel's.
+#[differentiate(wrt(roughness, light, view))]
+pub fn specular(roughness: f64, light: DVec3, view: DVec3, normal: DVec3, base: f64) -> f64 {
+    let half = (light + view).normalize();
+    let nh = normal.dot(half);
+    let nl = normal.dot(light);
+    let nv = normal.dot(view);
+    let vh = view.dot(half);
+    let a2 = roughness * roughness;
+    let d = a2 / ((nh * nh * (a2 - 1.0) + 1.0) * (nh * nh * (a2 - 1.0) + 1.0));
+    let f = base + (1.0 - base) * (1.0 - vh) * (1.0 - vh) * (1.0 - vh) * (1.0 - vh) * (1.0 - vh);
+    let g = 1.0 / ((nl + (a2 + (1.0 - a2) * nl * nl).sqrt()) * (nv + (a2 + (1.0 - a2) * nv * nv).sqrt()));
+    d * f * g
+}
+
+/// A triangle that keeps its area.
+#[differentiate(wrt(a, b, c))]
+pub fn area(a: DVec3, b: DVec3, c: DVec3, rest: f64) -> f64 {
+    let n = (b - a).cross(c - a);
+    let area = 0.5 * n.length();
+    (area - rest) * (area - rest)
+}
+
+/// A tetrahedron that keeps its volume.
+#[differentiate(wrt(a, b, c, d))]
+pub fn volume(a: DVec3, b: DVec3, c: DVec3, d: DVec3, rest: f64) -> f64 {
+    let volume = (b - a).cross(c - a).dot(d - a) / 6.0;
+    (volume - rest) * (volume - rest)
+}
+
+/// Registration of two points to planes with a robust loss.
+#[differentiate(wrt(turn, t))]
+pub fn two_planes(turn: DVec3, t: DVec3, a: DVec3, n: DVec3, b: DVec3, m: DVec3) -> f64 {
+    let q = DQuat::from_scaled_axis(turn);
+    let u = n.dot(q * a + t);
+    let v = m.dot(q * b + t);
+    u * u / (1.0 + u * u) + v * v / (1.0 + v * v)
+}
+
+/// A normal distribution by its covariance.
+#[differentiate(wrt(x, covariance))]
+pub fn mahalanobis(x: DVec3, mean: DVec3, covariance: [f64; 6]) -> f64 {
+    let [a, b, c, d, e, f] = covariance;
+    let s = DMat3::from_cols(DVec3::new(a, d, e), DVec3::new(d, b, f), DVec3::new(e, f, c));
+    let off = x - mean;
+    0.5 * off.dot(s.inverse() * off) + 0.5 * s.determinant().ln()
+}
+
+/// Angular momentum in the world.
+#[differentiate(wrt(q, w))]
+pub fn spin_energy(q: DQuat, w: DVec3, inertia: DVec3, wanted: DVec3) -> f64 {
+    let momentum = q * (inertia * w) - wanted;
+    momentum.dot(momentum)
+}
+
+/// What one quaternion is off another as seen from a third.
+#[differentiate(wrt(p, q))]
+pub fn relative(p: DQuat, q: DQuat, seen: DQuat) -> f64 {
+    let off = p.conjugate() * q - seen;
+    off.dot(off)
+}
+
+/// A step of a bicycle's motion.
+#[differentiate(wrt(x, y, yaw, speed, steer))]
+pub fn bicycle(x: f64, y: f64, yaw: f64, speed: f64, steer: f64, base: f64, dt: f64, wanted: DVec3) -> f64 {
+    let nx = x + dt * speed * yaw.cos();
+    let ny = y + dt * speed * yaw.sin();
+    let nyaw = yaw + dt * speed / base * steer.tan();
+    (nx - wanted.x) * (nx - wanted.x) + (ny - wanted.y) * (ny - wanted.y) + (nyaw - wanted.z) * (nyaw - wanted.z)
+}
+
+/// Morse's potential.
+#[differentiate(wrt(a, b))]
+pub fn morse(a: DVec3, b: DVec3, depth: f64, width: f64, rest: f64) -> f64 {
+    let r = (a - b).length();
+    let e = 1.0 - (-width * (r - rest)).exp();
+    depth * e * e
+}
+
+/// The three-body term of Stillinger and Weber.
+#[differentiate(wrt(a, b, c))]
+pub fn stillinger(a: DVec3, b: DVec3, c: DVec3, strength: f64, gamma: f64, cut: f64) -> f64 {
+    let (u, v) = (a - b, c - b);
+    let (p, q) = (u.length(), v.length());
+    let cosine = u.dot(v) / (p * q);
+    strength * (gamma / (p - cut) + gamma / (q - cut)).exp() * (cosine + 1.0 / 3.0) * (cosine + 1.0 / 3.0)
+}
+
+/// A hinge's angle and its rest.
+#[differentiate(wrt(a, b, c, d))]
+pub fn bending(a: DVec3, b: DVec3, c: DVec3, d: DVec3, rest: f64) -> f64 {
+    let e = b - a;
+    let n = e.cross(c - a);
+    let m = (d - a).cross(e);
+    let angle = n.cross(m).dot(e.normalize()).atan2(n.dot(m));
+    (angle - rest) * (angle - rest)
+}
+
+/// Registration of a point with a covariance.
+#[differentiate(wrt(turn, shift))]
+pub fn generalized_icp(turn: DVec3, shift: DVec3, a: DVec3, b: DVec3, weight: DMat3) -> f64 {
+    let r = DQuat::from_scaled_axis(turn) * a + shift - b;
+    r.dot(weight * r)
+}
+
+/// Corotated elasticity in the plane.
+#[differentiate(wrt(f))]
+pub fn corotated(f: DMat2, mu: f64, lambda: f64) -> f64 {
+    let (a, b, c, d) = (f.x_axis.x, f.y_axis.x, f.x_axis.y, f.y_axis.y);
+    let s = ((a + d) * (a + d) + (c - b) * (c - b)).sqrt();
+    let j = a * d - b * c;
+    mu * (a * a + b * b + c * c + d * d - 2.0 * s + 2.0) + 0.5 * lambda * (j - 1.0) * (j - 1.0)
+}
+
+/// A triangle of Saint Venant and Kirchhoff's stuff.
+#[differentiate(wrt(a, b, c))]
+pub fn stvk(a: DVec3, b: DVec3, c: DVec3, inverse: DMat2, mu: f64, lambda: f64) -> f64 {
+    let (p, q) = (b - a, c - a);
+    let u = inverse.x_axis.x * p + inverse.x_axis.y * q;
+    let v = inverse.y_axis.x * p + inverse.y_axis.y * q;
+    let (e, f, g) = (u.dot(u) - 1.0, v.dot(v) - 1.0, u.dot(v));
+    0.25 * mu * (e * e + f * f + 2.0 * g * g) + 0.125 * lambda * (e + f) * (e + f)
+}
+
+/// The angle between two turns.
+#[differentiate(wrt(q))]
+pub fn angle_error(q: DQuat, wanted: DQuat) -> f64 {
+    let off = wanted.conjugate() * q.normalize();
+    2.0 * off.xyz().length().atan2(off.w)
+}
+
+/// The power of drag in an atmosphere.
+#[differentiate(wrt(p, v))]
+pub fn drag(p: DVec3, v: DVec3, wind: DVec3, scale: f64, density: f64, k: f64) -> f64 {
+    let rho = density * (-p.z / scale).exp();
+    let off = v - wind;
+    k * rho * off.length() * off.dot(v)
+}
+
+/// A place by azimuth, elevation and range.
+#[differentiate(wrt(azimuth, elevation, range))]
+pub fn radar(azimuth: f64, elevation: f64, range: f64, at: DVec3, seen: DVec3) -> f64 {
+    let p = DVec3::new(
+        range * elevation.cos() * azimuth.cos(),
+        range * elevation.cos() * azimuth.sin(),
+        range * elevation.sin(),
+    ) + at
+        - seen;
+    p.dot(p)
+}
+
+/// Where a ray meets a sphere.
+#[differentiate(wrt(origin, direction, center, radius))]
+pub fn ray_sphere(origin: DVec3, direction: DVec3, center: DVec3, radius: f64) -> f64 {
+    let off = origin - center;
+    let b = off.dot(direction);
+    let disc = b * b - off.dot(off) + radius * radius;
+    -b - disc.sqrt()
+}
+
+/// The tip of an arm of three joints.
+#[differentiate(wrt(one, two, three))]
+pub fn spatial_arm(one: f64, two: f64, three: f64, upper: f64, lower: f64, target: DVec3) -> f64 {
+    let reach = upper * two.cos() + lower * (two + three).cos();
+    let p = DVec3::new(reach * one.cos(), reach * one.sin(), upper * two.sin() + lower * (two + three).sin());
+    (p - target).length_squared()
+}
+
+/// The energy of two dipoles.
+#[differentiate(wrt(a, b))]
+pub fn dipoles(a: DVec3, b: DVec3, place: DVec3) -> f64 {
+    let r2 = place.dot(place);
+    let r = r2.sqrt();
+    (a.dot(b) - 3.0 * a.dot(place) * b.dot(place) / r2) / (r2 * r)
+}
+
+/// A step towards a point, and its effort.
+#[differentiate(wrt(x, v, force))]
+pub fn tracking(x: DVec2, v: DVec2, force: DVec2, mass: f64, dt: f64, wanted: DVec2, effort: f64) -> f64 {
+    let a = force / mass;
+    let next = x + dt * v + 0.5 * dt * dt * a - wanted;
+    let speed = v + dt * a;
+    next.dot(next) + 0.1 * speed.dot(speed) + effort * force.dot(force)
 }

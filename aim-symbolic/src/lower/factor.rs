@@ -27,6 +27,9 @@ const DEEPEST: usize = 24;
 /// A term of a sum and whether it is subtracted.
 type Term = (bool, Scalar);
 
+/// A factor of a product and whether it is divided by.
+type Factor = (bool, Scalar);
+
 struct Factoring {
     uses: Uses,
     open: Open,
@@ -81,26 +84,47 @@ impl Factoring {
         }
     }
 
-    /// The factors of a product that nothing else needs; where shared products are open, those of its factors, too.
-    fn factors(&self, g: &Graph, s: Scalar) -> Vec<Scalar> {
+    /// The factors of a product or quotient that nothing else needs; where shared products are open, those of its factors, too.
+    fn factors(&self, g: &Graph, s: Scalar) -> Vec<Factor> {
         let parts = |s: Scalar| match g.scalar_node(s) {
-            ScalarNode::Op(Op::Mul(a, b)) => vec![a, b],
-            _ => vec![s],
+            ScalarNode::Op(Op::Mul(a, b)) => vec![(false, a), (false, b)],
+            _ => vec![(false, s)],
         };
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) => match self.open {
-                Open::Private => vec![a, b],
+                Open::Private => vec![(false, a), (false, b)],
                 _ => [a, b].into_iter().flat_map(parts).collect(),
             },
+            ScalarNode::Op(Op::Div(_, b)) if self.uses.once(s) => vec![(true, b)],
             _ => Vec::new(),
         }
     }
 
+    /// A product without one of its factors; only the product that has it is taken apart.
+    fn cofactor(&self, fold: &mut Fold, s: Scalar, factor: Factor) -> Option<Scalar> {
+        if !self.factors(&fold.g, s).contains(&factor) {
+            return None;
+        }
+        let (_, factor) = factor;
+        if let ScalarNode::Op(Op::Div(a, _)) = fold.g.scalar_node(s) {
+            return Some(a);
+        }
+        let ScalarNode::Op(Op::Mul(a, b)) = fold.g.scalar_node(s) else { return None };
+        if a == factor || b == factor {
+            return Some(if a == factor { b } else { a });
+        }
+        [(a, b), (b, a)].into_iter().find_map(|(product, other)| {
+            let ScalarNode::Op(Op::Mul(c, d)) = fold.g.scalar_node(product) else { return None };
+            let rest = [(c, d), (d, c)].into_iter().find_map(|(own, rest)| (own == factor).then_some(rest))?;
+            Some(fold.mul(rest, other))
+        })
+    }
+
     /// The factor that most of the terms have; the first of several, `None` where each has its own.
-    fn common(&self, g: &Graph, terms: &[Term]) -> Option<Scalar> {
-        let mut counts: FxHashMap<Scalar, usize> = FxHashMap::default();
-        let mut best: Option<(usize, Scalar)> = None;
-        let products: Vec<Vec<Scalar>> = terms.iter().map(|&(_, term)| self.factors(g, term)).collect();
+    fn common(&self, g: &Graph, terms: &[Term]) -> Option<Factor> {
+        let mut counts: FxHashMap<Factor, usize> = FxHashMap::default();
+        let mut best: Option<(usize, Factor)> = None;
+        let products: Vec<Vec<Factor>> = terms.iter().map(|&(_, term)| self.factors(g, term)).collect();
         for all in &products {
             for (i, &factor) in all.iter().enumerate() {
                 *counts.entry(factor).or_default() += usize::from(!all[..i].contains(&factor));
@@ -148,19 +172,15 @@ impl Factoring {
         };
         let (mut cofactors, mut without) = (Vec::new(), Vec::new());
         for (negative, term) in terms {
-            let mut factors = self.factors(&rebuild.fold.g, term);
-            match factors.iter().position(|&own| own == factor) {
-                Some(place) => {
-                    factors.remove(place);
-                    let rest = factors.into_iter().reduce(|a, b| rebuild.fold.mul(a, b));
-                    cofactors.extend(rest.map(|rest| (negative, rest)));
-                }
+            match self.cofactor(rebuild.fold, term, factor) {
+                Some(rest) => cofactors.push((negative, rest)),
                 None => without.push((negative, term)),
             }
         }
         let inner = self.sum(rebuild, cofactors)?;
+        let (below, factor) = factor;
         let factor = rebuild.scalar(factor)?;
-        let product = rebuild.fold.mul(factor, inner);
+        let product = if below { rebuild.fold.div(inner, factor) } else { rebuild.fold.mul(factor, inner) };
         if without.is_empty() {
             return Ok(product);
         }
