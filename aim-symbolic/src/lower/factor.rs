@@ -55,13 +55,16 @@ impl Exchange for Factoring {
 impl Factoring {
     /// The terms of a sum of which some have a common factor or exclude each other.
     fn terms_to_factor(&self, fold: &mut Fold, s: Scalar) -> Option<Vec<Term>> {
-        let g = &fold.g;
-        if !matches!(g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
+        if !matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
             return None;
         }
         let mut terms = Vec::new();
-        self.collect(g, s, false, 0, &mut terms);
-        (self.common(g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s))).then_some(terms)
+        self.collect(&fold.g, s, false, 0, &mut terms);
+        if self.open == Open::Sums {
+            terms = terms.into_iter().flat_map(|term| self.spread(fold, term)).collect();
+        }
+        (self.common(&fold.g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s)))
+            .then_some(terms)
     }
 
     /// The terms of a sum, through partial sums that nothing else needs.
@@ -84,18 +87,33 @@ impl Factoring {
         }
     }
 
-    /// The factors of a product or quotient that nothing else needs; where shared products are open, those of its factors, too.
+    /// The terms of a product with a sum, neither of which anything else needs.
+    fn spread(&self, fold: &mut Fold, (negative, s): Term) -> Vec<Term> {
+        let is_sum = |s| matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
+        let (sum, other) = match fold.g.scalar_node(s) {
+            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) && is_sum(a) && self.uses.once(a) => (a, b),
+            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) && is_sum(b) && self.uses.once(b) => (b, a),
+            _ => return vec![(negative, s)],
+        };
+        let mut terms = Vec::new();
+        self.collect(&fold.g, sum, negative, 0, &mut terms);
+        terms.into_iter().map(|(negative, term)| (negative, fold.mul(other, term))).collect()
+    }
+
+    /// The factors of a product or quotient that nothing else needs; where shared products are open, those of its factors, too, and in
+    /// the end of products that others need.
     fn factors(&self, g: &Graph, s: Scalar) -> Vec<Factor> {
         let parts = |s: Scalar| match g.scalar_node(s) {
             ScalarNode::Op(Op::Mul(a, b)) => vec![(false, a), (false, b)],
             _ => vec![(false, s)],
         };
+        let opens = self.uses.once(s) || matches!(self.open, Open::Quotients | Open::Sums);
         match g.scalar_node(s) {
-            ScalarNode::Op(Op::Mul(a, b)) if self.uses.once(s) => match self.open {
+            ScalarNode::Op(Op::Mul(a, b)) if opens => match self.open {
                 Open::Private => vec![(false, a), (false, b)],
                 _ => [a, b].into_iter().flat_map(parts).collect(),
             },
-            ScalarNode::Op(Op::Div(_, b)) if self.uses.once(s) => vec![(true, b)],
+            ScalarNode::Op(Op::Div(_, b)) if opens => vec![(true, b)],
             _ => Vec::new(),
         }
     }

@@ -23,9 +23,17 @@ use crate::{Graph, Scalar};
 pub(crate) enum Effort {
     /// Enough to compare a program with others of its kind.
     Compare,
-    /// All there is.
+    /// What mostly does it.
     Finish,
+    /// All there is.
+    Polish,
 }
+
+/// So many of the ways to arrange sums and products mostly do it.
+const USUAL_TRIES: usize = 6;
+
+/// Longer programs are not polished.
+const MOST_OPERATIONS: usize = 400;
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
@@ -37,10 +45,21 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         (true, Open::Quotients, Open::Shared),
         (false, Open::Quotients, Open::Shared),
         (true, Open::Quotients, Open::Private),
+        (false, Open::Shared, Open::Quotients),
+        (true, Open::Shared, Open::Shared),
+        (false, Open::Shared, Open::Sums),
+        (true, Open::Shared, Open::Shared),
     ];
-    let count = if effort == Effort::Finish { tries.len() } else { 1 };
+    let count = match effort {
+        Effort::Compare => 1,
+        Effort::Finish => USUAL_TRIES,
+        Effort::Polish => tries.len(),
+    };
     let (mut best, mut least) = (Vec::new(), usize::MAX);
-    for (of_best, products, factors) in tries.into_iter().take(count) {
+    for (tried, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
+        if tried >= USUAL_TRIES && least > MOST_OPERATIONS {
+            break;
+        }
         let mut tried = if of_best { best.clone() } else { outputs.clone() };
         if rules.has(&SHARE) {
             tried = share_products(fold, &tried, products);

@@ -26,6 +26,8 @@ pub(crate) enum Open {
     Shared,
     /// Those and quotients.
     Quotients,
+    /// Those and products with sums.
+    Sums,
 }
 
 /// How many pairs of factors are joined: of a long program those that most products have.

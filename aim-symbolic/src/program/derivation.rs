@@ -84,7 +84,7 @@ impl Derivation {
     #[must_use]
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
         let (program, choices) = choose(g, wanted, &[]);
-        let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Finish);
+        let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Polish);
         let count = |rewrites: usize, off: &[Rule]| way(Log::limited(rewrites), off).program.count();
         let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC) };

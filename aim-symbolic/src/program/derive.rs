@@ -85,8 +85,10 @@ impl Choices {
 /// A program of so few operations is worth every rival.
 const SMALL: usize = 100;
 
-/// What is larger than another by less than one part in so many may become smaller by being arranged.
+/// What is larger than another by less than one part in so many may become smaller by being arranged, and so may what is no larger than
+/// this.
 const NEAR: usize = 8;
+const MOST_PLAIN: usize = 300;
 
 /// How many ways to share rotations between the sides of dots, and how many frames, are compared.
 const MOST_SIDES: usize = 8;
@@ -121,42 +123,37 @@ impl Program {
 /// The smallest of the bounded number of programs that the choices lead to.
 ///
 /// Each rival changes the best so far in one respect, and takes its place where its program is smaller. For a small program
-/// every arrangement is compared, and what a choice made worthwhile is tried again.
+/// every arrangement is compared, and what a choice made worthwhile is tried again. Beside them is the smallest by none but the rules
+/// of arithmetic: rewriting may not lose against doing nothing.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
-    let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
-    let is_small = best.is_small();
-    let changes = rivals(&best, wanted);
-    let plain = (!best.log.applied.is_empty()).then(|| plain(&best.choices, g, wanted, without));
-    if !is_small {
-        best = best.improved(&changes, g, wanted, without, Effort::Compare);
-        best.arrange(without);
-    } else {
-        best.arrange(without);
-        best = best.improved_again(&changes, g, wanted, without);
-    }
-    if let Some(mut plain) = plain
-        && cost(&plain.program).0 <= cost(&best.program).0 + cost(&best.program).0 / NEAR
-    {
-        plain.arrange(without);
+    let (mut best, is_rewritten) = smallest(g, wanted, without, usize::MAX);
+    if is_rewritten {
+        let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
+        let near = cost(&best.program).0;
+        let (mut plain, _) = smallest(g, wanted, &off, (near + near / NEAR).max(MOST_PLAIN));
+        plain.choices.without.extend(off);
         best = best.or_better(plain);
     }
     (best.program.finished(), best.choices)
 }
 
-/// The smallest way by none but the rules of arithmetic: rewriting may not lose against doing nothing.
-fn plain(choices: &Choices, g: &Graph, wanted: &[Want], without: &[Rule]) -> Way {
-    let off = rules::of_sets().into_iter().chain(OPTIONAL).collect();
-    let choices = Choices { without: off, turned: None, kept: Vec::new(), ..choices.clone() };
-    let mut best = Way::taken(g, wanted, choices, without, Log::default(), Effort::Compare);
-    let mut changes: Vec<Change> =
-        sweeps(wanted).into_iter().map(|sweep| -> Change { Box::new(move |c| c.sweep = sweep) }).collect();
-    changes.extend(best.by_matrices());
-    changes.extend(best.forward(wanted));
+/// The smallest of the programs by the rules that apply, and whether any does; a long one is arranged only if it has no more operations
+/// than `worth`.
+fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], worth: usize) -> (Way, bool) {
+    let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
+    let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
     if best.is_small() {
-        best.arrange(without);
-        return best.improved_again(&changes, g, wanted, without);
+        // What nothing is rewritten in has no plainer way beside it.
+        best.arrange(without, if is_rewritten { Effort::Finish } else { Effort::Polish });
+        best = best.improved_again(&changes, g, wanted, without);
+        best.arrange(without, Effort::Polish);
+    } else {
+        best = best.improved(&changes, g, wanted, without, Effort::Compare);
+        if cost(&best.program).0 <= worth {
+            best.arrange(without, Effort::Polish);
+        }
     }
-    best.improved(&changes, g, wanted, without, Effort::Compare)
+    (best, is_rewritten)
 }
 
 /// The sweeps worth a try; by the way back where nothing speaks for another.
@@ -211,6 +208,11 @@ impl Way {
 
     fn is_small(&self) -> bool {
         cost(&self.program).0 <= SMALL
+    }
+
+    /// Whether a rule was applied, other than those of limits.
+    fn is_rewritten(&self) -> bool {
+        self.log.applied.iter().any(|done| !LIMITS.rules.contains(&done.rule))
     }
 
     /// The better of two; of equals the first.
@@ -287,8 +289,8 @@ impl Way {
     }
 
     /// Tries more arrangements of its sums and products.
-    fn arrange(&mut self, without: &[Rule]) {
-        self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, Effort::Finish);
+    fn arrange(&mut self, without: &[Rule], effort: Effort) {
+        self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, effort);
     }
 }
 

@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use aim_symbolic::rules::{DIRECTIONS, FRAMES, LIMITS, ROTATIONS, Rule, RuleSet, SCALES, WORDING};
+use aim_symbolic::rules::{DIRECTIONS, FRAMES, LIMITS, PRODUCTS, ROTATIONS, Rule, RuleSet, SCALES, WORDING};
 use aim_symbolic::{Program, Scalar};
 use fastrand::Rng;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
@@ -15,13 +15,14 @@ use super::material::{Sample, point};
 use super::recipe::{Recipe, Recipes, Stated};
 
 /// The sets of rules in the order in which they are applied.
-pub(crate) const SETS: [(&str, RuleSet); 6] = [
+pub(crate) const SETS: [(&str, RuleSet); 7] = [
     ("limits", LIMITS),
     ("wording", WORDING),
     ("rotations", ROTATIONS),
     ("directions", DIRECTIONS),
     ("frames", FRAMES),
     ("scales", SCALES),
+    ("products", PRODUCTS),
 ];
 
 fn setting(name: &str) -> Option<u64> {

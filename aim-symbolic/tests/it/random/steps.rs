@@ -69,7 +69,7 @@ steps! {
     Sub: 4 [Scalar, Scalar] => Scalar,
     Mul: 4 [Scalar, Scalar] => Scalar,
     Div: 2 [Scalar, Scalar] => Scalar,
-    Neg: 2 [Scalar] => Scalar,
+    Neg: 5 [Scalar] => Scalar,
     Sqrt: 1 [Scalar] => Scalar,
     Reciprocal: 2 [Scalar] => Scalar,
     Select: 3 [Scalar, Scalar, Scalar, Scalar] => Scalar,
@@ -128,6 +128,8 @@ steps! {
     Rejection: 2 [Vector, Unit] => Vector,
     Solve: 4 [Vector, Vector, Vector, Vector] => Vector,
     Rodrigues: 2 [Vector, Vector] => Vector,
+    Spun: 1 [Vector, Scalar, Vector] => Vector,
+    CrossInDots: 1 [Vector, Vector, Vector] => Vector,
     TurnedComponents: 2 [Vector, Scalar] => Vector,
     Normalize: 8 [Vector] => Unit,
     ToEffectorDirection: 5 [Vector, Rotation, Vector] => Unit,
@@ -550,6 +552,22 @@ impl Pools {
                 let aside = g.scale(sine, aside);
                 let sum = g.add_vectors(kept, aside);
                 g.add_vectors(sum, along).into()
+            }
+            What::Spun => {
+                let (u, w, point, two) = (v(0), s(1), v(2), g.constant(2.0));
+                let (square, w_square, dot) = (g.dot(u, u), g.mul(w, w), g.dot(u, point));
+                let (kept, aside, along) = (g.sub(w_square, square), g.mul(two, w), g.mul(two, dot));
+                let cross = g.cross(u, point);
+                let [kept, aside, along] = [(kept, point), (aside, cross), (along, u)].map(|(k, v)| g.scale(k, v));
+                let sum = g.add_vectors(kept, along);
+                if number % 2 == 0 { g.add_vectors(sum, aside) } else { g.sub_vectors(sum, aside) }.into()
+            }
+            What::CrossInDots => {
+                let (u, w, c) = (v(0), v(1), v(2));
+                let (first, second) = (g.dot(u, c), g.dot(w, c));
+                let (first, second) = (g.scale(first, w), g.scale(second, u));
+                let (difference, cross) = (g.sub_vectors(first, second), g.cross(u, w));
+                if number % 2 == 0 { g.add_vectors(difference, cross) } else { g.sub_vectors(cross, difference) }.into()
             }
             What::TurnedComponents => {
                 let plane = choice(&PLANES, number);
