@@ -60,7 +60,7 @@ impl Factoring {
         }
         let mut terms = Vec::new();
         self.collect(&fold.g, s, false, 0, &mut terms);
-        if self.open == Open::Sums {
+        if cfg!(not(aim_small)) && self.open == Open::Sums {
             terms = terms.into_iter().flat_map(|term| self.spread(fold, term)).collect();
         }
         (self.common(&fold.g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s)))

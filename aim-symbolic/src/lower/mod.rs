@@ -52,8 +52,8 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
     ];
     let count = match effort {
         Effort::Compare => 1,
-        Effort::Finish => USUAL_TRIES,
-        Effort::Polish => tries.len(),
+        Effort::Polish if cfg!(not(aim_small)) => tries.len(),
+        Effort::Finish | Effort::Polish => USUAL_TRIES,
     };
     let (mut best, mut least) = (Vec::new(), usize::MAX);
     for (tried, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {

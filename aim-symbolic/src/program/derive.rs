@@ -313,7 +313,9 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
     }
-    rivals.extend(first.forward(wanted));
+    if cfg!(not(aim_small)) {
+        rivals.extend(first.forward(wanted));
+    }
     // A rotation that left more than one direction may be dearer on the many sides than on the one.
     let innermost = distinct(g.cancelled().iter().rev().copied());
     if g.cancelled().len() > innermost.len() {
@@ -332,7 +334,9 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
         rivals.push(optional(CONSTANT_SCALE));
     }
     rivals.extend(first.by_matrices());
-    rivals.extend(first.gathered());
+    if cfg!(not(aim_small)) {
+        rivals.extend(first.gathered());
+    }
     let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS].contains(rule) || first.is_small();
     for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
         rivals.push(Box::new(move |c| {

@@ -204,8 +204,11 @@ pub const PRODUCTS: RuleSet = RuleSet {
 pub const ARITHMETIC: [Rule; 8] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
 
 /// Rules that apply only where that is found to pay.
-pub(crate) const OPTIONAL: [Rule; 8] =
-    [TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX];
+pub(crate) const OPTIONAL: &[Rule] = if cfg!(aim_small) {
+    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX]
+} else {
+    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX]
+};
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
 pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
