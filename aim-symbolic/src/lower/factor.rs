@@ -113,7 +113,7 @@ impl Factoring {
                 Open::Private => vec![(false, a), (false, b)],
                 _ => [a, b].into_iter().flat_map(parts).collect(),
             },
-            ScalarNode::Op(Op::Div(_, b)) if opens => vec![(true, b)],
+            ScalarNode::Op(Op::Div(_, b)) if cfg!(not(aim_small)) && opens => vec![(true, b)],
             _ => Vec::new(),
         }
     }
@@ -124,7 +124,9 @@ impl Factoring {
             return None;
         }
         let (_, factor) = factor;
-        if let ScalarNode::Op(Op::Div(a, _)) = fold.g.scalar_node(s) {
+        if cfg!(not(aim_small))
+            && let ScalarNode::Op(Op::Div(a, _)) = fold.g.scalar_node(s)
+        {
             return Some(a);
         }
         let ScalarNode::Op(Op::Mul(a, b)) = fold.g.scalar_node(s) else { return None };

@@ -143,7 +143,7 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
         VectorNode::Scale(_, inner) | VectorNode::Neg(inner) | VectorNode::Normalize(inner) => {
             is_across_within(g, inner, u, depth)
         }
-        VectorNode::Sub(a, b) if is_part_along(g, b, a, u) => true,
+        VectorNode::Sub(a, b) if cfg!(not(aim_small)) && is_part_along(g, b, a, u) => true,
         VectorNode::Add(a, b) | VectorNode::Sub(a, b) => {
             is_across_within(g, a, u, depth) && is_across_within(g, b, u, depth)
         }
