@@ -329,7 +329,7 @@ fn seen_from_a_turned_frame() -> Problem {
 
 /// The same differences and products, once one way round and once the other.
 fn both_ways_round() -> Problem {
-    Problem::new("both ways round", 7, |g| {
+    Problem::new("both ways round", 6, |g| {
         let [x, y] = ["x", "y"].map(|name| g.input(name));
         let (there, back) = (g.sub(x, y), g.sub(y, x));
         let (first, second) = (g.mul(x, y), g.mul(y, x));

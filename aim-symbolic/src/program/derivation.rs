@@ -87,7 +87,8 @@ impl Derivation {
         let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Polish);
         let count = |rewrites: usize, off: &[Rule]| way(Log::limited(rewrites), off).program.count();
         let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
-        let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC) };
+        let least = program.count().total();
+        let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
         for on in 1..=ARITHMETIC.len() {
             book.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
             // What did nothing by itself is not part of what comes after it.
@@ -216,6 +217,8 @@ struct Book {
     rules: Vec<(Rule, usize)>,
     /// The least count so far.
     count: Count,
+    /// That of the program: fewer operations on the way, where a later rule led elsewhere, are no step to it.
+    least: usize,
 }
 
 impl Book {
@@ -224,7 +227,7 @@ impl Book {
             Some((_, times)) => *times += 1,
             None => self.rules.push((rule, 1)),
         }
-        if after.total() < self.count.total() {
+        if (self.least..self.count.total()).contains(&after.total()) {
             let rules = core::mem::take(&mut self.rules);
             self.steps.push(Step { rules, before: self.count, after, rewrites });
             self.count = after;
