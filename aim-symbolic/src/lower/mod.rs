@@ -23,7 +23,7 @@ use crate::{Graph, Scalar};
 pub(crate) enum Effort {
     /// Enough to compare a program with others of its kind.
     Compare,
-    /// What mostly does it.
+    /// The ways that mostly do it.
     Finish,
     /// All there is.
     Polish,
@@ -56,8 +56,8 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         Effort::Finish | Effort::Polish => USUAL_TRIES,
     };
     let (mut best, mut least) = (Vec::new(), usize::MAX);
-    for (tried, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
-        if tried >= USUAL_TRIES && least > MOST_OPERATIONS {
+    for (number, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
+        if number >= USUAL_TRIES && least > MOST_OPERATIONS {
             break;
         }
         let mut tried = if of_best { best.clone() } else { outputs.clone() };

@@ -85,8 +85,8 @@ impl Choices {
 /// A program of so few operations is worth every rival.
 const SMALL: usize = 100;
 
-/// What is larger than another by less than one part in so many may become smaller by being arranged, and so may what is no larger than
-/// this.
+/// A program that is larger than another by less than one part in so many may become smaller by being arranged, and so may one no
+/// larger than this.
 const NEAR: usize = 8;
 const MOST_PLAIN: usize = 300;
 
@@ -210,7 +210,7 @@ impl Way {
         cost(&self.program).0 <= SMALL
     }
 
-    /// Whether a rule was applied, other than those of limits.
+    /// True if a rule was applied, other than those of limits.
     fn is_rewritten(&self) -> bool {
         self.log.applied.iter().any(|done| !LIMITS.rules.contains(&done.rule))
     }
@@ -273,7 +273,7 @@ impl Way {
     }
 
     /// The rivals with products with one vector gathered, where there are cross products: those, also with what is gathered kept
-    /// whole, then dot products.
+    /// whole, then dot products, and matrices once more, which may pay only then.
     fn gathered(&self) -> Vec<Change> {
         let is_cross =
             |node: &Node| matches!(*node, Node::Vector(v) if matches!(self.g.vector_node(v), VectorNode::Cross(..)));

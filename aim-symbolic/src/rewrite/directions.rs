@@ -153,7 +153,7 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
     }
 }
 
-/// Whether `v` is the part of `whole` along `u`: (whole · u)/(u · u) u.
+/// True of the part of `whole` along `u`, (whole · u)/(u · u) u.
 fn is_part_along(g: &Graph, v: Vector, whole: Vector, u: Vector) -> bool {
     let is_dot = |s, a: Vector, b: Vector| g.scalar_node(s) == ScalarNode::Dot(a.min(b), a.max(b));
     scaled(g, v).is_some_and(|(k, along)| {

@@ -1,5 +1,6 @@
 //! Rules that gather what is multiplied by one vector: a product of a sum instead of a sum of products.
 
+use crate::rewrite::scaling::joined;
 use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
@@ -36,7 +37,7 @@ impl Factors {
         }
     }
 
-    /// What both have in common, and what else each has.
+    /// The factors that both have, and those that each has besides.
     fn apart(&self, other: &Self) -> [Self; 3] {
         let [mut common, mut own, mut rest] = [Self::sign(false), Self::sign(false), other.clone()];
         for &factor in &self.others {
@@ -58,7 +59,7 @@ impl Factors {
         Some(rest)
     }
 
-    /// Whether the product is that of another and −1.
+    /// True of the product of another and −1.
     fn is_opposite(&self, other: &Self) -> bool {
         let [common, own, rest] = self.apart(other);
         common.constant != 0.0 && own.others.is_empty() && rest.others.is_empty() && rest.constant == -1.0
@@ -141,14 +142,6 @@ fn products(g: &Graph, v: Vector) -> Option<Vec<(Factors, Vector)>> {
     })
 }
 
-/// The sum with the terms `i` and `j` joined to one.
-fn joined(g: &mut Graph, v: Vector, [i, j]: [usize; 2], together: (bool, Vector)) -> Vector {
-    let mut all = terms(g, v);
-    all[i] = together;
-    all.remove(j);
-    sum(g, &all)
-}
-
 /// All pairs of different places.
 fn pairs(count: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..count).flat_map(move |i| (i + 1..count).map(move |j| [i, j]))
@@ -172,7 +165,7 @@ pub(crate) fn crosses(g: &mut Graph, v: Vector) -> Option<Vector> {
     let gathered = sum(g, &terms);
     let cross = g.cross(gathered, c);
     let (negative, together) = common.scaled(g, cross);
-    Some(joined(g, v, [i, j], (negative != one.1, together)))
+    Some(joined(g, v, (i, j), (negative != one.1, together)))
 }
 
 /// `k (u · c) a − k (a · c) u = k (u × a) × c`, where u × a is there already

@@ -336,8 +336,8 @@ rules! {
     COMMON_VECTOR = "common vector of a sum": Vector(scaling::common_vector);
     /// A constant vector is divided by its largest component, which is multiplied afterwards: a factor of 1 is free.
     CONSTANT_SCALE = "a constant direction by its largest component": Vector(scaling::constant_scale);
-    /// What a rotation, or its derivative, makes of vectors is k v + m u × v + n (u · v) u. For several vectors its matrix is made once,
-    /// by which each is multiplied with half the operations.
+    /// A rotation, and its derivative, make k v + m u × v + n (u · v) u of a vector. For several vectors the matrix is made once, by which
+    /// each is multiplied with half the operations.
     LINEAR_MAP = "a linear map as a matrix": Vector(gathered::linear_map);
     /// The difference of the multiples of two vectors by each other's products with a third is a cross product with their own:
     /// (u · c) a − (a · c) u = (u × a) × c.

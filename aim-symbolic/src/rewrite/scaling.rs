@@ -127,7 +127,7 @@ fn signed(g: &mut Graph, negative: bool, k: Option<Scalar>) -> Scalar {
 }
 
 /// Two terms become one.
-fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together: (bool, Vector)) -> Vector {
+pub(crate) fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together: (bool, Vector)) -> Vector {
     let mut all = terms(g, v);
     all.remove(j);
     all[i] = together;

@@ -256,7 +256,7 @@ impl Translation<'_> {
         Some(self.is_between(x, ends, &range.limits).map_or(Value::Unknown, Value::Truth))
     }
 
-    /// Whether a number is in a range.
+    /// The condition that a number is in a range.
     fn is_between(
         &mut self,
         x: Option<Scalar>,
