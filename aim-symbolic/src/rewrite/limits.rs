@@ -86,8 +86,12 @@ impl Product {
         divisors: &[Scalar],
         find: impl Fn(&mut Graph, Scalar, &[Scalar]) -> Vec<Vanishing>,
     ) -> Vec<(Scalar, Vanishing)> {
-        let of = |&(factor, _): &(Scalar, i32)| find(g, factor, divisors).into_iter().map(move |found| (factor, found));
-        self.powers.iter().flat_map(of).collect()
+        let mut all = Vec::new();
+        for &(factor, _) in &self.powers {
+            let found = find(g, factor, divisors).into_iter().filter(|found| found.is_free_in(g, self, factor));
+            all.extend(found.map(|found| (factor, found)));
+        }
+        all
     }
 
     /// Takes away what is above and below the line; false where nothing is, `None` where that is too long.

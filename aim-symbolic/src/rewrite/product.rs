@@ -1,20 +1,31 @@
 //! [`Product`]: an expression as powers of its factors.
 
-use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 /// A product of more parts is not looked at.
 const MOST_PARTS: usize = 48;
+
+/// What is looked at for whether it is negative is looked into so deep.
+const DEEPEST_LENGTH: u32 = 6;
 
 /// A product with a higher power is not looked at, in halves.
 const HIGHEST_POWER: i32 = 64;
 
 impl Graph {
     /// True of what is not negative, as far as one can see.
-    fn is_length(&self, s: Scalar) -> bool {
+    pub(super) fn is_length(&self, s: Scalar) -> bool {
+        self.is_length_within(s, DEEPEST_LENGTH)
+    }
+
+    fn is_length_within(&self, s: Scalar, depth: u32) -> bool {
         match self.scalar_node(s) {
-            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_)) => true,
+            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) => true,
+            ScalarNode::Op(Op::Constant(c)) => c.value() >= 0.0,
             ScalarNode::Dot(v, w) => v == w,
-            ScalarNode::Op(Op::Mul(a, b)) => a == b,
+            ScalarNode::Op(Op::Mul(a, b)) if a == b => true,
+            ScalarNode::Op(Op::Add(a, b) | Op::Mul(a, b) | Op::Div(a, b)) if depth > 0 => {
+                self.is_length_within(a, depth - 1) && self.is_length_within(b, depth - 1)
+            }
             _ => false,
         }
     }

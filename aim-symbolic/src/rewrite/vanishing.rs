@@ -135,7 +135,11 @@ impl Vanishing {
             return Vec::new();
         }
         let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
-        let by = |(&base, order): (&Scalar, i32)| is_order(order).then(|| Self::sum(base, order));
+        // What is infinite where a plain number is 0 stays as it is stated.
+        let is_plain = |g: &Graph, base| matches!(g.scalar_node(base), ScalarNode::Op(Op::Input(_)));
+        let by = |(&base, order): (&Scalar, i32)| {
+            (is_order(order) && !(order < 0 && is_plain(g, base))).then(|| Self::sum(base, order))
+        };
         divisors.iter().zip(orders).filter_map(by).collect()
     }
 
@@ -238,6 +242,27 @@ impl Vanishing {
         self.order * self.length.halves
     }
 
+    /// Whether the power of the length can be taken out of the function in `product`. Of a root of the function that takes factors that
+    /// are not negative: the root of a square is its factor's size.
+    pub(super) fn is_free_in(&self, g: &Graph, product: &Product, s: Scalar) -> bool {
+        if product.power_of(s) % 2 == 0 {
+            return true;
+        }
+        let base = self.length.base;
+        let is_root = self.length.halves == 1 && !matches!(self.rest, Rest::Sum);
+        let common = if let Rest::Series { common, .. } = &self.rest { &common[..] } else { &[] };
+        let mut others = self.length.others.iter().chain(common);
+        self.coefficient() > 0.0
+            && others.all(|&(factor, _)| g.is_length(factor))
+            && (is_root || product.power_of(base) % 2 != 0 || g.is_length(base))
+    }
+
+    /// The constant that the power of the length has.
+    fn coefficient(&self) -> f64 {
+        let sign = if self.negative { -1.0 } else { 1.0 };
+        sign * self.length.coefficient.powi(self.order)
+    }
+
     /// The base of the length.
     pub(super) fn base(&self) -> Scalar {
         self.length.base
@@ -246,8 +271,10 @@ impl Vanishing {
     /// Takes the power of the length out of the function `s` in `product`; `None` where that is too long.
     pub(super) fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) -> Option<()> {
         let halves = product.remove(s);
-        let sign = if self.negative { -1.0 } else { 1.0 };
-        product.coefficient *= (sign * self.length.coefficient.powi(self.order)).powi(halves / 2);
+        product.coefficient *= self.coefficient().powi(halves / 2);
+        if halves % 2 != 0 {
+            product.coefficient *= self.coefficient().sqrt().powi(halves % 2);
+        }
         product.power(self.length.base, self.halves() * halves / 2);
         for &(factor, power) in &self.length.others {
             product.power(factor, power * self.order * halves / 2);
@@ -403,14 +430,16 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
         if parts(g, factor).is_some() {
             let of_sum = orders(g, factor, bases, left)?;
-            for (all, order) in all.iter_mut().zip(of_sum) {
-                if is_order(order) && order * power % 2 == 0 {
+            for ((all, order), &base) in all.iter_mut().zip(of_sum).zip(bases) {
+                let is_free = Vanishing::sum(base, order).is_free_in(g, &product, factor);
+                if is_order(order) && order * power % 2 == 0 && is_free {
                     *all += order * power / 2;
                 }
             }
         } else if let Some(found) = Vanishing::of_function(g, factor, bases)
             && let Some(place) = bases.iter().position(|&base| base == found.base())
             && found.halves() * power % 2 == 0
+            && found.is_free_in(g, &product, factor)
         {
             all[place] += found.halves() * power / 2;
         }
@@ -441,7 +470,8 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         } else {
             Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
         };
-        if let Some(found) = found.filter(|found| is_order(found.halves()) && found.halves() * power % 2 == 0) {
+        let is_free = |found: &Vanishing| found.halves() * power % 2 == 0 && found.is_free_in(g, &product, factor);
+        if let Some(found) = found.filter(|found| is_order(found.halves()) && is_free(found)) {
             found.take_out(g, &mut product, factor)?;
         }
     }

@@ -82,6 +82,7 @@ steps! {
     Norm: 7 [Vector] => Scalar,
     Component: 3 [Vector] => Scalar,
     RootOfSquare: 2 [Vector] => Scalar,
+    OverRoot: 1 [Scalar, Scalar] => Scalar,
     OverLength: 2 [Scalar, Vector] => Scalar,
     DotOverLength: 2 [Vector, Vector] => Scalar,
     LengthOfCross: 4 [Vector, Unit] => Scalar,
@@ -335,6 +336,15 @@ impl Pools {
             What::RootOfSquare => {
                 let square = g.dot(v(0), v(0));
                 g.sqrt(square).into()
+            }
+            // The number's sign, over a length.
+            What::OverRoot => {
+                let square = g.mul(s(0), s(0));
+                let (aside, one) = (g.mul(s(1), s(1)), g.constant(1.0));
+                let sum = g.add(one, aside);
+                let square = g.mul(square, sum);
+                let root = g.sqrt(square);
+                g.div(s(0), root).into()
             }
             What::OverLength => {
                 let norm = g.norm(v(1));

@@ -20,4 +20,5 @@ mod manifolds;
 mod natural;
 mod powers;
 mod quotients;
+mod roots;
 mod rotations;

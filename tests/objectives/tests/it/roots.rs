@@ -1,0 +1,61 @@
+//! Roots of what has a square as a factor: |x| comes out of them, and not x.
+
+macro_rules! functions {
+    ($($name:ident = |$x:ident, $y:ident| $body:expr;)*) => {
+        $(mod $name {
+            #[aim::differentiate(wrt(x, y))]
+            pub(super) fn function($x: f64, $y: f64) -> f64 {
+                $body
+            }
+        })*
+
+        /// Each function by name, with what is derived of it.
+        const FUNCTIONS: &[Function] = &[$((stringify!($name), $name::function, $name::function_gradient),)*];
+    };
+}
+
+type Function = (&'static str, fn(f64, f64) -> f64, fn(f64, f64) -> (f64, (f64, f64)));
+
+functions! {
+    sign = |x, y| y * x / (x * x).sqrt();
+    hyperbola = |x, y| x * (1.0 + y / (x * x)).sqrt();
+    sagitta = |x, y| x - x * (1.0 - y * y / (x * x)).sqrt();
+    root_of_equation = |x, y| -x / (2.0 * y) * (1.0 + (1.0 - 0.4 * y / (x * x)).sqrt());
+    over_the_factor = |x, y| (x * x + x * x * y).sqrt() / x;
+    under_the_factor = |x, y| x / (x * x + x * x * y * y).sqrt();
+    sine_by_cosine = |x, y| y * x.sin() / (1.0 - x.cos().powi(2)).sqrt();
+    chord = |x, y| y * (1.0 - x.cos()).sqrt() / x.abs();
+    signed_chord = |x, y| y * (1.0 - x.cos()).sqrt() / x;
+    scaled_chord = |x, y| (1.0 - (y * x).cos()).sqrt() / x;
+    root_of_size = |x, y| y * x / x.abs().sqrt();
+    power = |x, y| (x * x + y * x * x).powf(1.5) / x.powi(3);
+    refraction = |x, y| { let t = (1.0 - (1.0 - y * y) / (x * x)).sqrt(); (y - x * t) / (y + x * t) };
+    root_of_square = |x, y| (x * x * y).sqrt() / x;
+    length = |x, y| x.hypot(x * y) / x;
+    fourth_root = |x, y| (x.powi(4) * y).sqrt().sqrt() / x;
+    root_of_quotient = |x, y| (y / (x * x)).sqrt() * x;
+}
+
+#[test]
+fn what_comes_out_of_a_root_is_not_negative() {
+    for &(name, function, gradient) in FUNCTIONS {
+        for x in [-2.3, -1.3, -1.1, 1.1, 1.3, 2.3_f64] {
+            for y in [0.3, 0.7] {
+                let (value, (by_x, by_y)) = gradient(x, y);
+                let step = 1e-6;
+                let expected = [
+                    function(x, y),
+                    (function(x + step, y) - function(x - step, y)) / (2.0 * step),
+                    (function(x, y + step) - function(x, y - step)) / (2.0 * step),
+                ];
+                for (found, expected) in [value, by_x, by_y].into_iter().zip(expected) {
+                    let error = (found - expected).abs();
+                    assert!(
+                        error <= 1e-8 * (1.0 + expected.abs()),
+                        "{name} of {x}, {y}: {found} instead of {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
