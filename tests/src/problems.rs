@@ -58,8 +58,11 @@ pub fn all() -> Vec<Problem> {
         chain_aim("aim in a general frame", 99, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
-        spun_point(),
+        spun("spun point", 77, 1),
+        spun("spun points", 159, 2),
         turned_point(),
+        angle_of_directions(),
+        middle_direction(),
         points_on_planes(),
         turned_in_words(),
         chord(),
@@ -301,7 +304,7 @@ fn along_turned_axis() -> Problem {
 
 /// A point as an inverse transform gives it: the point turned back less the origin turned back.
 fn seen_from_a_turned_frame() -> Problem {
-    Problem::new("seen from a turned frame", 88, |g| {
+    Problem::new("seen from a turned frame", 86, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
         let target = g.vector_input("target");
         let turns = joint.angles.iter().zip([PITCH, HEADING]);
@@ -515,20 +518,28 @@ fn turned_form() -> Problem {
     })
 }
 
-/// The square of what a point is off another, after a product with a quaternion of any length on both sides.
-fn spun_point() -> Problem {
-    Problem::new("spun point", 77, |g| {
-        let (u, w) = (g.vector_input("q"), g.input("q_w"));
-        let [point, goal] = ["point", "goal"].map(|name| g.vector_input(name));
-        let (u_square, w_square, along) = (g.dot(u, u), g.mul(w, w), g.dot(u, point));
-        let (kept, two) = (g.sub(w_square, u_square), g.constant(2.0));
-        let (along, aside) = (g.mul(two, along), g.mul(two, w));
-        let cross = g.cross(u, point);
-        let terms = [(kept, point), (along, u), (aside, cross)].map(|(k, v)| g.scale(k, v));
-        let spun = g.add_vectors(terms[0], terms[1]);
-        let spun = g.add_vectors(spun, terms[2]);
-        let off = g.sub_vectors(spun, goal);
-        (vec![g.dot(off, off)], components(g, u).into_iter().chain([w.into()]).collect())
+/// The square of what points are off others, after a product with a quaternion of any length on both sides and, of several
+/// points, a shift.
+fn spun(name: &'static str, operations: usize, points: usize) -> Problem {
+    Problem::new(name, operations, |g| {
+        let (u, w, shift) = (g.vector_input("q"), g.input("q_w"), (points > 1).then(|| g.vector_input("shift")));
+        let square = |g: &mut Graph, place: usize| {
+            let [point, goal] = ["point", "goal"].map(|name| g.vector_input(&format!("{name}{place}")));
+            let (u_square, w_square, along) = (g.dot(u, u), g.mul(w, w), g.dot(u, point));
+            let (kept, two) = (g.sub(w_square, u_square), g.constant(2.0));
+            let (along, aside) = (g.mul(two, along), g.mul(two, w));
+            let cross = g.cross(u, point);
+            let terms = [(kept, point), (along, u), (aside, cross)].map(|(k, v)| g.scale(k, v));
+            let spun = g.add_vectors(terms[0], terms[1]);
+            let spun = g.add_vectors(spun, terms[2]);
+            let way = shift.map_or(goal, |shift| g.sub_vectors(goal, shift));
+            let off = g.sub_vectors(spun, way);
+            g.dot(off, off)
+        };
+        let squares: Vec<Scalar> = (0..points).map(|place| square(g, place)).collect();
+        let all = squares.into_iter().reduce(|a, b| g.add(a, b)).expect("some points");
+        let by = [u].into_iter().chain(shift).flat_map(|v| components(g, v));
+        (vec![all], by.chain([w.into()]).collect())
     })
 }
 
@@ -543,6 +554,30 @@ fn turned_point() -> Problem {
             g.dot(normal, turned)
         });
         (places.to_vec(), [turn, point].into_iter().flat_map(|v| components(g, v)).collect())
+    })
+}
+
+/// The angle between two directions, by the vectors that they are of.
+fn angle_of_directions() -> Problem {
+    Problem::new("angle of directions", 46, |g| {
+        let [a, b] = ["a", "b"].map(|name| g.vector_input(name));
+        let [u, v] = [a, b].map(|v| g.normalize(v));
+        let cross = g.cross(u.into(), v.into());
+        let (sine, cosine) = (g.norm(cross), g.dot(u, v));
+        (vec![g.atan2(sine, cosine)], [a, b].into_iter().flat_map(|v| components(g, v)).collect())
+    })
+}
+
+/// How far a vector goes along the middle of two others, as seen from a distance that does not matter.
+fn middle_direction() -> Problem {
+    Problem::new("middle direction", 26, |g| {
+        let [a, b, way, along] = ["a", "b", "way", "along"].map(|name| g.vector_input(name));
+        let distance = g.norm(way);
+        let per_distance = g.reciprocal(distance);
+        let [near, far] = [a, b].map(|v| g.scale(per_distance, v));
+        let both = g.add_vectors(near, far);
+        let middle = g.normalize(both);
+        (vec![g.dot(along, middle)], components(g, a).into())
     })
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod bases;
 pub(crate) mod directions;
 mod frames;
 mod gathered;
+mod homogeneous;
 mod limits;
 pub(crate) mod log;
 mod product;

@@ -8,7 +8,7 @@
 use core::fmt;
 
 use crate::ir::node::Node;
-use crate::rewrite::{bases, directions, frames, gathered, limits, rotations, scaling, sums};
+use crate::rewrite::{bases, directions, frames, gathered, homogeneous, limits, rotations, scaling, sums};
 use crate::{Graph, Scalar, Vector};
 
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
@@ -93,7 +93,9 @@ impl Rules<'_> {
 /// The rules of all sets but [`LIMITS`], each once, in the order of the passes that they belong to.
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
-    for rule in [WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES, PRODUCTS].iter().flat_map(|set| set.rules) {
+    for rule in
+        [RATIOS, WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES, PRODUCTS].iter().flat_map(|set| set.rules)
+    {
         if !all.contains(rule) {
             all.push(*rule);
         }
@@ -127,6 +129,11 @@ pub const WORDING: RuleSet = RuleSet {
     ],
     sums: Sums::Open,
 };
+
+/// Angles and directions, which depend on ratios alone, without the lengths that cancel. A module for the web derives rigs alone, of
+/// which nothing is scaled.
+pub const RATIOS: RuleSet =
+    RuleSet { rules: if cfg!(aim_small) { &[] } else { &[ANGLE_OF_SCALED, DIRECTION_OF_SCALED] }, sums: Sums::Open };
 
 /// Rotations to where they cancel, or to the side where they cost least.
 pub const ROTATIONS: RuleSet = RuleSet {
@@ -201,13 +208,14 @@ pub const PRODUCTS: RuleSet = RuleSet {
 };
 
 /// Rules of components: what any compiler of formulas does, all at once.
-pub const ARITHMETIC: [Rule; 8] = [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
+pub const ARITHMETIC: [Rule; 9] =
+    [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, JOIN, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
 
 /// Rules that apply only where that is found to pay.
 pub(crate) const OPTIONAL: &[Rule] = if cfg!(aim_small) {
     &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX]
 } else {
-    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX]
+    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, JOIN, MATRIX]
 };
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
@@ -250,6 +258,10 @@ rules! {
     /// The length of a direction is 1. So the square of the difference of two is 2 − 2 u · v: the cosine between them is all
     /// that is needed.
     LENGTH_OF_DIRECTION = "a direction has length 1": Scalar(directions::length_of_direction);
+    /// An angle depends on the ratio of its sine and cosine: lengths that both are multiplied with, or divided by, do not matter.
+    ANGLE_OF_SCALED = "an angle whatever the lengths": Scalar(homogeneous::angle_of_scaled);
+    /// A direction is the same whatever length the vector is multiplied with, or divided by.
+    DIRECTION_OF_SCALED = "a direction whatever the lengths": Vector(homogeneous::direction_of_scaled);
     /// Rodrigues' formula turns a point p about a vector u by its length r: p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r².
     /// As a rotation it cancels with others, and its derivative is the perpendicular of the result.
     RECOGNIZE_TURN = "Rodrigues' formula is a rotation": Vector(rotations::recognize_turn);
@@ -359,6 +371,9 @@ rules! {
     SHARE = "share products": Components;
     /// In components: a b + a c = a (b + c), one multiplication less.
     FACTOR = "common factor of products": Components;
+    /// In components: a + b + a = 2 a + b, so that the 2 can meet a ½; constants of a product are one; and of k (a b + c d), where
+    /// k a and k c are there already, one multiplication less is left, (k a) b + (k c) d.
+    JOIN = "like terms and constants as one": Components;
     /// In components: of c a + d b a multiple, a + (d/c) b, is made, one multiplication less, where whatever needs the sum can make
     /// up for it in constants of its own.
     MOVE_CONSTANTS = "constants where they cost least": Components;

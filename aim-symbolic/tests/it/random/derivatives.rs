@@ -10,7 +10,7 @@ use super::bounded::Bounded;
 use super::dual::{Dual, Oracle};
 use super::evaluate::Evaluation;
 use super::field::Field;
-use super::judge::{Tally, Verdict, anywhere, for_each, regular, same, single_rules};
+use super::judge::{Regular, Tally, Verdict, anywhere, for_each, regular, same, single_rules};
 use super::material::moving;
 use super::recipe::{Recipe, Stated};
 
@@ -79,23 +79,23 @@ fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, 
 fn derived(
     recipe: &Recipe,
     tally: &Tally,
-    judge: impl Fn(&mut Stated, &[Field], &[Want], &mut Rng) -> Verdict,
+    judge: impl Fn(&mut Stated, &Regular, &[Want], &mut Rng) -> Verdict,
 ) -> Verdict {
     let mut stated = recipe.build();
     let Some(regular) = regular(&stated, recipe.seed) else { return tally.discard() };
     let mut random = Rng::with_seed(recipe.seed);
     let wanted = wanted(&stated, &mut random);
     tally.judge();
-    judge(&mut stated, regular.evaluation.inputs(), &wanted, &mut random)
+    judge(&mut stated, &regular, &wanted, &mut random)
 }
 
 #[test]
 fn derived_programs_agree_with_dual_numbers() {
     let tally = Tally::default();
     for_each(30_000, 8, |recipe| {
-        derived(recipe, &tally, |stated, inputs, wanted, _| {
-            let program = Program::derive_wanted(&stated.pools.g, wanted);
-            agree(stated, inputs, wanted, &program, "derived")
+        derived(recipe, &tally, |stated, regular, wanted, _| {
+            let program = Program::derive_without(&stated.pools.g, wanted, regular.without());
+            agree(stated, regular.evaluation.inputs(), wanted, &program, "derived")
         })
     });
     tally.assert_few_discards();
@@ -106,14 +106,15 @@ fn programs_derived_without_some_rules_agree_too() {
     let all: Vec<Rule> = single_rules().iter().map(|(_, rule, _)| *rule).chain(ARITHMETIC).collect();
     let (tally, turn) = (Tally::default(), Cell::new(0));
     for_each(30_000, 8, |recipe| {
-        derived(recipe, &tally, |stated, inputs, wanted, random| {
+        derived(recipe, &tally, |stated, regular, wanted, random| {
             // Every rule alone in turn, and sometimes others with it.
             let mut without = vec![all[turn.replace(turn.get() + 1) % all.len()]];
             if random.u8(..4) == 0 {
                 without.extend((0..4).map(|_| all[random.usize(..all.len())]));
             }
+            without.extend(regular.without());
             let program = Program::derive_without(&stated.pools.g, wanted, &without);
-            agree(stated, inputs, wanted, &program, &format!("without {without:?}"))
+            agree(stated, regular.evaluation.inputs(), wanted, &program, &format!("without {without:?}"))
         })
     });
     tally.assert_few_discards();

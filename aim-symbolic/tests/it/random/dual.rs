@@ -11,6 +11,11 @@ pub(crate) trait Oracle: Number {
     /// Whether it is 0, by its value.
     fn is_zero(self) -> bool;
 
+    /// Whether it behaves as a length does, by its value.
+    fn is_length(self) -> bool {
+        true
+    }
+
     /// The same value as a constant, and whether a derivative was lost.
     fn frozen(self) -> (Self, bool);
 }
@@ -18,6 +23,10 @@ pub(crate) trait Oracle: Number {
 impl Oracle for Field {
     fn is_zero(self) -> bool {
         self == Self::ZERO
+    }
+
+    fn is_length(self) -> bool {
+        Self::is_length(self)
     }
 
     fn frozen(self) -> (Self, bool) {
@@ -128,6 +137,10 @@ impl<T: Number> Number for Dual<T> {
 impl<T: Oracle> Oracle for Dual<T> {
     fn is_zero(self) -> bool {
         self.value.is_zero()
+    }
+
+    fn is_length(self) -> bool {
+        self.value.is_length()
     }
 
     fn frozen(self) -> (Self, bool) {

@@ -45,6 +45,8 @@ pub(crate) struct Evaluation<T> {
     pub(crate) singular: bool,
     /// Whether a rotation's axis has no length: what that means is nobody's business.
     pub(crate) no_axis: bool,
+    /// Whether a root is no length, or the square of a vector no square.
+    pub(crate) no_length: bool,
     /// Whether something that counts as a constant has a derivative.
     pub(crate) frozen: bool,
 }
@@ -129,7 +131,7 @@ fn arc<T: Oracle>(order: u8, s: T, w: T) -> T {
 impl<T: Oracle> Evaluation<T> {
     pub(crate) fn new(inputs: Vec<T>) -> Self {
         let (scalars, vectors, rotations) = Default::default();
-        Self { inputs, scalars, vectors, rotations, singular: false, no_axis: false, frozen: false }
+        Self { inputs, scalars, vectors, rotations, singular: false, no_axis: false, no_length: false, frozen: false }
     }
 
     pub(crate) fn inputs(&self) -> &[T] {
@@ -149,7 +151,9 @@ impl<T: Oracle> Evaluation<T> {
 
     fn root(&mut self, square: T) -> T {
         self.singular |= square.is_zero();
-        square.sqrt()
+        let root = square.sqrt();
+        self.no_length |= !root.is_length();
+        root
     }
 
     pub(crate) fn scalar(&mut self, g: &Graph, scalar: Scalar) -> T {
@@ -190,6 +194,8 @@ impl<T: Oracle> Evaluation<T> {
             ScalarNode::Op(Op::Atan2(y, x)) => {
                 let (y, x) = (self.scalar(g, y), self.scalar(g, x));
                 self.singular |= (y * y + x * x).is_zero();
+                // A fraction has its own sign.
+                self.no_length |= !(y * y).sqrt().is_length();
                 y.atan2(x)
             }
             ScalarNode::Op(Op::Pow(a, b)) => {
@@ -197,7 +203,11 @@ impl<T: Oracle> Evaluation<T> {
                 self.singular |= a.is_zero();
                 a.pow(b)
             }
-            ScalarNode::Dot(v, w) => dot(self.vector(g, v), self.vector(g, w)),
+            ScalarNode::Dot(v, w) => {
+                let product = dot(self.vector(g, v), self.vector(g, w));
+                self.no_length |= v == w && !product.is_length();
+                product
+            }
             ScalarNode::Norm(v) => {
                 let v = self.vector(g, v);
                 self.root(dot(v, v))

@@ -154,13 +154,25 @@ impl Field {
         }
     }
 
-    /// One of x and −x: the positive one of fractions, else any, but the same for both.
+    /// One of x and −x: the positive one of fractions; else of the prime field the one that is a square, so that products of
+    /// positive numbers are positive; else any, but the same for both.
     fn is_positive(self) -> bool {
         match (self.im, fraction(self.re)) {
             (0, Some((numerator, _))) => numerator >= 0,
+            (0, None) => self.is_square(),
             _ if self.re != 0 => self.re <= P / 2,
             _ => self.im <= P / 2,
         }
+    }
+
+    /// Whether it is the square of an element of the prime field, of which −1 is none.
+    fn is_square(self) -> bool {
+        self.im == 0 && root(self.re).is_some()
+    }
+
+    /// Whether it behaves as a length does: roots of its square times others are its multiples.
+    pub(crate) fn is_length(self) -> bool {
+        self.is_square()
     }
 
     fn is_fraction(self) -> bool {
@@ -328,7 +340,8 @@ impl Number for Field {
             Function::Acos => (one - self * self).sqrt().atan2(self),
             Function::Ln if self == one => zero,
             Function::Exp if self == zero => one,
-            Function::Exp => self.atom(4),
+            // Positive.
+            Function::Exp => self.atom(4) * self.atom(4),
             Function::Ln => self.atom(5),
             Function::Sinh | Function::Cosh | Function::Tanh => {
                 // As of circular functions, of i times the argument.
@@ -353,7 +366,9 @@ impl Number for Field {
             return self;
         }
         let (negative, y) = self.unsigned();
-        let value = Self::new(hash(&[6, y.re, y.im, x.re, x.im]) >> 3);
+        // The same of all multiples by a length.
+        let ratio = x / y;
+        let value = Self::new(hash(&[6, ratio.re, ratio.im]) >> 3);
         if negative { -value } else { value }
     }
 }

@@ -3,8 +3,12 @@
 //! `AIM_RANDOM_TIMES=20` runs twenty times as many cases, `AIM_RANDOM_SEED=7` other ones, `AIM_RANDOM_STEPS=16` larger ones.
 
 use std::cell::Cell;
+use std::sync::LazyLock;
 
-use aim_symbolic::rules::{DIRECTIONS, FRAMES, LIMITS, PRODUCTS, ROTATIONS, Rule, RuleSet, SCALES, WORDING};
+use aim_symbolic::rules::{
+    ANGLE_OF_SCALED, CANCELLED_DIVISION, CANCELLED_SCALE, DIRECTION_OF_SCALED, DIRECTIONS, FRAMES, LIMITS, PRODUCTS,
+    RATIOS, ROTATIONS, Rule, RuleSet, SCALES, WORDING,
+};
 use aim_symbolic::{Program, Scalar};
 use fastrand::Rng;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
@@ -15,9 +19,10 @@ use super::material::{Sample, point};
 use super::recipe::{Recipe, Recipes, Stated};
 
 /// The sets of rules in the order in which they are applied.
-pub(crate) const SETS: [(&str, RuleSet); 7] = [
+pub(crate) const SETS: [(&str, RuleSet); 8] = [
     ("limits", LIMITS),
     ("wording", WORDING),
+    ("ratios", RATIOS),
     ("rotations", ROTATIONS),
     ("directions", DIRECTIONS),
     ("frames", FRAMES),
@@ -83,21 +88,52 @@ pub(crate) struct Regular {
     pub(crate) values: Vec<Field>,
 }
 
-/// Looks for a regular point; roots have to exist, which half of the points grant a root of a root.
+/// Looks for a regular point, where roots are lengths if there is one; roots have to exist, which half of the points grant a
+/// root of a root.
 pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
+    let mut found = None;
     for attempt in 0..16 {
         let mut random = Rng::with_seed(hash(&[seed, attempt]));
         let mut evaluation = Evaluation::new(point(&mut random));
         let values: Vec<Field> = stated.outputs.iter().map(|&s| evaluation.scalar(&stated.pools.g, s)).collect();
         let gone = values.iter().find_map(|v| v.gone());
         match gone {
-            None if !evaluation.singular => return Some(Regular { evaluation, values }),
+            None if !evaluation.singular => {
+                let has_lengths = !evaluation.no_length;
+                found = Some(Regular { evaluation, values });
+                if has_lengths {
+                    break;
+                }
+            }
             Some(Gone::Root) => {}
-            _ => return None,
+            _ => break,
         }
     }
-    None
+    found
 }
+
+impl Regular {
+    /// The rules that need not hold here.
+    pub(crate) fn without(&self) -> &'static [Rule] {
+        if self.evaluation.no_length { &OF_LENGTHS } else { &[] }
+    }
+
+    /// The sets of the rules that hold here.
+    pub(crate) fn sets(&self) -> &'static [(&'static str, RuleSet)] {
+        static OF_ANYTHING: LazyLock<Vec<(&str, RuleSet)>> = LazyLock::new(|| {
+            let holds = |rule: &Rule| !OF_LENGTHS.contains(rule);
+            let of_anything = |set: RuleSet| {
+                let rules: Vec<Rule> = set.rules.iter().copied().filter(holds).collect();
+                RuleSet { rules: rules.leak(), ..set }
+            };
+            SETS.map(|(name, set)| (name, of_anything(set))).to_vec()
+        });
+        if self.evaluation.no_length { &OF_ANYTHING } else { &SETS }
+    }
+}
+
+/// Rules that hold of lengths, where other roots are as good as their opposites.
+pub(crate) const OF_LENGTHS: [Rule; 4] = [ANGLE_OF_SCALED, DIRECTION_OF_SCALED, CANCELLED_DIVISION, CANCELLED_SCALE];
 
 /// Any point, for numbers that have all roots.
 pub(crate) fn anywhere<T: Sample>(seed: u64) -> Evaluation<T> {
