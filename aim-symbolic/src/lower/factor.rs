@@ -11,9 +11,9 @@ use crate::lower::sides::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// `outputs`, which are lowered, with every sum factored.
-pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
+pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
-    let mut factoring = Factoring { uses, open, terms: Table::default() };
+    let mut factoring = Factoring { uses, open, joins, terms: Table::default() };
     let order = factoring.uses.order().to_vec();
     if !order.into_iter().any(|s| factoring.terms_to_factor(fold, s).is_some()) {
         return outputs.to_vec();
@@ -33,6 +33,8 @@ type Factor = (bool, Scalar);
 struct Factoring {
     uses: Uses,
     open: Open,
+    /// Whether multiples of one number become one.
+    joins: bool,
     /// The terms of sums that are under way or done.
     terms: Table<Scalar, Vec<Term>>,
 }
@@ -46,7 +48,7 @@ impl Exchange for Factoring {
             self.terms.insert(s, terms);
         }
         match self.terms.copied(s) {
-            Some(terms) => self.sum(rebuild, terms).map(Some),
+            Some(terms) => self.sum(rebuild, terms, 0).map(Some),
             None => Ok(None),
         }
     }
@@ -63,8 +65,9 @@ impl Factoring {
         if cfg!(not(aim_small)) && self.open == Open::Sums {
             terms = terms.into_iter().flat_map(|term| self.spread(fold, term)).collect();
         }
-        (self.common(&fold.g, &terms).is_some() || fold.exclude_each_other(terms.iter().map(|&(_, s)| s)))
-            .then_some(terms)
+        let is_shorter = cfg!(not(aim_small)) && self.joins && join_like(fold, &mut terms);
+        let has_common = self.common(&fold.g, &terms).is_some();
+        (is_shorter || has_common || fold.exclude_each_other(terms.iter().map(|&(_, s)| s))).then_some(terms)
     }
 
     /// The terms of a sum, through partial sums that nothing else needs.
@@ -184,29 +187,58 @@ impl Factoring {
         fold.sum_of_sides(a, b, negative != other_negative, join)
     }
 
-    fn sum(&self, rebuild: &mut Rebuild<'_>, terms: Vec<Term>) -> Result<Scalar, Missing> {
-        let Some(factor) = self.common(&rebuild.fold.g, &terms) else {
-            let terms: Result<Vec<Term>, Missing> =
-                terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
-            return Ok(plain_sum(rebuild.fold, terms?));
-        };
-        let (mut cofactors, mut without) = (Vec::new(), Vec::new());
-        for (negative, term) in terms {
-            match self.cofactor(rebuild.fold, term, factor) {
-                Some(rest) => cofactors.push((negative, rest)),
-                None => without.push((negative, term)),
+    /// The sum with common factors taken out, of what is left again, so deep.
+    fn sum(&self, rebuild: &mut Rebuild<'_>, mut terms: Vec<Term>, depth: usize) -> Result<Scalar, Missing> {
+        let mut products = Vec::new();
+        while depth < DEEPEST
+            && let Some(factor) = self.common(&rebuild.fold.g, &terms)
+        {
+            let (mut cofactors, mut without) = (Vec::new(), Vec::new());
+            for (negative, term) in terms {
+                match self.cofactor(rebuild.fold, term, factor) {
+                    Some(rest) => cofactors.push((negative, rest)),
+                    None => without.push((negative, term)),
+                }
             }
+            let inner = self.sum(rebuild, cofactors, depth + 1)?;
+            let (below, factor) = factor;
+            let factor = rebuild.scalar(factor)?;
+            products.push(if below { rebuild.fold.div(inner, factor) } else { rebuild.fold.mul(factor, inner) });
+            terms = without;
         }
-        let inner = self.sum(rebuild, cofactors)?;
-        let (below, factor) = factor;
-        let factor = rebuild.scalar(factor)?;
-        let product = if below { rebuild.fold.div(inner, factor) } else { rebuild.fold.mul(factor, inner) };
-        if without.is_empty() {
-            return Ok(product);
-        }
-        let rest = self.sum(rebuild, without)?;
-        Ok(rebuild.fold.add(product, rest))
+        let terms: Result<Vec<Term>, Missing> =
+            terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
+        let rest = Some(terms?).filter(|terms| !terms.is_empty() || products.is_empty());
+        let rest = rest.map(|terms| plain_sum(rebuild.fold, terms));
+        let total = products
+            .into_iter()
+            .rev()
+            .fold(rest, |rest, product| Some(rest.map_or(product, |rest| rebuild.fold.add(product, rest))));
+        Ok(total.unwrap_or_else(|| rebuild.fold.g.constant(0.0)))
     }
+}
+
+/// Makes multiples of one number one term, which is none where they cancel; whether there were such.
+fn join_like(fold: &mut Fold, terms: &mut Vec<Term>) -> bool {
+    let before = terms.len();
+    let mut i = 0;
+    while i < terms.len() {
+        let (c, x) = fold.multiple(terms[i].1);
+        let is_like = |j: &usize| fold.g.constant_of(x).is_none() && fold.multiple(terms[*j].1).1 == x;
+        let Some(j) = (i + 1..terms.len()).find(is_like) else {
+            i += 1;
+            continue;
+        };
+        let (negative, other) = terms.remove(j);
+        let (d, _) = fold.multiple(other);
+        let total = c + if negative == terms[i].0 { d } else { -d };
+        let (size, negative) = (fold.g.constant(total.abs()), terms[i].0 != (total < 0.0));
+        terms[i] = (negative, fold.mul(size, x));
+        if total == 0.0 {
+            terms.remove(i);
+        }
+    }
+    terms.len() < before
 }
 
 /// The sum, in one order whatever the terms' was, so that equal sums are one.

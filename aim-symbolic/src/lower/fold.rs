@@ -7,6 +7,9 @@ use crate::lower::sides::Join;
 use crate::rewrite::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
 use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 
+/// Sums are looked into so deep for what is subtracted from them.
+const DEEPEST_SUM: u32 = 6;
+
 /// A graph whose scalars are folded as they are built.
 #[derive(Clone, Debug)]
 pub struct Fold {
@@ -142,7 +145,8 @@ impl Fold {
             }
             _ => {}
         }
-        let joined = self.multiples(a, b, -1.0).or_else(|| self.sum_of_sides(a, b, true, Join::Alike));
+        let joined = self.multiples(a, b, -1.0).or_else(|| self.left(a, b, DEEPEST_SUM));
+        let joined = joined.or_else(|| self.sum_of_sides(a, b, true, Join::Alike));
         if let Some(joined) = joined {
             return joined;
         }
@@ -172,8 +176,33 @@ impl Fold {
         })
     }
 
+    /// (a + b + c) − (b + c) = a, of sums that are this deep. Of (1 + x) − 1 the rounding may be what is wanted.
+    fn left(&mut self, a: Scalar, b: Scalar, depth: u32) -> Option<Scalar> {
+        if cfg!(aim_small) || !self.constants || self.g.constant_of(b).is_some() {
+            return None;
+        }
+        if a == b {
+            return Some(self.g.constant(0.0));
+        }
+        let depth = depth.checked_sub(1)?;
+        let terms = |g: &Graph, s| match g.scalar_node(s) {
+            ScalarNode::Op(Op::Add(x, y)) => Some((x, y)),
+            _ => None,
+        };
+        if let Some((x, y)) = terms(&self.g, a) {
+            for (one, other) in [(x, y), (y, x)] {
+                if let Some(left) = self.left(one, b, depth) {
+                    return Some(self.add(left, other));
+                }
+            }
+        }
+        let (x, y) = terms(&self.g, b)?;
+        let left = self.left(a, x, depth)?;
+        self.left(left, y, depth)
+    }
+
     /// The constant that something is multiplied by, and what.
-    fn multiple(&self, a: Scalar) -> (f64, Scalar) {
+    pub(super) fn multiple(&self, a: Scalar) -> (f64, Scalar) {
         match self.g.scalar_node(a) {
             ScalarNode::Op(Op::Add(x, y)) if x == y && self.constants => (2.0, x),
             ScalarNode::Op(Op::Mul(x, y)) => match (self.constant_of(x), self.constant_of(y)) {

@@ -15,7 +15,7 @@ use self::fold::Fold;
 use self::products::{Open, share_products};
 use self::rebuild::Uses;
 pub(crate) use self::scales::scaled;
-use crate::rewrite::rules::{FACTOR, Rules, SHARE};
+use crate::rewrite::rules::{FACTOR, JOIN, Rules, SHARE};
 use crate::{Graph, Scalar};
 
 /// How much is tried.
@@ -33,7 +33,7 @@ pub(crate) enum Effort {
 const USUAL_TRIES: usize = 6;
 
 /// Longer programs are not polished.
-const MOST_OPERATIONS: usize = 400;
+pub(crate) const MOST_OPERATIONS: usize = 400;
 
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
@@ -50,6 +50,7 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         (false, Open::Shared, Open::Sums),
         (true, Open::Shared, Open::Shared),
     ];
+    let joins = cfg!(not(aim_small)) && rules.has(&JOIN);
     let count = match effort {
         Effort::Compare => 1,
         Effort::Polish if cfg!(not(aim_small)) => tries.len(),
@@ -62,10 +63,10 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         }
         let mut tried = if of_best { best.clone() } else { outputs.clone() };
         if rules.has(&SHARE) {
-            tried = share_products(fold, &tried, products);
+            tried = share_products(fold, &tried, products, joins);
         }
         if rules.has(&FACTOR) {
-            tried = factor(fold, &tried, factors);
+            tried = factor(fold, &tried, factors, joins);
         }
         let needed = if count > 1 { operations(&fold.g, &tried) } else { 0 };
         if needed < least {

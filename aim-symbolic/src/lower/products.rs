@@ -1,6 +1,6 @@
 //! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
@@ -15,6 +15,77 @@ struct Chain {
     root: Scalar,
     factors: Vec<Factor>,
     changed: bool,
+}
+
+impl Chain {
+    /// The same with several constants made one, which is none where it is 1; of what is added to itself the 2 is one.
+    fn with_one_constant(mut self, fold: &mut Fold) -> Self {
+        let (mut constant, mut count, mut factors) = (1.0, 0, Vec::new());
+        for &(below, s) in &self.factors {
+            let (c, rest) = match fold.constant_of(s) {
+                Some(c) => (c, None),
+                None => Some(fold.multiple(s)).map_or((1.0, Some(s)), |(c, x)| (c, Some(x))),
+            };
+            count += usize::from(c != 1.0);
+            constant = if below { constant / c } else { constant * c };
+            factors.extend(rest.map(|rest| (below, rest)));
+        }
+        if count > 1 {
+            if constant != 1.0 || factors.is_empty() {
+                factors.push((false, fold.g.constant(constant)));
+            }
+            (self.factors, self.changed) = (factors, true);
+        }
+        self
+    }
+}
+
+impl Chain {
+    /// `k (a b + c d) = (k a) b + (k c) d`, where `k a` and `k c` are there.
+    fn by_known(mut self, fold: &mut Fold, uses: &Uses, known: &FxHashSet<[Scalar; 2]>) -> Self {
+        let found = self.factors.iter().enumerate().find_map(|(place, &(below, sum))| {
+            let terms = if below || !uses.once(sum) { None } else { products_of_sum(fold, uses, sum) }?;
+            self.factors.iter().enumerate().find_map(|(other, &(below, k))| {
+                let knows = |a: Scalar| known.contains(&[k.min(a), k.max(a)]);
+                let terms: Option<Vec<[Scalar; 2]>> = terms
+                    .iter()
+                    .map(|&[a, b]| if knows(a) { Some([a, b]) } else { knows(b).then_some([b, a]) })
+                    .collect();
+                terms.filter(|_| !below && place != other).map(|terms| (place, other, k, terms))
+            })
+        });
+        if let Some((place, other, k, terms)) = found {
+            let products = terms.into_iter().map(|[a, b]| {
+                let known = fold.mul(k, a);
+                fold.mul(known, b)
+            });
+            let products: Vec<Scalar> = products.collect();
+            let sum = products.into_iter().reduce(|a, b| fold.add(a, b));
+            self.factors = self
+                .factors
+                .into_iter()
+                .enumerate()
+                .filter(|(i, _)| ![place, other].contains(i))
+                .map(|(_, f)| f)
+                .collect();
+            self.factors.extend(sum.map(|sum| (false, sum)));
+            self.changed = true;
+        }
+        self
+    }
+}
+
+/// The terms of a sum of several that are all products of two, which nothing else needs.
+fn products_of_sum(fold: &Fold, uses: &Uses, sum: Scalar) -> Option<Vec<[Scalar; 2]>> {
+    let (mut all, mut open) = (Vec::new(), vec![sum]);
+    while let Some(s) = open.pop() {
+        match fold.g.scalar_node(s) {
+            ScalarNode::Op(Op::Add(a, b)) if uses.once(s) && open.len() < MOST_FACTORS => open.extend([b, a]),
+            ScalarNode::Op(Op::Mul(a, b)) if uses.once(s) => all.push([a, b]),
+            _ => return None,
+        }
+    }
+    (all.len() > 1).then_some(all)
 }
 
 /// Which products are taken apart: to take more of them apart may lose or gain.
@@ -37,9 +108,9 @@ const MOST_ROUNDS: usize = 48;
 const MOST_FACTORS: usize = 12;
 
 /// `outputs`, which are lowered, with products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open) -> Vec<Scalar> {
+pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
-    let mut chains = chains(fold, &uses, outputs, open);
+    let mut chains = chains(fold, &uses, outputs, open, joins);
     for _ in 0..MOST_ROUNDS {
         let Some(pair) = most_shared(&chains) else { break };
         let [(_, a), (over, b)] = pair;
@@ -80,7 +151,7 @@ impl Exchange for Table<Scalar, Vec<Factor>> {
 }
 
 /// The products that something else than a product needs, each with its factors.
-fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain> {
+fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Chain> {
     let is_product = |s: Scalar| match fold.g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(..)) => true,
         ScalarNode::Op(Op::Div(..)) => open == Open::Quotients,
@@ -103,14 +174,26 @@ fn chains(fold: &Fold, uses: &Uses, outputs: &[Scalar], open: Open) -> Vec<Chain
         operands(fold.g.scalar_node(s)).for_each(|part| sort(part, is_product(s)));
     }
     let roots = uses.order().iter().copied().filter(|&s| roots.contains(s));
-    roots
-        .map(|root| {
-            let mut factors = Vec::new();
-            collect(fold, &inner, (false, root), &mut factors);
-            Chain { root, factors, changed: false }
-        })
-        .filter(|chain| chain.factors.len() <= MOST_FACTORS)
-        .collect()
+    let chains = roots.map(|root| {
+        let mut factors = Vec::new();
+        collect(fold, &inner, (false, root), &mut factors);
+        Chain { root, factors, changed: false }
+    });
+    let short: Vec<Chain> = chains.filter(|chain| chain.factors.len() <= MOST_FACTORS).collect();
+    if cfg!(aim_small) || !joins {
+        return short;
+    }
+    let known = known_products(fold, uses);
+    short.into_iter().map(|chain| chain.with_one_constant(fold).by_known(fold, uses, &known)).collect()
+}
+
+/// The products that are there, by their factors in order.
+fn known_products(fold: &Fold, uses: &Uses) -> FxHashSet<[Scalar; 2]> {
+    let factors = |&s: &Scalar| match fold.g.scalar_node(s) {
+        ScalarNode::Op(Op::Mul(a, b)) => Some([a.min(b), a.max(b)]),
+        _ => None,
+    };
+    uses.order().iter().filter_map(factors).collect()
 }
 
 fn collect(fold: &Fold, inner: &Table<Scalar, ()>, (below, s): Factor, factors: &mut Vec<Factor>) {

@@ -2,12 +2,12 @@
 
 use crate::diff::sweep::{Course, Swept};
 use crate::ir::node::Node;
-use crate::lower::Effort;
+use crate::lower::{Effort, MOST_OPERATIONS};
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
     self, ACROSS_FOR_CROSS, BASES, CANCELLING, COMMON_CROSS, COMMON_DOT, CONSTANT_SCALE, CROSS_OF_DOTS, DIRECTIONS,
-    DROP_RADIAL, EXPAND_ACROSS, FRAMES, JOIN_COMPONENTS, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL,
-    OTHER_SIDES, PRODUCTS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
+    DROP_RADIAL, EXPAND_ACROSS, FRAMES, JOIN, JOIN_COMPONENTS, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL,
+    OTHER_SIDES, PRODUCTS, RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
 };
 use crate::{Function, Graph, Op, Placement, Program, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
@@ -127,30 +127,34 @@ impl Program {
 /// of arithmetic: rewriting may not lose against doing nothing.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let (mut best, is_rewritten) = smallest(g, wanted, without, usize::MAX);
-    if is_rewritten {
+    best = best.joined(without);
+    if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
         let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
         let near = cost(&best.program).0;
-        let (mut plain, _) = smallest(g, wanted, &off, (near + near / NEAR).max(MOST_PLAIN));
+        let worth = (near + near / NEAR).max(MOST_PLAIN);
+        let (mut plain, _) = smallest(g, wanted, &off, worth);
+        if cost(&plain.program).0 <= worth {
+            plain = plain.joined(&off);
+        }
         plain.choices.without.extend(off);
         best = best.or_better(plain);
     }
     (best.program.finished(), best.choices)
 }
 
-/// The smallest of the programs by the rules that apply, and whether any does; a long one is arranged only if it has no more operations
-/// than `worth`.
+/// The smallest of the programs by the rules that apply, and whether any does; a long one is arranged only if it
+/// has no more operations than `worth`.
 fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], worth: usize) -> (Way, bool) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
     if best.is_small() {
-        // What nothing is rewritten in has no plainer way beside it.
-        best.arrange(without, if is_rewritten { Effort::Finish } else { Effort::Polish });
+        best.arrange(without, Effort::Finish);
         best = best.improved_again(&changes, g, wanted, without);
-        best.arrange(without, Effort::Polish);
+        best = best.polished(g, wanted, without, Effort::Finish);
     } else {
         best = best.improved(&changes, g, wanted, without, Effort::Compare);
         if cost(&best.program).0 <= worth {
-            best.arrange(without, Effort::Polish);
+            best = best.polished(g, wanted, without, Effort::Compare);
         }
     }
     (best, is_rewritten)
@@ -181,6 +185,7 @@ fn variables(wanted: &[Want]) -> Vec<Variable> {
 
 /// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
 /// depend on what else was tried.
+#[derive(Clone)]
 pub(crate) struct Way {
     choices: Choices,
     pub(crate) g: Graph,
@@ -242,21 +247,53 @@ impl Way {
         best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
-    /// The rivals of a small program with a derivative taken forward: by a number that sines and cosines are of, which are each other's
-    /// derivatives.
-    fn forward(&self, wanted: &[Want]) -> Vec<Change> {
+    /// The way, or the same with like terms joined, where that is smaller.
+    fn joined(self, without: &[Rule]) -> Self {
+        if cfg!(aim_small) || cost(&self.program).0 > MOST_OPERATIONS {
+            return self;
+        }
+        let mut joined = self.clone();
+        optional(JOIN)(&mut joined.choices);
+        joined.arrange(without, Effort::Finish);
+        if cost(&joined.program) >= cost(&self.program) {
+            return self;
+        }
+        joined.arrange(without, Effort::Polish);
+        joined
+    }
+
+    /// The way arranged as well as can be; or with more derivatives taken forward, where that is smaller then.
+    fn polished(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
+        if cfg!(aim_small) {
+            self.arrange(without, Effort::Polish);
+            return self;
+        }
+        let changes = self.forward(wanted, true);
+        let mut other = self.clone().improved(&changes, stated, wanted, without, effort);
+        self.arrange(without, Effort::Polish);
+        if other.choices == self.choices {
+            return self;
+        }
+        other.arrange(without, Effort::Polish);
+        self.or_better(other)
+    }
+
+    /// The rivals with a derivative taken forward: of a small program first by numbers that sines and cosines are of, which are each
+    /// other's derivatives; `others` are those by any number that stands in several places.
+    fn forward(&self, wanted: &[Want], others: bool) -> Vec<Change> {
         let g = &self.g;
-        let of = |node: &Node| match *node {
+        let is_turn = |node: &Node| match *node {
             Node::Scalar(s) => match g.scalar_node(s) {
                 ScalarNode::Op(Op::Call(Function::Sin | Function::Cos, a)) => Some(Node::Scalar(a)),
                 _ => None,
             },
             Node::Vector(_) => None,
         };
-        let arguments: Vec<Node> =
-            if self.is_small() { g.order(&self.outputs).iter().filter_map(of).collect() } else { Vec::new() };
+        let arguments: Vec<Node> = g.order(&self.outputs).iter().filter_map(is_turn).collect();
         let turns = |x: &Variable| arguments.iter().any(|&a| g.depends_on(a, &[*x]));
-        let by = variables(wanted).into_iter().filter(turns).take(MOST_SIDES);
+        let is_number = |x: &Variable| matches!(x, Variable::Input(_));
+        let by = variables(wanted).into_iter().filter(|x| if others { is_number(x) && !turns(x) } else { turns(x) });
+        let by = by.take(MOST_SIDES);
         by.map(|x| -> Change {
             Box::new(move |c| {
                 if !c.forward.contains(&x) {
@@ -314,7 +351,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
         rivals.push(Box::new(move |c| c.sweep = sweep));
     }
     if cfg!(not(aim_small)) {
-        rivals.extend(first.forward(wanted));
+        rivals.extend(first.forward(wanted, false));
     }
     // A rotation that left more than one direction may be dearer on the many sides than on the one.
     let innermost = distinct(g.cancelled().iter().rev().copied());
@@ -381,7 +418,12 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     g.keep(&choices.kept);
     let limits = Rules { without, turned: None };
     let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
-    let worded = g.rewrite_with(&limited, &WORDING, &rules, log);
+    let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
+    if !RATIOS.rules.is_empty() {
+        // What is left of lengths may be worded, too.
+        let plain = g.rewrite_with(&worded, &RATIOS, &rules, log);
+        worded = if plain == worded { worded } else { g.rewrite_with(&plain, &WORDING, &rules, log) };
+    }
     let mut values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
     if rules.has(&TURN_INTO_ANGLE) {
         values = g.rewrite_with(&values, &BASES, &rules, log);

@@ -10,7 +10,7 @@ pub(crate) mod singular;
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
 use crate::lower::{Effort, arranged, scaled};
-use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, Rules, SHARE};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How many operations one written step has at most, for its reader.
@@ -34,7 +34,7 @@ impl Program {
         Self::compile_with(
             g,
             outputs,
-            &Rules { without: &[SHARE, FACTOR, MATRIX, MOVE_CONSTANTS], ..Rules::default() },
+            &Rules { without: &[SHARE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS], ..Rules::default() },
             Effort::Compare,
         )
     }
