@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Operations of value and gradient of the functions in objectives.rs: `aim generate` beside SymPy and CasADi.
+"""Operations of value and gradient of the functions in objectives.rs: `aim generate` beside SymPy, CasADi, wrenfold and SymEngine.
 
-Usage: compare.py AIM [--check PAGE]; AIM is the built binary, PAGE has the table. Needs `pip install sympy casadi`. Additions, subtractions, multiplications,
+Usage: compare.py AIM [--check PAGE]; AIM is the built binary, PAGE has the table. Needs
+`pip install sympy casadi wrenfold symengine`, the last of which stands for SymForce, which takes its derivatives and common parts from it. Additions, subtractions, multiplications,
 divisions and square roots count one each; negations, calls of functions, comparisons and selects do not. A whole power is
 counted as the fewest multiplications. Of SymPy the best of its ways to find common subexpressions counts, of CasADi the
 best with and without them, reverse and forward.
 """
 
+import ast
 import math
 import re
 import subprocess
@@ -14,7 +16,11 @@ import sys
 from pathlib import Path
 
 import casadi
+import symengine
 import sympy
+from wrenfold import code_generation as cg
+from wrenfold import sym
+from wrenfold import type_annotations as ta
 
 OBJECTIVES = Path(__file__).with_name("objectives.rs")
 
@@ -24,12 +30,18 @@ class Maths:
 
     def __init__(self, tool):
         self.sqrt, self.sin, self.cos, self.exp, self.log = tool.sqrt, tool.sin, tool.cos, tool.exp, tool.log
-        self.atan2, self.tan = tool.atan2, tool.tan
+        self.atan2, self.tan, self.acos = tool.atan2, tool.tan, tool.acos
 
 
 def number(like, above, below):
     """A fraction as the tool of `like` has it."""
-    return sympy.Rational(above, below) if isinstance(like, sympy.Basic) else above / below
+    if isinstance(like, sympy.Basic):
+        return sympy.Rational(above, below)
+    if isinstance(like, symengine.Basic):
+        return symengine.Rational(above, below)
+    if isinstance(like, sym.Expr):
+        return sym.rational(above, below)
+    return above / below
 
 
 def dot(a, b):
@@ -499,7 +511,264 @@ def tracking(m, x, v, force, mass, dt, wanted, effort):
     return sq(nx) + 0.1 * sq(sp) + effort[0] * sq(force)
 
 
-SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat2": 4, "DMat3": 9, "[f64; 4]": 4, "[f64; 6]": 6}
+def double_sphere(m, p, xi, alpha, focal, center, seen):
+    d1 = m.sqrt(dot(p, p))
+    z = xi[0] * d1 + p[2]
+    d2 = m.sqrt(p[0] * p[0] + p[1] * p[1] + z * z)
+    depth = alpha[0] * d2 + (1 - alpha[0]) * z
+    u = focal[0] * p[0] / depth + center[0] - seen[0]
+    v = focal[1] * p[1] / depth + center[1] - seen[1]
+    return u * u + v * v
+
+
+def inverse_depth(m, q, t, azimuth, elevation, rho, seen):
+    sa, ca, se, ce = m.sin(azimuth[0]), m.cos(azimuth[0]), m.sin(elevation[0]), m.cos(elevation[0])
+    p = add(carried(q, [ce * sa, -se, ce * ca]), scale(rho[0], t))
+    u, v = p[0] / p[2] - seen[0], p[1] / p[2] - seen[1]
+    return u * u + v * v
+
+
+def symmetric(m, turn, t, a, b, na, nb):
+    back = turned(m, [-x for x in turn], b)
+    r = dot(add(sub(turned(m, turn, a), back), t), add(na, nb))
+    return m.log(1 + r * r)
+
+
+def ndt(m, x, y, yaw, point, mean, information):
+    s, c = m.sin(yaw[0]), m.cos(yaw[0])
+    dx = c * point[0] - s * point[1] + x[0] - mean[0]
+    dy = s * point[0] + c * point[1] + y[0] - mean[1]
+    xx, xy, yy = information
+    square = xx * dx * dx + 2 * xy * dx * dy + yy * dy * dy
+    return -m.exp(-number(dx, 1, 2) * square)
+
+
+def range_lever(m, p, q, lever, beacon, range_, width):
+    off = sub(add(p, carried(q, lever)), beacon)
+    e = (m.sqrt(dot(off, off)) - range_[0]) / width[0]
+    return m.log(1 + e * e)
+
+
+def wheel_arc(m, left, right, base, tl, tr, pose, seen):
+    (left,), (right,), (base,), (tl,), (tr,) = left, right, base, tl, tr
+    forward = number(left, 1, 2) * (left * tl + right * tr)
+    turn = (right * tr - left * tl) / base
+    radius = forward / turn
+    x = pose[0] + radius * (m.sin(pose[2] + turn) - m.sin(pose[2])) - seen[0]
+    y = pose[1] - radius * (m.cos(pose[2] + turn) - m.cos(pose[2])) - seen[1]
+    heading = pose[2] + turn - seen[2]
+    return x * x + y * y + heading * heading
+
+
+def gyro_step(m, q, following, bias, rate, dt):
+    w = sub(rate, bias)
+    u, s = q[:3], q[3]
+    slope = add(scale(s, w), cross(u, w)) + [-dot(u, w)]
+    half = number(w[0], 1, 2) * dt[0]
+    off = [n - (a + b * half) for n, a, b in zip(following, q, slope)]
+    return sum(x * x for x in off)
+
+
+def magnetometer(m, hard, soft, raw, field):
+    xx, yy, zz, xy, xz, yz = soft
+    d = sub(raw, hard)
+    f = [dot([xx, xy, xz], d), dot([xy, yy, yz], d), dot([xz, yz, zz], d)]
+    e = m.sqrt(dot(f, f)) - field[0]
+    return e * e
+
+
+def rod(m, a, b, c, rest, stiffness):
+    e, f = sub(b, a), sub(c, b)
+    below = m.sqrt(dot(e, e)) * m.sqrt(dot(f, f)) + dot(e, f)
+    off = sub([2 * x / below for x in cross(e, f)], rest)
+    return number(a[0], 1, 2) * stiffness[0] * dot(off, off)
+
+
+def mooney(m, f, c1, c2, bulk):
+    x, y, z = f[0:3], f[3:6], f[6:9]
+    (c1,), (c2,), (bulk,) = c1, c2, bulk
+    j = dot(x, cross(y, z))
+    xx, yy, zz, xy, yz, zx = dot(x, x), dot(y, y), dot(z, z), dot(x, y), dot(y, z), dot(z, x)
+    half = number(xx, 1, 2)
+    first = xx + yy + zz
+    second = half * (first * first - (xx * xx + yy * yy + zz * zz + 2 * (xy * xy + yz * yz + zx * zx)))
+    volume = half * bulk * (j - 1) * (j - 1)
+    return c1 * (first - 3) + c2 * (second - 3) - 2 * (c1 + 2 * c2) * m.log(j) + volume
+
+
+def strand(m, a, b, c, rest, stretch, bend):
+    u, v = sub(b, a), sub(c, b)
+    first, second = m.sqrt(dot(u, u)) - rest[0], m.sqrt(dot(v, v)) - rest[0]
+    bent = add(sub(a, scale(2, b)), c)
+    half = number(a[0], 1, 2)
+    return half * stretch[0] * (first * first + second * second) + half * bend[0] * dot(bent, bent)
+
+
+def balloon(m, a, b, c, tension, pressure, rest):
+    n = cross(sub(b, a), sub(c, a))
+    skin = number(a[0], 1, 2) * m.sqrt(dot(n, n))
+    volume = dot(a, cross(b, c)) / 6
+    return tension[0] * skin - pressure[0] * rest[0] * m.log(volume / rest[0])
+
+
+def anisotropic(m, light, ax, ay, view, x, y, normal):
+    total = add(light, view)
+    r = m.sqrt(dot(total, total))
+    half = [t / r for t in total]
+    hx, hy, hn = dot(x, half) / ax[0], dot(y, half) / ay[0], dot(normal, half)
+    s = hx * hx + hy * hy + hn * hn
+    return 1 / (math.pi * ax[0] * ay[0] * s * s)
+
+
+def carved(m, p, radii, center, radius, width):
+    a = [x / r for x, r in zip(p, radii)]
+    b = [x / (r * r) for x, r in zip(p, radii)]
+    k0, k1 = m.sqrt(dot(a, a)), m.sqrt(dot(b, b))
+    ellipsoid = k0 * (k0 - 1) / k1
+    off = sub(p, center)
+    ball = radius[0] - m.sqrt(dot(off, off))
+    apart = ellipsoid - ball
+    return number(p[0], 1, 2) * (ellipsoid + ball + m.sqrt(apart * apart + width[0] * width[0]))
+
+
+def harmonics(m, direction, l):
+    r = m.sqrt(dot(direction, direction))
+    x, y, z = [d / r for d in direction]
+    return (
+        0.282095 * l[0]
+        + 0.488603 * (l[1] * y + l[2] * z + l[3] * x)
+        + 1.092548 * (l[4] * x * y + l[5] * y * z + l[7] * x * z)
+        + 0.315392 * l[6] * (3 * z * z - 1)
+        + 0.546274 * l[8] * (x * x - y * y)
+    )
+
+
+def blur(m, focal, focus, eye, axis, near, far, stop):
+    (focal,), (focus,), (stop,) = focal, focus, stop
+    aperture = focal / stop
+    one, two = dot(axis, sub(near, eye)), dot(axis, sub(far, eye))
+    first = aperture * focal * (one - focus) / (one * (focus - focal))
+    second = aperture * focal * (two - focus) / (two * (focus - focal))
+    return first * first + second * second
+
+
+def crane(m, speed, rope, hoist, angle, rate, trolley, load, pull):
+    (speed,), (rope,), (hoist,), (angle,), (rate,), (trolley,), (load,), (pull,) = (
+        speed, rope, hoist, angle, rate, trolley, load, pull
+    )
+    s, c = m.sin(angle), m.cos(angle)
+    half = number(speed, 1, 2)
+    vx, vy = speed + hoist * s + rope * rate * c, hoist * c - rope * rate * s
+    kinetic = half * trolley * speed * speed + half * load * (vx * vx + vy * vy)
+    return kinetic + load * pull * rope * c
+
+
+def quadrotor(m, roll, pitch, yaw, thrust, mass, pull, wanted):
+    (sr, cr), (sp, cp), (sy, cy) = [(m.sin(x[0]), m.cos(x[0])) for x in (roll, pitch, yaw)]
+    push = thrust[0] / mass[0]
+    ax = push * (cr * sp * cy + sr * sy) - wanted[0]
+    ay = push * (cr * sp * sy - sr * cy) - wanted[1]
+    az = push * cr * cp - pull[0] - wanted[2]
+    return ax * ax + ay * ay + az * az
+
+
+def two_link(m, elbow, rates, acc, shoulder, masses, lengths, pull):
+    (elbow,), (shoulder,), (pull,), (m1, m2), (l1, l2) = elbow, shoulder, pull, masses, lengths
+    inertia = m2 * l2 * l2
+    coupling, h = m2 * l1 * l2 * m.cos(elbow), m2 * l1 * l2 * m.sin(elbow)
+    m11, m12 = (m1 + m2) * l1 * l1 + inertia + 2 * coupling, inertia + coupling
+    g2 = m2 * l2 * pull * m.cos(shoulder + elbow)
+    g1 = (m1 + m2) * l1 * pull * m.cos(shoulder) + g2
+    t1 = m11 * acc[0] + m12 * acc[1] - h * (2 * rates[0] * rates[1] + rates[1] * rates[1]) + g1
+    t2 = m12 * acc[0] + inertia * acc[1] + h * rates[0] * rates[0] + g2
+    return t1 * t1 + t2 * t2
+
+
+def ions(m, a, b, wall, rho, c6, charge, damping):
+    u = sub(a, b)
+    r2 = dot(u, u)
+    r = m.sqrt(r2)
+    buckingham = wall[0] * m.exp(-r / rho[0]) - c6[0] / (r2 * r2 * r2)
+    damped = 1 - (1 + number(r, 1, 2) * damping[0] * r) * m.exp(-damping[0] * r)
+    return buckingham + charge[0] / r * damped
+
+
+def rotamer(m, a, b, c, d, k):
+    n, o = cross(sub(b, a), sub(c, b)), cross(sub(c, b), sub(d, c))
+    x = dot(n, o) / (m.sqrt(dot(n, n)) * m.sqrt(dot(o, o)))
+    return k[0] + k[1] * x + k[2] * x * x + k[3] * x * x * x
+
+
+def stretch_bend(m, a, b, c, k, rest, angle):
+    u, v = sub(a, b), sub(c, b)
+    p, q = m.sqrt(dot(u, u)), m.sqrt(dot(v, v))
+    theta = m.acos(dot(u, v) / (p * q))
+    return (k[0] * (p - rest[0]) + k[1] * (q - rest[1])) * (theta - angle[0])
+
+
+def student(m, x, mean, scales, freedom):
+    z = [a / s for a, s in zip(sub(x, mean), scales)]
+    logs = m.log(scales[0]) + m.log(scales[1]) + m.log(scales[2])
+    return number(x[0], 1, 2) * (freedom[0] + 3) * m.log(1 + dot(z, z) / freedom[0]) + logs
+
+
+def logistic(m, w, bias, a, b, la, lb, ridge):
+    ma, mb = la[0] * (dot(w, a) + bias[0]), lb[0] * (dot(w, b) + bias[0])
+    return m.log(1 + m.exp(-ma)) + m.log(1 + m.exp(-mb)) + number(ma, 1, 2) * ridge[0] * dot(w, w)
+
+
+def solid_angle(m, a, b, c):
+    la, lb, lc = [m.sqrt(dot(v, v)) for v in (a, b, c)]
+    below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
+    return 2 * m.atan2(dot(a, cross(b, c)), below)
+
+
+def radius_ratio(m, a, b, c):
+    u, v, w = sub(b, a), sub(c, b), sub(a, c)
+    lu, lv, lw = [m.sqrt(dot(x, x)) for x in (u, v, w)]
+    n = cross(u, v)
+    area = number(a[0], 1, 2) * m.sqrt(dot(n, n))
+    inner = 2 * area / (lu + lv + lw)
+    outer = lu * lv * lw / (4 * area)
+    return inner / outer
+
+
+def cotangents(m, a, b, c, values):
+    u, v, w = sub(c, b), sub(a, c), sub(b, a)
+    n = cross(w, v)
+    double = m.sqrt(dot(n, n))
+    at = [-dot(w, v) / double, -dot(u, w) / double, -dot(v, u) / double]
+    x, y, z = values[1] - values[2], values[2] - values[0], values[0] - values[1]
+    return number(a[0], 1, 4) * (at[0] * x * x + at[1] * y * y + at[2] * z * z)
+
+
+def bezier(m, a, b, c, d, t, target, speed):
+    t = t[0]
+    s = 1 - t
+    place = add(add(scale(s * s * s, a), scale(3 * s * s * t, b)), add(scale(3 * s * t * t, c), scale(t * t * t, d)))
+    velocity = add(add(scale(3 * s * s, sub(b, a)), scale(6 * s * t, sub(c, b))), scale(3 * t * t, sub(d, c)))
+    off = sub(place, target)
+    fast = m.sqrt(dot(velocity, velocity)) - speed[0]
+    return dot(off, off) + fast * fast
+
+
+def blend_turn(m, p, q, t, v, wanted):
+    r = add(scale(1 - t[0], p), scale(t[0], q))
+    norm = m.sqrt(dot(r, r) + r[3] * r[3])
+    off = sub(rotated([x / norm for x in r], v), wanted)
+    return dot(off, off)
+
+
+def conic(m, a, b, c, weight, t, target):
+    t = t[0]
+    s = 1 - t
+    i, j, k = s * s, 2 * weight[0] * s * t, t * t
+    off = sub([(i * x + j * y + k * z) / (i + j + k) for x, y, z in zip(a, b, c)], target)
+    return off[0] * off[0] + off[1] * off[1]
+
+
+SIZES = {"DQuat": 4, "f64": 1, "DVec2": 2, "DVec3": 3, "DMat2": 4, "DMat3": 9, "[f64; 3]": 3, "[f64; 4]": 4, "[f64; 6]": 6,
+         "[f64; 9]": 9}
 
 
 def signatures():
@@ -544,7 +813,7 @@ def of_sympy(expression):
 
 
 def counted_sympy(objective, wrt, arguments):
-    values = [list(sympy.symbols(f"{name}0:{size}", real=True)) for name, size in arguments]
+    values = [list(sympy.symbols(f"{name}_0:{size}", real=True)) for name, size in arguments]
     value = objective(Maths(sympy), *values)
     by = [x for (name, _), own in zip(arguments, values) if name in wrt for x in own]
     outputs = [value] + [sympy.diff(value, x) for x in by]
@@ -573,6 +842,94 @@ def counted_casadi(objective, wrt, arguments):
     return best
 
 
+class Wrenfold:
+    """The functions of wrenfold, by the names that the others have."""
+
+    sqrt, sin, cos, exp, log = map(staticmethod, (sym.sqrt, sym.sin, sym.cos, sym.exp, sym.log))
+    atan2, tan, acos = map(staticmethod, (sym.atan2, sym.tan, sym.acos))
+
+
+class Symengine:
+    """The same of SymEngine."""
+
+    sqrt, sin, cos, exp, log = map(
+        staticmethod, (symengine.sqrt, symengine.sin, symengine.cos, symengine.exp, symengine.log)
+    )
+    atan2, tan, acos = map(staticmethod, (symengine.atan2, symengine.tan, symengine.acos))
+
+
+def code_wrenfold(objective, wrt, arguments):
+    names = [f"{n}{i}" for n, s in arguments for i in range(s)]
+
+    def body(*xs):
+        rest = iter(xs)
+        values = [[next(rest) for _ in range(s)] for _, s in arguments]
+        v = objective(Maths(Wrenfold), *values)
+        by = [x for (n, _), own in zip(arguments, values) if n in wrt for x in own]
+        return [cg.OutputArg(v, name="o")] + [cg.OutputArg(v.diff(x), name=f"o{k}") for k, x in enumerate(by)]
+
+    space = {"ta": ta, "body": body}
+    exec(f"def f({', '.join(n + ': ta.FloatScalar' for n in names)}):\n    return body({', '.join(names)})", space)
+    r = cg.generate_function(space["f"], cg.PythonGenerator())
+    return r if isinstance(r, str) else r.code
+
+
+def counted_wrenfold(objective, wrt, arguments):
+    count = 0
+    for node in ast.walk(ast.parse(code_wrenfold(objective, wrt, arguments))):
+        if isinstance(node, ast.BinOp):
+            if isinstance(node.op, ast.Pow):
+                raise ValueError("power")
+            count += 1
+        if isinstance(node, ast.Call):
+            f = node.func.attr if isinstance(node.func, ast.Attribute) else node.func.id
+            if f == "pow":
+                raise ValueError("power")
+            count += f == "sqrt"
+    return count
+
+
+def of_symengine(e):
+    """As [of_sympy], by what SymEngine tells of an expression."""
+    if not e.args:
+        return 0
+    inner = sum(of_symengine(a) for a in e.args)
+    if e.is_Add:
+        return inner + len(e.args) - 1
+    if e.is_Mul:
+        f = [a for a in e.args if a != -1]
+        below = [a for a in f if a.is_Pow and a.args[1].is_number and a.args[1] < 0]
+        if len(below) == len(f):
+            return inner + len(f) - 1
+        return inner + len(f) - 1 - len(below) + (len(below) - 1 if len(below) > 1 else 0)
+    if e.is_Pow:
+        x = sympy.Rational(str(e.args[1])) if e.args[1].is_number else None
+        if x is None:
+            return inner
+        below = 1 if x < 0 else 0
+        x = abs(x)
+        inner = of_symengine(e.args[0])
+        if x.q == 1:
+            return inner + power(int(x)) + below
+        if x.q == 2:
+            return inner + 1 + (power(x.p) if x.p > 1 else 0) + below
+        raise ValueError(e)
+    return inner
+
+
+def counted_symengine(objective, wrt, arguments):
+    """The best of some ways to name the inputs, by which SymEngine orders its terms."""
+    best = None
+    for mark in ("_", "x", "_a", "y"):
+        values = [list(symengine.symbols(f"{n}{mark}0:{s}")) for n, s in arguments]
+        v = objective(Maths(Symengine), *values)
+        by = [x for (n, _), own in zip(arguments, values) if n in wrt for x in own]
+        parts, results = symengine.cse([v] + [symengine.diff(v, x) for x in by])
+        total = sum(of_symengine(e) for _, e in parts) + sum(of_symengine(e) for e in results)
+        best = total if best is None else min(best, total)
+    return best
+
+
 def counted_aim(aim, name):
     command = [aim, "generate", str(OBJECTIVES), "--function", name, "--lang", "c"]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
@@ -581,16 +938,18 @@ def counted_aim(aim, name):
 
 def main():
     aim, *page = sys.argv[1:]
-    lines = ["| value and first derivatives | `aim` | SymPy | CasADi | ratio |", "|---|---|---|---|---|"]
+    lines = ["| value and first derivatives | `aim` | SymPy | CasADi | wrenfold | SymEngine | ratio |", "|---|---|---|---|---|---|---|"]
     ratios = []
     for name, wrt, arguments in signatures():
         objective = globals()[name]
         own = counted_aim(aim, name)
-        others = [counted(objective, wrt, arguments) for counted in (counted_sympy, counted_casadi)]
+        counts = (counted_sympy, counted_casadi, counted_wrenfold, counted_symengine)
+        others = [counted(objective, wrt, arguments) for counted in counts]
         ratios.append(own / min(others))
-        lines.append(f"| {name.replace('_', ' ')} | {own} | {others[0]} | {others[1]} | {ratios[-1]:.2f} |")
+        columns = [name.replace("_", " "), own, *others, f"{ratios[-1]:.2f}"]
+        lines.append(f"| {' | '.join(map(str, columns))} |")
     mean = math.exp(sum(map(math.log, ratios)) / len(ratios))
-    lines.append(f"| geometric mean | | | | {mean:.2f} |")
+    lines.append(f"| geometric mean | | | | | | {mean:.2f} |")
     table = "\n".join(lines)
     print(table)
     if page and table not in Path(page[1]).read_text():

@@ -554,3 +554,329 @@ pub fn tracking(x: DVec2, v: DVec2, force: DVec2, mass: f64, dt: f64, wanted: DV
     let speed = v + dt * a;
     next.dot(next) + 0.1 * speed.dot(speed) + effort * force.dot(force)
 }
+
+/// Reprojection by the double sphere camera.
+#[differentiate(wrt(p, xi, alpha))]
+pub fn double_sphere(p: DVec3, xi: f64, alpha: f64, focal: DVec2, center: DVec2, seen: DVec2) -> f64 {
+    let d1 = p.length();
+    let z = xi * d1 + p.z;
+    let d2 = (p.x * p.x + p.y * p.y + z * z).sqrt();
+    let depth = alpha * d2 + (1.0 - alpha) * z;
+    let u = focal.x * p.x / depth + center.x - seen.x;
+    let v = focal.y * p.y / depth + center.y - seen.y;
+    u * u + v * v
+}
+
+/// Reprojection of a point by its bearing and inverse depth in the camera that saw it first.
+#[differentiate(wrt(q, t, azimuth, elevation, rho))]
+pub fn inverse_depth(q: DQuat, t: DVec3, azimuth: f64, elevation: f64, rho: f64, seen: DVec2) -> f64 {
+    let (sa, ca) = azimuth.sin_cos();
+    let (se, ce) = elevation.sin_cos();
+    let bearing = DVec3::new(ce * sa, -se, ce * ca);
+    let p = q * bearing + rho * t;
+    let u = p.x / p.z - seen.x;
+    let v = p.y / p.z - seen.y;
+    u * u + v * v
+}
+
+/// Symmetric registration: both clouds turn half way, along the sum of the normals.
+#[differentiate(wrt(turn, t))]
+pub fn symmetric(turn: DVec3, t: DVec3, a: DVec3, b: DVec3, na: DVec3, nb: DVec3) -> f64 {
+    let q = DQuat::from_scaled_axis(turn);
+    let r = (q * a - q.inverse() * b + t).dot(na + nb);
+    (1.0 + r * r).ln()
+}
+
+/// The score of a point in a cell of a normal distributions transform in the plane.
+#[differentiate(wrt(x, y, yaw))]
+pub fn ndt(x: f64, y: f64, yaw: f64, point: DVec2, mean: DVec2, information: [f64; 3]) -> f64 {
+    let (s, c) = yaw.sin_cos();
+    let dx = c * point.x - s * point.y + x - mean.x;
+    let dy = s * point.x + c * point.y + y - mean.y;
+    let [xx, xy, yy] = information;
+    let square = xx * dx * dx + 2.0 * xy * dx * dy + yy * dy * dy;
+    -(-0.5 * square).exp()
+}
+
+/// A range to a beacon from an antenna that is mounted off the body's centre, by Cauchy's loss.
+#[differentiate(wrt(p, q))]
+pub fn range_lever(p: DVec3, q: DQuat, lever: DVec3, beacon: DVec3, range: f64, width: f64) -> f64 {
+    let antenna = p + q * lever;
+    let off = (antenna.distance(beacon) - range) / width;
+    (1.0 + off * off).ln()
+}
+
+/// Wheels' radii and their distance, by a pose after an arc.
+#[differentiate(wrt(left, right, base))]
+pub fn wheel_arc(
+    left: f64,
+    right: f64,
+    base: f64,
+    turned_left: f64,
+    turned_right: f64,
+    pose: DVec3,
+    seen: DVec3,
+) -> f64 {
+    let forward = 0.5 * (left * turned_left + right * turned_right);
+    let turn = (right * turned_right - left * turned_left) / base;
+    let radius = forward / turn;
+    let x = pose.x + radius * ((pose.z + turn).sin() - pose.z.sin()) - seen.x;
+    let y = pose.y - radius * ((pose.z + turn).cos() - pose.z.cos()) - seen.y;
+    let heading = pose.z + turn - seen.z;
+    x * x + y * y + heading * heading
+}
+
+/// What a gyroscope with a bias leaves between two attitudes.
+#[differentiate(wrt(q, next, bias))]
+pub fn gyro_step(q: DQuat, next: DQuat, bias: DVec3, rate: DVec3, dt: f64) -> f64 {
+    let w = rate - bias;
+    let slope = q * DQuat::from_xyzw(w.x, w.y, w.z, 0.0);
+    let off = next - (q + slope * (0.5 * dt));
+    off.dot(off)
+}
+
+/// Calibration of a magnetometer by the length of the field.
+#[differentiate(wrt(hard, soft))]
+pub fn magnetometer(hard: DVec3, soft: [f64; 6], raw: DVec3, field: f64) -> f64 {
+    let [xx, yy, zz, xy, xz, yz] = soft;
+    let d = raw - hard;
+    let m = DVec3::new(
+        xx * d.x + xy * d.y + xz * d.z,
+        xy * d.x + yy * d.y + yz * d.z,
+        xz * d.x + yz * d.y + zz * d.z,
+    );
+    (m.length() - field).powi(2)
+}
+
+/// Bending of a discrete elastic rod by its curvature binormal.
+#[differentiate(wrt(a, b, c))]
+pub fn rod(a: DVec3, b: DVec3, c: DVec3, rest: DVec3, stiffness: f64) -> f64 {
+    let e = b - a;
+    let f = c - b;
+    let binormal = 2.0 * e.cross(f) / (e.length() * f.length() + e.dot(f));
+    0.5 * stiffness * (binormal - rest).length_squared()
+}
+
+/// Mooney and Rivlin's energy of a deformation.
+#[differentiate(wrt(f))]
+pub fn mooney(f: DMat3, c1: f64, c2: f64, bulk: f64) -> f64 {
+    let j = f.determinant();
+    let xx = f.x_axis.dot(f.x_axis);
+    let yy = f.y_axis.dot(f.y_axis);
+    let zz = f.z_axis.dot(f.z_axis);
+    let xy = f.x_axis.dot(f.y_axis);
+    let yz = f.y_axis.dot(f.z_axis);
+    let zx = f.z_axis.dot(f.x_axis);
+    let first = xx + yy + zz;
+    let second = 0.5 * (first * first - (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + yz * yz + zx * zx)));
+    c1 * (first - 3.0) + c2 * (second - 3.0) - 2.0 * (c1 + 2.0 * c2) * j.ln() + 0.5 * bulk * (j - 1.0) * (j - 1.0)
+}
+
+/// Two springs of a strand that resists bending.
+#[differentiate(wrt(a, b, c))]
+pub fn strand(a: DVec3, b: DVec3, c: DVec3, rest: f64, stretch: f64, bend: f64) -> f64 {
+    let first = (b - a).length() - rest;
+    let second = (c - b).length() - rest;
+    let bent = a - 2.0 * b + c;
+    0.5 * stretch * (first * first + second * second) + 0.5 * bend * bent.dot(bent)
+}
+
+/// A triangle of a balloon: tension of its skin, and the gas between it and the origin.
+#[differentiate(wrt(a, b, c))]
+pub fn balloon(a: DVec3, b: DVec3, c: DVec3, tension: f64, pressure: f64, rest: f64) -> f64 {
+    let skin = 0.5 * (b - a).cross(c - a).length();
+    let volume = a.dot(b.cross(c)) / 6.0;
+    tension * skin - pressure * rest * (volume / rest).ln()
+}
+
+/// Anisotropic microfacets' distribution.
+#[differentiate(wrt(light, ax, ay))]
+pub fn anisotropic(light: DVec3, ax: f64, ay: f64, view: DVec3, x: DVec3, y: DVec3, normal: DVec3) -> f64 {
+    let half = (light + view).normalize();
+    let hx = x.dot(half) / ax;
+    let hy = y.dot(half) / ay;
+    let hn = normal.dot(half);
+    let s = hx * hx + hy * hy + hn * hn;
+    1.0 / (std::f64::consts::PI * ax * ay * s * s)
+}
+
+/// A ball carved out of an ellipsoid, with a smooth rim.
+#[differentiate(wrt(p, radii))]
+pub fn carved(p: DVec3, radii: DVec3, center: DVec3, radius: f64, width: f64) -> f64 {
+    let k0 = (p / radii).length();
+    let k1 = (p / (radii * radii)).length();
+    let ellipsoid = k0 * (k0 - 1.0) / k1;
+    let ball = radius - (p - center).length();
+    let apart = ellipsoid - ball;
+    0.5 * (ellipsoid + ball + (apart * apart + width * width).sqrt())
+}
+
+/// Irradiance by nine spherical harmonics.
+#[differentiate(wrt(direction))]
+pub fn harmonics(direction: DVec3, l: [f64; 9]) -> f64 {
+    let n = direction.normalize();
+    0.282095 * l[0]
+        + 0.488603 * (l[1] * n.y + l[2] * n.z + l[3] * n.x)
+        + 1.092548 * (l[4] * n.x * n.y + l[5] * n.y * n.z + l[7] * n.x * n.z)
+        + 0.315392 * l[6] * (3.0 * n.z * n.z - 1.0)
+        + 0.546274 * l[8] * (n.x * n.x - n.y * n.y)
+}
+
+/// How unsharp a thin lens shows two points.
+#[differentiate(wrt(focal, focus, eye))]
+pub fn blur(focal: f64, focus: f64, eye: DVec3, axis: DVec3, near: DVec3, far: DVec3, stop: f64) -> f64 {
+    let aperture = focal / stop;
+    let one = axis.dot(near - eye);
+    let two = axis.dot(far - eye);
+    let first = aperture * focal * (one - focus) / (one * (focus - focal));
+    let second = aperture * focal * (two - focus) / (two * (focus - focal));
+    first * first + second * second
+}
+
+/// The Lagrangian of a crane: a trolley, and a load on a rope that is hoisted.
+#[differentiate(wrt(speed, rope, hoist, angle, rate))]
+pub fn crane(speed: f64, rope: f64, hoist: f64, angle: f64, rate: f64, trolley: f64, load: f64, pull: f64) -> f64 {
+    let (s, c) = angle.sin_cos();
+    let vx = speed + hoist * s + rope * rate * c;
+    let vy = hoist * c - rope * rate * s;
+    let kinetic = 0.5 * trolley * speed * speed + 0.5 * load * (vx * vx + vy * vy);
+    let potential = -load * pull * rope * c;
+    kinetic - potential
+}
+
+/// What a quadrotor's acceleration is off a wanted one, by Euler's angles.
+#[differentiate(wrt(roll, pitch, yaw, thrust))]
+pub fn quadrotor(roll: f64, pitch: f64, yaw: f64, thrust: f64, mass: f64, pull: f64, wanted: DVec3) -> f64 {
+    let (sr, cr) = roll.sin_cos();
+    let (sp, cp) = pitch.sin_cos();
+    let (sy, cy) = yaw.sin_cos();
+    let ax = thrust / mass * (cr * sp * cy + sr * sy) - wanted.x;
+    let ay = thrust / mass * (cr * sp * sy - sr * cy) - wanted.y;
+    let az = thrust / mass * cr * cp - pull - wanted.z;
+    ax * ax + ay * ay + az * az
+}
+
+/// The torques of an arm with two links, squared.
+#[differentiate(wrt(elbow, rates, accelerations))]
+pub fn two_link(
+    elbow: f64,
+    rates: DVec2,
+    accelerations: DVec2,
+    shoulder: f64,
+    masses: DVec2,
+    lengths: DVec2,
+    pull: f64,
+) -> f64 {
+    let inertia = masses.y * lengths.y * lengths.y;
+    let coupling = masses.y * lengths.x * lengths.y * elbow.cos();
+    let h = masses.y * lengths.x * lengths.y * elbow.sin();
+    let m11 = (masses.x + masses.y) * lengths.x * lengths.x + inertia + 2.0 * coupling;
+    let m12 = inertia + coupling;
+    let g2 = masses.y * lengths.y * pull * (shoulder + elbow).cos();
+    let g1 = (masses.x + masses.y) * lengths.x * pull * shoulder.cos() + g2;
+    let t1 = m11 * accelerations.x + m12 * accelerations.y - h * (2.0 * rates.x * rates.y + rates.y * rates.y) + g1;
+    let t2 = m12 * accelerations.x + inertia * accelerations.y + h * rates.x * rates.x + g2;
+    t1 * t1 + t2 * t2
+}
+
+/// Buckingham's energy of two ions, and Coulomb's with Thole's damping.
+#[differentiate(wrt(a, b))]
+pub fn ions(a: DVec3, b: DVec3, wall: f64, rho: f64, c6: f64, charge: f64, damping: f64) -> f64 {
+    let r = a.distance(b);
+    let buckingham = wall * (-r / rho).exp() - c6 / r.powi(6);
+    let damped = 1.0 - (1.0 + 0.5 * damping * r) * (-damping * r).exp();
+    buckingham + charge / r * damped
+}
+
+/// Ryckaert and Bellemans' torsion.
+#[differentiate(wrt(a, b, c, d))]
+pub fn rotamer(a: DVec3, b: DVec3, c: DVec3, d: DVec3, k: [f64; 4]) -> f64 {
+    let n = (b - a).cross(c - b).normalize();
+    let m = (c - b).cross(d - c).normalize();
+    let x = n.dot(m);
+    k[0] + k[1] * x + k[2] * x * x + k[3] * x * x * x
+}
+
+/// Stretching and bending of two bonds, coupled.
+#[differentiate(wrt(a, b, c))]
+pub fn stretch_bend(a: DVec3, b: DVec3, c: DVec3, k: DVec2, rest: DVec2, angle: f64) -> f64 {
+    let u = a - b;
+    let v = c - b;
+    let (p, q) = (u.length(), v.length());
+    let theta = (u.dot(v) / (p * q)).acos();
+    (k.x * (p - rest.x) + k.y * (q - rest.y)) * (theta - angle)
+}
+
+/// Student's distribution, by place and scales.
+#[differentiate(wrt(mean, scales, freedom))]
+pub fn student(x: DVec3, mean: DVec3, scales: DVec3, freedom: f64) -> f64 {
+    let z = (x - mean) / scales;
+    0.5 * (freedom + 3.0) * (1.0 + z.dot(z) / freedom).ln() + scales.x.ln() + scales.y.ln() + scales.z.ln()
+}
+
+/// Logistic regression with two examples and a ridge.
+#[differentiate(wrt(w, bias))]
+pub fn logistic(w: DVec3, bias: f64, a: DVec3, b: DVec3, la: f64, lb: f64, ridge: f64) -> f64 {
+    let ma = la * (w.dot(a) + bias);
+    let mb = lb * (w.dot(b) + bias);
+    (1.0 + (-ma).exp()).ln() + (1.0 + (-mb).exp()).ln() + 0.5 * ridge * w.dot(w)
+}
+
+/// The solid angle of a triangle.
+#[differentiate(wrt(a, b, c))]
+pub fn solid_angle(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (la, lb, lc) = (a.length(), b.length(), c.length());
+    let above = a.dot(b.cross(c));
+    let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    2.0 * above.atan2(below)
+}
+
+/// A triangle's quality: the radius of the inner circle by that of the outer one.
+#[differentiate(wrt(a, b, c))]
+pub fn radius_ratio(a: DVec3, b: DVec3, c: DVec3) -> f64 {
+    let (u, v, w) = (b - a, c - b, a - c);
+    let (lu, lv, lw) = (u.length(), v.length(), w.length());
+    let area = 0.5 * u.cross(v).length();
+    let inner = 2.0 * area / (lu + lv + lw);
+    let outer = lu * lv * lw / (4.0 * area);
+    inner / outer
+}
+
+/// The cotangent energy of a triangle that carries a number at each corner.
+#[differentiate(wrt(a, b, c))]
+pub fn cotangents(a: DVec3, b: DVec3, c: DVec3, values: DVec3) -> f64 {
+    let (u, v, w) = (c - b, a - c, b - a);
+    let double = w.cross(v).length();
+    let at_a = -w.dot(v) / double;
+    let at_b = -u.dot(w) / double;
+    let at_c = -v.dot(u) / double;
+    let (x, y, z) = (values.y - values.z, values.z - values.x, values.x - values.y);
+    0.25 * (at_a * x * x + at_b * y * y + at_c * z * z)
+}
+
+/// A cubic of Bézier: its place and speed at a time.
+#[differentiate(wrt(b, c, t))]
+pub fn bezier(a: DVec3, b: DVec3, c: DVec3, d: DVec3, t: f64, target: DVec3, speed: f64) -> f64 {
+    let s = 1.0 - t;
+    let place = s * s * s * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t * t * t * d;
+    let velocity = 3.0 * s * s * (b - a) + 6.0 * s * t * (c - b) + 3.0 * t * t * (d - c);
+    let off = place - target;
+    let fast = velocity.length() - speed;
+    off.dot(off) + fast * fast
+}
+
+/// A point turned by a blend of two quaternions.
+#[differentiate(wrt(p, q, t))]
+pub fn blend_turn(p: DQuat, q: DQuat, t: f64, v: DVec3, wanted: DVec3) -> f64 {
+    let r = (p * (1.0 - t) + q * t).normalize();
+    (r * v - wanted).length_squared()
+}
+
+/// A point of a conic as a rational curve.
+#[differentiate(wrt(a, b, c, weight, t))]
+pub fn conic(a: DVec2, b: DVec2, c: DVec2, weight: f64, t: f64, target: DVec2) -> f64 {
+    let s = 1.0 - t;
+    let (i, j, k) = (s * s, 2.0 * weight * s * t, t * t);
+    let point = (i * a + j * b + k * c) / (i + j + k);
+    (point - target).length_squared()
+}
