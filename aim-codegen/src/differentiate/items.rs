@@ -24,6 +24,8 @@ pub(super) struct Items {
     aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`, of which nothing is read.
     conditional: Vec<String>,
+    /// Names of items that are not understood, each with what it is and what to write instead.
+    others: Vec<(String, [&'static str; 2])>,
     /// Functions that errors were reported of: of further calls nothing more is said.
     faulty: RefCell<Vec<Rc<Callable>>>,
 }
@@ -48,6 +50,9 @@ pub(super) struct Alias {
     pub(super) scope: Rc<Scope>,
     pub(super) ty: syn::Type,
 }
+
+const AN_ENUM: [&str; 2] = ["an enum", "write a struct whose fields tell the case by a number or a `bool`, and `if`"];
+const GENERIC: [&str; 2] = ["generic", "write out what its parameters stand for"];
 
 impl Items {
     /// Reads the items of a module. What its functions cannot use is left out.
@@ -119,6 +124,8 @@ impl Items {
                     self.structs.push((full(&item.ident), structure));
                 }
                 Item::Impl(item) => self.add_impl(scope, item),
+                Item::Enum(_) => self.others.extend(name_of_item(item).map(|name| (name, AN_ENUM))),
+                Item::Struct(_) | Item::Type(_) => self.others.extend(name_of_item(item).map(|name| (name, GENERIC))),
                 _ => {}
             }
         }
@@ -219,6 +226,11 @@ impl Items {
 
     pub(super) fn is_conditional(&self, name: &str) -> bool {
         self.conditional.iter().any(|known| known == name)
+    }
+
+    /// What an item is that is not understood, and what to write instead.
+    pub(super) fn not_understood(&self, name: &str) -> Option<[&'static str; 2]> {
+        self.others.iter().find(|(known, _)| known == name).map(|&(_, words)| words)
     }
 
     pub(super) fn is_faulty(&self, function: &Rc<Callable>) -> bool {

@@ -306,6 +306,8 @@ messages! {
         "`{name}` depends on `cfg`, which cannot be seen from here",
         "leave the condition out, or pass it as an argument";
 
+    other_item(name: &str, what: &str, instead: &str) => "`{name}` is {what}, which is not understood", "{instead}";
+
     no_result_value(name: &str) =>
         "`{name}`: results are not understood",
         "return an `Option` from a helper function, or leave the check to a function around this one";
@@ -389,8 +391,11 @@ const MODULE: &str = "put both into one module with `#[differentiate]` on it, as
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
-    ("try_normalize", "write `normalize_or_zero`"),
-    ("normalize_or", "write it with `if` and the vector's length"),
+    ("collect", "take the array's own `map`, or write into an array of known length in a loop"),
+    ("scan", "write a loop that adds to a `let mut`"),
+    ("filter_map", "write a loop with `if let`"),
+    ("take_while", "write a loop with `if` and `break`"),
+    ("cycle", "write a loop over a range, with the rest of the index"),
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and write `from_rotation_translation`"),
     ("from_scale", "multiply the vector by the scale"),

@@ -144,6 +144,35 @@ impl Default for unseen::Gains {
     }
 }
 
+#[differentiate]
+mod not_understood {
+    pub enum Loss {
+        Huber(f32),
+        Square,
+    }
+
+    pub struct Polynomial<const N: usize>([f32; N]);
+
+    fn rho(_loss: Loss, x: f32) -> f32 {
+        x * x
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn by_case(x: f32) -> f32 {
+        rho(Loss::Huber(0.5), x)
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn by_name(x: f32) -> f32 {
+        rho(Loss::Square, x)
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn by_parameter(x: [f32; 3]) -> f32 {
+        Polynomial { 0: x }.0[0]
+    }
+}
+
 #[differentiate(wrt(x))]
 mod misplaced {
     #[differentiate(wrt(x))]

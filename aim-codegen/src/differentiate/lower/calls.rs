@@ -352,7 +352,9 @@ impl Translation<'_> {
         (ty, function): (&str, String),
     ) -> Value {
         let Some((shape, _)) = types::named(ty).filter(|_| self.items.structure(ty).is_none()) else {
-            return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
+            let text = path_text(path);
+            let text = self.unseen(&text, messages::unknown_function(&text));
+            return self.refuse(&path.path, text);
         };
         if function == "from_euler" {
             return self.euler(&shape, name, call);

@@ -182,7 +182,10 @@ impl Translation<'_> {
                     let name = name.to_string();
                     self.unseen(&name, messages::outside_name(&name, &self.frame.names()))
                 }
-                None => messages::outside_constant(&paths::path_text(path)),
+                None => {
+                    let text = paths::path_text(path);
+                    self.unseen(&text, messages::outside_constant(&text))
+                }
             };
             self.refuse(&path.path, text)
         })
