@@ -22,15 +22,14 @@ impl Chain {
     fn with_one_constant(mut self, fold: &mut Fold) -> Self {
         let (mut constant, mut count, mut factors) = (1.0, 0, Vec::new());
         for &(below, s) in &self.factors {
-            let (c, rest) = match fold.constant_of(s) {
-                Some(c) => (c, None),
-                None => Some(fold.multiple(s)).map_or((1.0, Some(s)), |(c, x)| (c, Some(x))),
-            };
+            let (c, rest) = fold.constant_of(s).map_or_else(|| fold.multiple(s), |c| (c, s));
             count += usize::from(c != 1.0);
             constant = if below { constant / c } else { constant * c };
-            factors.extend(rest.map(|rest| (below, rest)));
+            if fold.constant_of(rest).is_none() {
+                factors.push((below, rest));
+            }
         }
-        if count > 1 {
+        if count > 1 && constant.is_finite() {
             if constant != 1.0 || factors.is_empty() {
                 factors.push((false, fold.g.constant(constant)));
             }
@@ -38,9 +37,7 @@ impl Chain {
         }
         self
     }
-}
 
-impl Chain {
     /// `k (a b + c d) = (k a) b + (k c) d`, where `k a` and `k c` are there.
     fn by_known(mut self, fold: &mut Fold, uses: &Uses, known: &FxHashSet<[Scalar; 2]>) -> Self {
         let found = self.factors.iter().enumerate().find_map(|(place, &(below, sum))| {
@@ -55,20 +52,15 @@ impl Chain {
             })
         });
         if let Some((place, other, k, terms)) = found {
-            let products = terms.into_iter().map(|[a, b]| {
-                let known = fold.mul(k, a);
-                fold.mul(known, b)
-            });
-            let products: Vec<Scalar> = products.collect();
-            let sum = products.into_iter().reduce(|a, b| fold.add(a, b));
-            self.factors = self
-                .factors
-                .into_iter()
-                .enumerate()
-                .filter(|(i, _)| ![place, other].contains(i))
-                .map(|(_, f)| f)
-                .collect();
-            self.factors.extend(sum.map(|sum| (false, sum)));
+            let mut sum = fold.g.constant(0.0);
+            for [a, b] in terms {
+                let product = fold.mul(k, a);
+                let product = fold.mul(product, b);
+                sum = fold.add(sum, product);
+            }
+            self.factors.remove(place.max(other));
+            self.factors.remove(place.min(other));
+            self.factors.push((false, sum));
             self.changed = true;
         }
         self
