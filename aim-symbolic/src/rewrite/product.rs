@@ -20,7 +20,7 @@ impl Graph {
     fn is_length_within(&self, s: Scalar, depth: u32) -> bool {
         match self.scalar_node(s) {
             ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) => true,
-            ScalarNode::Op(Op::Constant(c)) => c.value() >= 0.0,
+            ScalarNode::Op(Op::Constant(c)) => c.value() > 0.0,
             ScalarNode::Dot(v, w) => v == w,
             ScalarNode::Op(Op::Mul(a, b)) if a == b => true,
             ScalarNode::Op(Op::Add(a, b) | Op::Mul(a, b) | Op::Div(a, b)) if depth > 0 => {
@@ -121,6 +121,8 @@ impl Product {
             return Some(());
         }
         match g.scalar_node(s) {
+            // Over 0 nothing cancels.
+            ScalarNode::Op(Op::Constant(c)) if c.value() == 0.0 && halves < 0 => return None,
             ScalarNode::Op(Op::Constant(c)) => self.coefficient *= c.value().powi(halves / 2),
             ScalarNode::Op(Op::Neg(a)) => {
                 self.coefficient *= (-1.0_f64).powi(halves / 2);

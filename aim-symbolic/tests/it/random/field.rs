@@ -266,6 +266,7 @@ impl Neg for Field {
 
 impl Number for Field {
     fn constant(value: f64) -> Self {
+        assert!(value.is_finite(), "constant {value}");
         let Some((numerator, denominator)) = simple_fraction(value.abs()) else {
             return Self::gone_by(Gone::Constant);
         };
