@@ -42,7 +42,10 @@ fn number(g: &mut Graph, s: Scalar, depth: u32) -> (Product, Scalar) {
             if g.constant_of(b) == Some(1.0) { a } else { g.div(a, b) }
         }
         // A guarded reciprocal is 0 of what is negative.
-        ScalarNode::Reciprocal(a) if g.is_length(a) => lengths.with(number(g, a, depth), -1),
+        ScalarNode::Reciprocal(a) if g.is_length(a) => {
+            let a = lengths.with(number(g, a, depth), -1);
+            if g.constant_of(a) == Some(1.0) { a } else { g.reciprocal(a) }
+        }
         ScalarNode::Op(op @ (Op::Add(a, b) | Op::Sub(a, b))) => {
             let terms = [number(g, a, depth), number(g, b, depth)];
             let [a, b] = lengths.common(terms, |k, s| k.stated(g).map_or(s, |k| product(g, k, s)));
@@ -151,11 +154,32 @@ impl Product {
         }
         terms.map(|(lengths, rest)| {
             let mut own = Self::new();
-            for (length, halves) in lengths.powers {
-                own.power(length, halves - self.power_of(length));
-            }
-            own.powers.retain(|&(_, halves)| halves != 0);
+            let rest = own.with((lengths, rest), 1);
+            own.with((self.clone(), ()), -1);
             times(own, rest)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Function, Graph, Program, Variable};
+
+    /// A length that cancels stands beside one over what is positive, and no length of a vector.
+    #[test]
+    fn a_reciprocal_stays_below() {
+        let mut g = Graph::new();
+        let (v, [s, t]) = (g.vector_input("v"), ["s", "t"].map(|name| g.input(name)));
+        let (length, size) = (g.norm(v), g.call(Function::Exp, s));
+        let per_size = g.reciprocal(size);
+        let (y, x) = (g.mul(length, per_size), g.mul(length, t));
+        let angle = g.atan2(y, x);
+        let program = Program::derive(&g, &[angle], &[Variable::from(t)]);
+        let mut results = [0.0_f64; 2];
+        program.run(&[1.0, 2.0, 2.0, 0.3, 0.7], &mut results);
+        let y = (-0.3_f64).exp();
+        for (found, expected) in results.into_iter().zip([y.atan2(0.7), -y / (y * y + 0.49)]) {
+            assert!((found - expected).abs() < 1e-15, "{found} instead of {expected}");
+        }
     }
 }
