@@ -783,6 +783,25 @@ def power(n):
     return {1: 0, 2: 1, 3: 2, 4: 2, 5: 3, 6: 3, 7: 4, 8: 3, 9: 4, 10: 4, 11: 5, 12: 4}.get(n, 2 * n.bit_length() - 2)
 
 
+def of_product(factors, below):
+    """The operations of a product of these factors, of which so many are divided by."""
+    if below == len(factors):
+        return len(factors) - 1
+    # Of a⁻¹ b the division is counted in a⁻¹, and stands for the product.
+    return len(factors) - 1 - below + max(below - 1, 0)
+
+
+def of_power(exponent):
+    """The operations of a rational power."""
+    below = 1 if exponent < 0 else 0
+    exponent = abs(exponent)
+    if exponent.q == 1:
+        return power(int(exponent)) + below
+    if exponent.q == 2:
+        return 1 + (power(exponent.p) if exponent.p > 1 else 0) + below
+    raise ValueError(exponent)
+
+
 def of_sympy(expression):
     """The operations of one expression without common parts."""
     if expression.is_Atom:
@@ -794,19 +813,9 @@ def of_sympy(expression):
         # −1 is free; every factor below the line is divided by, or multiplied with others below it.
         factors = [part for part in expression.args if part != -1]
         below = [part for part in factors if part.is_Pow and part.exp.could_extract_minus_sign() and part.exp.is_number]
-        if len(below) == len(factors):
-            return inner + len(factors) - 1
-        # Of a⁻¹ b the division is counted in a⁻¹, and stands for the product.
-        return inner + len(factors) - 1 - len(below) + (len(below) - 1 if len(below) > 1 else 0)
-    if expression.is_Pow:
-        exponent = expression.exp
-        if exponent.is_Rational:
-            below = 1 if exponent < 0 else 0
-            exponent = abs(exponent)
-            if exponent.is_integer:
-                return inner + power(int(exponent)) + below
-            if exponent.q == 2:
-                return inner + 1 + (power(exponent.p) if exponent.p > 1 else 0) + below
+        return inner + of_product(factors, len(below))
+    if expression.is_Pow and expression.exp.is_Rational:
+        return inner + of_power(expression.exp)
     if isinstance(expression, sympy.Function):
         return inner
     raise ValueError(expression)
@@ -889,31 +898,19 @@ def counted_wrenfold(objective, wrt, arguments):
     return count
 
 
-def of_symengine(e):
-    """As [of_sympy], by what SymEngine tells of an expression."""
-    if not e.args:
+def of_symengine(expression):
+    """As `of_sympy`, by what SymEngine tells of an expression."""
+    if not expression.args:
         return 0
-    inner = sum(of_symengine(a) for a in e.args)
-    if e.is_Add:
-        return inner + len(e.args) - 1
-    if e.is_Mul:
-        f = [a for a in e.args if a != -1]
-        below = [a for a in f if a.is_Pow and a.args[1].is_number and a.args[1] < 0]
-        if len(below) == len(f):
-            return inner + len(f) - 1
-        return inner + len(f) - 1 - len(below) + (len(below) - 1 if len(below) > 1 else 0)
-    if e.is_Pow:
-        x = sympy.Rational(str(e.args[1])) if e.args[1].is_number else None
-        if x is None:
-            return inner
-        below = 1 if x < 0 else 0
-        x = abs(x)
-        inner = of_symengine(e.args[0])
-        if x.q == 1:
-            return inner + power(int(x)) + below
-        if x.q == 2:
-            return inner + 1 + (power(x.p) if x.p > 1 else 0) + below
-        raise ValueError(e)
+    inner = sum(of_symengine(part) for part in expression.args)
+    if expression.is_Add:
+        return inner + len(expression.args) - 1
+    if expression.is_Mul:
+        factors = [part for part in expression.args if part != -1]
+        below = [part for part in factors if part.is_Pow and part.args[1].is_number and part.args[1] < 0]
+        return inner + of_product(factors, len(below))
+    if expression.is_Pow and expression.args[1].is_number:
+        return of_symengine(expression.args[0]) + of_power(sympy.Rational(str(expression.args[1])))
     return inner
 
 

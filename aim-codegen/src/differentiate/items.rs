@@ -228,7 +228,7 @@ impl Items {
         self.conditional.iter().any(|known| known == name)
     }
 
-    /// What an item is that is not understood, and what to write instead.
+    /// The kind of an item that is not understood, and a word on what to write instead.
     pub(super) fn not_understood(&self, name: &str) -> Option<[&'static str; 2]> {
         self.others.iter().find(|(known, _)| known == name).map(|&(_, words)| words)
     }

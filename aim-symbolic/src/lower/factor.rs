@@ -33,7 +33,7 @@ type Factor = (bool, Scalar);
 struct Factoring {
     uses: Uses,
     open: Open,
-    /// Whether multiples of one number become one.
+    /// True if multiples of one number become one.
     joins: bool,
     /// The terms of sums that are under way or done.
     terms: Table<Scalar, Vec<Term>>,
@@ -187,7 +187,7 @@ impl Factoring {
         fold.sum_of_sides(a, b, negative != other_negative, join)
     }
 
-    /// The sum with common factors taken out, of what is left again, so deep.
+    /// The sum with common factors taken out; of their cofactors, too, to a depth.
     fn sum(&self, rebuild: &mut Rebuild<'_>, mut terms: Vec<Term>, depth: usize) -> Result<Scalar, Missing> {
         let mut products = Vec::new();
         while depth < DEEPEST
@@ -208,13 +208,10 @@ impl Factoring {
         }
         let terms: Result<Vec<Term>, Missing> =
             terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
-        let rest = Some(terms?).filter(|terms| !terms.is_empty() || products.is_empty());
-        let rest = rest.map(|terms| plain_sum(rebuild.fold, terms));
-        let total = products
-            .into_iter()
-            .rev()
-            .fold(rest, |rest, product| Some(rest.map_or(product, |rest| rebuild.fold.add(product, rest))));
-        Ok(total.unwrap_or_else(|| rebuild.fold.g.constant(0.0)))
+        let terms = terms?;
+        let rest = if terms.is_empty() { products.pop() } else { Some(plain_sum(rebuild.fold, terms)) };
+        let rest = rest.unwrap_or_else(|| rebuild.fold.g.constant(0.0));
+        Ok(products.into_iter().rev().fold(rest, |rest, product| rebuild.fold.add(product, rest)))
     }
 }
 

@@ -278,8 +278,8 @@ impl Way {
         self.or_better(other)
     }
 
-    /// The rivals with a derivative taken forward: of a small program first by numbers that sines and cosines are of, which are each
-    /// other's derivatives; `others` are those by any number that stands in several places.
+    /// The rivals with a derivative taken forward: by numbers that sines and cosines are of, which are each other's derivatives;
+    /// `others` are those by numbers of which there are none.
     fn forward(&self, wanted: &[Want], others: bool) -> Vec<Change> {
         let g = &self.g;
         let is_turn = |node: &Node| match *node {

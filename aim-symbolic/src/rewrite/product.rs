@@ -5,7 +5,7 @@ use crate::{Function, Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 /// A product of more parts is not looked at.
 const MOST_PARTS: usize = 48;
 
-/// What is looked at for whether it is negative is looked into so deep.
+/// Numbers are looked into so deep for whether they may be negative.
 const DEEPEST_LENGTH: u32 = 6;
 
 /// A product with a higher power is not looked at, in halves.

@@ -94,7 +94,7 @@ impl Rules<'_> {
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
     for rule in
-        [RATIOS, WORDING, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES, PRODUCTS].iter().flat_map(|set| set.rules)
+        [WORDING, RATIOS, ROTATIONS, BASES, DIRECTIONS, FRAMES, SCALES, PRODUCTS].iter().flat_map(|set| set.rules)
     {
         if !all.contains(rule) {
             all.push(*rule);

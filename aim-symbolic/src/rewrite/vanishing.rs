@@ -242,8 +242,8 @@ impl Vanishing {
         self.order * self.length.halves
     }
 
-    /// Whether the power of the length can be taken out of the function in `product`. Of a root of the function that takes factors that
-    /// are not negative: the root of a square is its factor's size.
+    /// True if the power of the length can be taken out of the function in `product`. Of a root of the function that takes factors
+    /// that are not negative: the root of a square is its factor's size.
     pub(super) fn is_free_in(&self, g: &Graph, product: &Product, s: Scalar) -> bool {
         if product.power_of(s) % 2 == 0 {
             return true;
@@ -431,8 +431,8 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
         if parts(g, factor).is_some() {
             let of_sum = orders(g, factor, bases, left)?;
             for ((all, order), &base) in all.iter_mut().zip(of_sum).zip(bases) {
-                let is_free = Vanishing::sum(base, order).is_free_in(g, &product, factor);
-                if is_order(order) && order * power % 2 == 0 && is_free {
+                let is_free = || Vanishing::sum(base, order).is_free_in(g, &product, factor);
+                if is_order(order) && order * power % 2 == 0 && is_free() {
                     *all += order * power / 2;
                 }
             }

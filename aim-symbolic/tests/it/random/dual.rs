@@ -11,7 +11,7 @@ pub(crate) trait Oracle: Number {
     /// Whether it is 0, by its value.
     fn is_zero(self) -> bool;
 
-    /// Whether it behaves as a length does, by its value.
+    /// True if it behaves as a length does, by its value: roots of its square times others are its multiples.
     fn is_length(self) -> bool {
         true
     }
@@ -26,7 +26,7 @@ impl Oracle for Field {
     }
 
     fn is_length(self) -> bool {
-        Self::is_length(self)
+        self.is_square()
     }
 
     fn frozen(self) -> (Self, bool) {

@@ -45,7 +45,7 @@ pub(crate) struct Evaluation<T> {
     pub(crate) singular: bool,
     /// Whether a rotation's axis has no length: what that means is nobody's business.
     pub(crate) no_axis: bool,
-    /// Whether a root is no length, or the square of a vector no square.
+    /// True if a root is no length, or the square of a vector no square.
     pub(crate) no_length: bool,
     /// Whether something that counts as a constant has a derivative.
     pub(crate) frozen: bool,

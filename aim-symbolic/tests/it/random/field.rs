@@ -165,14 +165,9 @@ impl Field {
         }
     }
 
-    /// Whether it is the square of an element of the prime field, of which −1 is none.
-    fn is_square(self) -> bool {
+    /// True of the square of an element of the prime field, of which −1 is none.
+    pub(crate) fn is_square(self) -> bool {
         self.im == 0 && root(self.re).is_some()
-    }
-
-    /// Whether it behaves as a length does: roots of its square times others are its multiples.
-    pub(crate) fn is_length(self) -> bool {
-        self.is_square()
     }
 
     fn is_fraction(self) -> bool {
