@@ -80,16 +80,18 @@ impl Error {
     }
 }
 
-/// Keys, the points between neighbours, and just before each key, where steps and jumps end.
+/// Keys, the points between neighbours, and just before each key: where steps and jumps end, and where all before the first is held.
 fn points(keys: &[f32]) -> impl Iterator<Item = f32> {
+    let before_all = keys.first().map(|first| first.next_down());
     let next = keys.iter().skip(1).copied().map(Some).chain([None]);
-    keys.iter().zip(next).flat_map(|(&from, next)| {
+    let from_first = keys.iter().zip(next).flat_map(|(&from, next)| {
         let between = move |to: f32| {
             let at = move |k: u8| from + (to - from) * (f32::from(k) / f32::from(BETWEEN + 1));
             (1..=BETWEEN).map(at).chain([to.next_down()])
         };
         core::iter::once(from).chain(next.into_iter().flat_map(between))
-    })
+    });
+    before_all.into_iter().chain(from_first)
 }
 
 /// Measures clips against one clip.
@@ -139,7 +141,7 @@ impl<'a> Judge<'a> {
         self.errors(played, times)
     }
 
-    /// The errors at all keys, at eight points between neighbours, and just before each key.
+    /// The errors at all keys, just before each, and at eight points between neighbours.
     pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
         self.errors(played, points(&self.keys).chain(points(&self.own_keys)))
     }

@@ -207,15 +207,26 @@ fn turning(angle: impl Fn(f32) -> f32) -> Track<Quat> {
     Track::linear(times, turns).unwrap()
 }
 
-/// A pin parts the way between two keys, whose own points are judged all the same.
-#[test]
-fn a_pin_takes_no_point_between_keys_from_the_judge() {
-    let mut rng = Rng(725_979_205_523_519_347);
-    let (skeleton, clip) = (any_skeleton(&mut rng, 4), any_clip(&mut rng, 4));
-    let tolerance = 10.0_f32.powf(-2.325_768_7);
+/// A clip of so many random bones, packed, holds its tolerance.
+fn assert_packed_holds(seed: u64, bones: usize, exponent: f32) {
+    let mut rng = Rng(seed);
+    let (skeleton, clip) = (any_skeleton(&mut rng, bones), any_clip(&mut rng, bones));
+    let tolerance = 10.0_f32.powf(exponent);
     let packed = Reduction::new(tolerance).with_pins([0.4, 1.0]).pack(&clip, &skeleton).unwrap().clip;
     let found = error(&skeleton, &clip, |time, pose| packed.sample(time, &mut packed.cursor(), pose));
     assert!(found <= f64::from(tolerance), "{found} of {tolerance}");
+}
+
+/// A pin parts the way between two keys, whose own points are judged all the same.
+#[test]
+fn a_pin_takes_no_point_between_keys_from_the_judge() {
+    assert_packed_holds(725_979_205_523_519_347, 4, -2.325_768_7);
+}
+
+/// All before a clip's first key has its value, also where that jumps at its own time.
+#[test]
+fn what_is_held_before_a_jump_at_the_first_key_is_judged() {
+    assert_packed_holds(5_658_204_085_348_885_501, 1, -5.895_981);
 }
 
 #[test]
