@@ -79,7 +79,8 @@ impl Graph {
     ) -> (Vec<Scalar>, Vec<Passage>) {
         let order = self.order(&[output]);
         let active = self.active(&order, variables);
-        let (masks, growth) = if self.selects(&order) {
+        // A module for the web derives rigs alone, which have no selects.
+        let (masks, growth) = if cfg!(not(aim_small)) && self.selects(&order) {
             (Masks::of(self, output, &order, &active), Growth::of(self, &order))
         } else {
             (Masks::default(), Growth::default())

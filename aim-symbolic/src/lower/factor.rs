@@ -208,10 +208,13 @@ impl Factoring {
         }
         let terms: Result<Vec<Term>, Missing> =
             terms.into_iter().map(|(negative, s)| Ok((negative, rebuild.scalar(s)?))).collect();
-        let terms = terms?;
-        let rest = if terms.is_empty() { products.pop() } else { Some(plain_sum(rebuild.fold, terms)) };
-        let rest = rest.unwrap_or_else(|| rebuild.fold.g.constant(0.0));
-        Ok(products.into_iter().rev().fold(rest, |rest, product| rebuild.fold.add(product, rest)))
+        let rest = Some(terms?).filter(|terms| !terms.is_empty() || products.is_empty());
+        let rest = rest.map(|terms| plain_sum(rebuild.fold, terms));
+        let total = products
+            .into_iter()
+            .rev()
+            .fold(rest, |rest, product| Some(rest.map_or(product, |rest| rebuild.fold.add(product, rest))));
+        Ok(total.unwrap_or_else(|| rebuild.fold.g.constant(0.0)))
     }
 }
 

@@ -476,7 +476,8 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
                 _ => None,
             })
             .collect();
-        if !by.is_empty() {
+        // A module for the web takes first derivatives alone.
+        if cfg!(not(aim_small)) && !by.is_empty() {
             let slope = g.rewrite_with(&[first(s, x)], &LIMITS, &limits, log);
             let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
             let gradient = g.gradient(slope, &by, Placement::Late);
@@ -494,7 +495,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
             Want::Value(s) => value(s),
             Want::Derivative(s, x) => first(s, x),
             Want::Second(..) => {
-                seconds.iter().find(|(key, _)| key == want).map(|(_, d)| *d).expect("every second derivative was taken")
+                seconds.iter().find(|(key, _)| key == want).map(|(_, d)| *d).expect("every wanted derivative was taken")
             }
             Want::Projected(x) => sum(g, &|s| (value(s), first(s, x))),
             Want::Normal(x, y) => sum(g, &|s| (first(s, x), first(s, y))),

@@ -14,7 +14,7 @@ use crate::{Graph, Scalar, Vector};
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
-    /// The name that derivations list it by.
+    /// The name that derivations list it by; its constant's in programs that are compiled to be small.
     pub name: &'static str,
     /// The reason why it holds and what it is good for, in a sentence or two; empty in programs that are compiled to be small.
     pub why: &'static str,
@@ -229,7 +229,7 @@ macro_rules! rules {
     ($( $(#[doc = $why:literal])+ $rule:ident = $name:literal: $kind:ident $(($rewrite:path))?; )+) => { $(
         $(#[doc = $why])+
         pub const $rule: Rule = Rule {
-            name: $name,
+            name: if cfg!(aim_small) { stringify!($rule) } else { $name },
             why: if cfg!(aim_small) { "" } else { concat!($($why),+).trim_ascii_start() },
             rewriting: Rewriting::$kind $(($rewrite))?,
         };
