@@ -334,6 +334,7 @@ pub(super) fn callable(
         },
         body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
         captured: Vec::new(),
+        home: None,
         scope,
         of_trait,
     }

@@ -151,8 +151,12 @@ messages! {
     not_assignable() => "this cannot be assigned to", "assign to a variable, a field or an element";
 
     captured() =>
-        "a closure cannot change what is outside of it",
-        "return the new value from it, or write a loop";
+        "a closure that changes what is outside of it cannot be called here",
+        "call it where it is written, not in another function or closure; or return the new value from it";
+
+    lazy_effect() =>
+        "whether and when this closure changes what is outside of it depends on how the iterator is used",
+        "collect, sum or fold the elements right after it, or write a loop";
 
     no_part_to_assign(kind: &str) =>
         "this part of {kind} cannot be assigned to",
@@ -211,8 +215,8 @@ messages! {
          implemented beside the function in `#[differentiate] mod … {{ … }}`";
 
     recursion(name: &str) =>
-        "`{name}` calls itself",
-        "functions are inlined, which has to end: write it as a loop with a bound";
+        "`{name}` calls itself, and no end of that is in sight",
+        "how deep it goes has to follow from numbers that are known, and must not be deeper than 16: write it as a loop with a bound";
 
     outside_struct(name: &str) =>
         "what `{name}` is made of cannot be seen from here",
@@ -318,19 +322,30 @@ messages! {
         "`?` is for options, found {kind}",
         "leave the `?` out, or return an `Option` from the helper function";
 
-    filter_unknown() =>
-        "which elements are left is not known here",
-        "how many there are must not depend on arguments: add 0 for those that are left out, by an `if`";
+    sorted_too_long(most: usize) =>
+        "this array is too long to be sorted here: at most {most}",
+        "every two elements are compared; sort it before it is passed";
+
+    not_a_list() => "what is collected here is no `Vec`", "collect a `Vec`: `.collect::<Vec<_>>()`";
+
+    filter_unknown(name: &str, known: &[&str])
+        where known = known.join("`, `") =>
+        "`{name}` is not understood of an iterator that leaves out elements by their values",
+        "what goes on from here: `{known}`, and `for`";
 
     power_unknown() =>
         "the exponent of `powi` is not known here",
         "write the number, as in `x.powi(3)`; an argument's power is `x.powf(y)`";
 
     index_unknown() =>
-        "this index is not known here",
-        "index by numbers, constants and the variables of loops; a choice that an argument makes is an `if`";
+        "this number is not known here",
+        "how many elements there are must not depend on arguments: use numbers, constants and the variables of loops";
 
     index_outside(kind: &str) => "there is no such part of {kind}", "count from 0";
+
+    no_such_choice(kind: &str) =>
+        "an argument cannot choose among the parts of {kind}",
+        "index an array whose elements are of one kind";
 
     unknown_field(name: &str, kind: &str)
         where help = match kind {
@@ -370,7 +385,7 @@ messages! {
         where operator = quote::quote!(#operator).to_string() =>
         "there is no `{operator}` between {left} and {right} that is understood",
         "numbers are compared; numbers, vectors, rotations and transforms are combined as in glam; whole numbers become \
-         numbers by `as`, and are divided only where both are known";
+         numbers by `as`";
 
     not_a_condition(found: &str) => "`if` needs a condition, found {found}", "compare two numbers";
 
@@ -391,10 +406,6 @@ const MODULE: &str = "put both into one module with `#[differentiate]` on it, as
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
-    ("collect", "take the array's own `map`, or write into an array of known length in a loop"),
-    ("scan", "write a loop that adds to a `let mut`"),
-    ("filter_map", "write a loop with `if let`"),
-    ("take_while", "write a loop with `if` and `break`"),
     ("cycle", "write a loop over a range, with the rest of the index"),
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and write `from_rotation_translation`"),

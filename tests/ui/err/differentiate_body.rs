@@ -19,7 +19,11 @@ fn statements(x: f32, v: Vec3) -> f32 {
 fn captures(x: f32) -> f32 {
     let mut sum = x;
     let mut count = |y: f32| sum += y;
-    count(x);
+    let mut twice = || {
+        count(x);
+        count(x);
+    };
+    twice();
     sum
 }
 
@@ -50,8 +54,8 @@ fn loops(x: f32, points: [Vec3; 3], count: usize) -> f32 {
     for i in 0..4 {
         sum += points[i].z * x;
     }
-    points.iter().map(|p| sum += p.x).count();
-    points.iter().filter(|p| p.x > x).map(|p| p.y).sum::<f32>() + sum
+    let _ = points.iter().map(|p| sum += p.x);
+    points.iter().filter(|p| p.x > x).enumerate().map(|(i, p)| i as f32 * p.y).sum::<f32>() + sum
 }
 
 #[differentiate(wrt(x))]
@@ -71,7 +75,7 @@ fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
     let d = Quat::from_mat3(&m) * v;
     let e = (v % v).x + x.powi(n);
     let f = (x as f64) as f32;
-    a + b + c.x + d.y + e + f + [1.0, 2.0][x as usize]
+    a + b + c.x + d.y + e + f + [1.0, 2.0][n as u8 as usize]
 }
 
 // One error: what uses the derivatives finds them.

@@ -26,8 +26,8 @@ mod model {
     }
 
     #[differentiate(wrt(x))]
-    pub fn recursive(x: f32) -> f32 {
-        factorial(x, 3) + helper(x) + helper(2.0 * x)
+    pub fn recursive(x: f32, n: usize) -> f32 {
+        factorial(x, n) + helper(x) + helper(2.0 * x)
     }
 
     #[differentiate(wrt(x))]

@@ -14,7 +14,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
-use super::{Translation, square, strip};
+use super::{Translation, sequences, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -55,12 +55,20 @@ impl Translation<'_> {
         if let Some(value) = self.changing_method(call).or_else(|| self.contained(call)) {
             return value;
         }
+        let is_drained = core::mem::take(&mut self.is_drained);
+        self.is_drained = sequences::drains(&call.method, is_drained);
         let receiver = self.expression(&call.receiver);
+        self.is_drained = false;
         if receiver.is_unknown() {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
             return receiver;
         }
-        if let Some(value) = self.sequence_method(&receiver, call, expected) {
+        let value = if is_drained || !sequences::is_lazy(&receiver, &call.method) {
+            self.sequence_method(&receiver, call, expected)
+        } else {
+            self.without_effect(call, |this| this.sequence_method(&receiver, call, expected))
+        };
+        if let Some(value) = value {
             return value;
         }
         if let Some(value) = self.optional_method(&receiver, call, expected) {
@@ -277,7 +285,10 @@ impl Translation<'_> {
         if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
             return self.refuse(&path.path, messages::no_generics());
         }
-        self.call_of_glam(call, path, name, (ty, text))
+        match (ty, text.as_str()) {
+            ("Vec", "new" | "with_capacity") => Value::Array(Vec::new()),
+            _ => self.call_of_glam(call, path, name, (ty, text)),
+        }
     }
 
     /// A function of the module, or a struct without names of its fields.
@@ -315,12 +326,22 @@ impl Translation<'_> {
         let text = outside.last().cloned().unwrap_or_default();
         let is_of = |module: &str| outside.len() < 2 || outside[outside.len() - 2] == module;
         match (text.as_str(), arguments.as_slice(), expected) {
-            ("from_fn", [function], Expected::Array(_, Some(length))) if is_of("array") => {
-                return self.array_of(call, *length, function);
+            ("from_fn", [function], _) if is_of("array") => {
+                let (element, length) = match expected {
+                    Expected::Array(element, length) => ((**element).clone(), *length),
+                    _ => (Expected::Any, None),
+                };
+                if let Some(length) = self.written_length(path).or(length) {
+                    return self.array_of(call, length, function, &element);
+                }
             }
             ("Some", [value], _) => {
                 let value = self.expression(value);
                 return Value::some(value);
+            }
+            ("replace", [place, value], _) if is_of("mem") => {
+                let value = self.expression(value);
+                return self.replaced(&call.func, place, value);
             }
             ("swap", [one, other], _) if is_of("mem") => return self.exchanged(&call.func, one, other),
             ("zip", [one, other], _) if is_of("iter") => {
@@ -341,6 +362,15 @@ impl Translation<'_> {
                 self.refuse(&name, text)
             }
         }
+    }
+
+    /// A function of a type of glam, or of numbers, that is passed on; `None` if there is none of this name.
+    pub(super) fn passed(&mut self, path: &syn::ExprPath, ty: &str, name: &str) -> Option<Value> {
+        let (shape, _) = types::named(ty)?;
+        let mut entries = methods::functions_of(&shape).iter().copied().flatten();
+        let count = entries.find(|function| function.name == name)?.count();
+        let names: Vec<Ident> = (0..count).map(|index| quote::format_ident!("argument_{index}")).collect();
+        Some(self.closure(&syn::parse_quote!(|#(#names),*| #path(#(#names),*))))
     }
 
     /// A function of a type of glam, or of numbers.
@@ -371,13 +401,26 @@ impl Translation<'_> {
         })
     }
 
-    /// `array::from_fn` of a length that is known from the type.
-    fn array_of(&mut self, call: &ExprCall, length: usize, function: &Expr) -> Value {
+    /// The length in `from_fn::<f64, 4, _>`.
+    fn written_length(&mut self, path: &syn::ExprPath) -> Option<usize> {
+        let syn::PathArguments::AngleBracketed(written) = &path.path.segments.last()?.arguments else { return None };
+        let length: Expr = match written.args.iter().nth(1)? {
+            syn::GenericArgument::Const(length) => length.clone(),
+            // So is the name of a constant read.
+            syn::GenericArgument::Type(syn::Type::Path(name)) => syn::parse_quote!(#name),
+            _ => return None,
+        };
+        let length = self.expression(&length);
+        self.algebra.known_index(&length)
+    }
+
+    /// `array::from_fn` of a length that is known.
+    fn array_of(&mut self, call: &ExprCall, length: usize, function: &Expr, element: &Expected) -> Value {
         let Some(function) = self.function_argument(function, 1) else { return Value::Unknown };
         let values: Vec<Value> = (0..length)
             .map(|index| {
                 let index = self.algebra.whole(index);
-                self.inline(&call.func, &function, vec![index])
+                self.inline_as(&call.func, &function, vec![index], element)
             })
             .collect();
         if values.iter().any(Value::is_unknown) { Value::Unknown } else { Value::Array(values) }

@@ -64,7 +64,7 @@ impl Translation<'_> {
     }
 
     /// A condition, with the names that its patterns bind; `None` after an error.
-    fn condition(&mut self, expression: &Expr) -> Option<Condition> {
+    pub(super) fn condition(&mut self, expression: &Expr) -> Option<Condition> {
         match expression {
             Expr::Paren(paren) => self.condition(&paren.expr),
             Expr::Let(e) => {

@@ -1,9 +1,11 @@
 //! Parts of values: fields, swizzles, elements.
 
+use aim_symbolic::Scalar;
 use quote::ToTokens;
 use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::algebra::Algebra;
+use super::condition::Condition;
 use super::value::Value;
 use super::{Translation, square, strip};
 use crate::differentiate::messages;
@@ -70,6 +72,23 @@ impl Value {
             _ => None,
         }
     }
+
+    /// All of its elements.
+    pub(super) fn elements(&self, a: &mut Algebra) -> Vec<Self> {
+        (0..).map_while(|place| self.element(a, place)).collect()
+    }
+
+    /// The element at a place that arguments choose; `None` if there are none, or of several kinds. Where there is no such place,
+    /// and the function panics, it is the first or the last.
+    pub(super) fn chosen(&self, a: &mut Algebra, place: Scalar) -> Option<Self> {
+        let mut elements = self.elements(a).into_iter().enumerate().rev();
+        let (_, last) = elements.next()?;
+        elements.try_fold(last, |chosen, (index, element)| {
+            let Self::Integer(next) = a.whole(index + 1) else { return None };
+            let is_here = Condition::less(a, place, next);
+            element.select(a, &is_here, &chosen)
+        })
+    }
 }
 
 impl Translation<'_> {
@@ -107,7 +126,13 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         let Some(known) = self.algebra.known_index(&place) else {
-            return self.refuse(&index.index, messages::index_unknown());
+            return match place {
+                Value::Integer(place) => {
+                    let chosen = base.chosen(self.algebra, place);
+                    chosen.unwrap_or_else(|| self.refuse(&index.index, messages::no_such_choice(&base.describe())))
+                }
+                _ => self.refuse(&index.index, messages::index_unknown()),
+            };
         };
         let value = base.element(self.algebra, known);
         value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))

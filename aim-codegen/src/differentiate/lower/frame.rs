@@ -9,7 +9,7 @@ use std::rc::Rc;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
-use super::value::{Scope, Value};
+use super::value::{FrameId, Scope, Value};
 
 /// Assigned variables, each once: its place and a value.
 pub(super) type Assigned = Vec<(usize, Value)>;
@@ -60,6 +60,7 @@ struct Region {
 /// A function under interpretation.
 #[derive(Debug, Default)]
 pub(super) struct Frame {
+    pub(super) id: FrameId,
     /// The names in scope, the innermost last.
     variables: Vec<(String, Value)>,
     captured: usize,
@@ -69,8 +70,10 @@ pub(super) struct Frame {
     path: Vec<Condition>,
     regions: Vec<Region>,
     exits: Vec<Exit>,
-    /// The parameters that the caller lends to be changed.
+    /// The parameters and the captured variables that the caller lends to be changed.
     lent: Vec<usize>,
+    /// Those of them that have been assigned.
+    returned: Vec<usize>,
     /// Where the function is written.
     pub(super) scope: Rc<Scope>,
     /// What the type of its result says.
@@ -113,14 +116,19 @@ impl Frame {
         self.variables[depth..].iter_mut().zip(names).for_each(|((hidden, _), name)| *hidden = name);
     }
 
-    /// How many of the variables are those that a closure has captured.
-    pub(super) fn captured(&self) -> usize {
-        self.captured
+    /// Whether the variable of this place is one that a closure has captured and must not change here.
+    pub(super) fn is_fixed(&self, place: usize) -> bool {
+        place < self.captured && !self.is_lent(place)
     }
 
     /// The variable of this place is lent by the caller.
     pub(super) fn lend(&mut self, place: usize) {
         self.lent.push(place);
+    }
+
+    /// Whether the variable of this place, which is lent, has been assigned.
+    pub(super) fn has_changed(&self, place: usize) -> bool {
+        self.returned.contains(&place)
     }
 
     pub(super) fn is_lent(&self, place: usize) -> bool {
@@ -146,6 +154,9 @@ impl Frame {
     }
 
     pub(super) fn assign(&mut self, place: usize, value: Value) {
+        if self.is_lent(place) && !self.returned.contains(&place) {
+            self.returned.push(place);
+        }
         let before = core::mem::replace(&mut self.variables[place].1, value);
         if let Some(journal) = self.journals.last_mut() {
             if journal.iter().all(|(known, _)| *known != place) {

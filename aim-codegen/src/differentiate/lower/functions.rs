@@ -2,13 +2,19 @@
 
 use std::rc::Rc;
 
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprClosure, ItemFn, Pat};
 
 use super::Translation;
+use super::expected::Expected;
 use super::frame::Frame;
-use super::value::{Callable, Value};
+use super::statements::MOST_ROUNDS;
+use super::value::{Callable, Home, Value};
 use crate::differentiate::{items, messages};
+
+/// The most calls of a function inside of each other.
+const DEEPEST: usize = 16;
 
 /// A function inside of a function: it sees the items of its block and the functions outside of that, and no variables.
 pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> {
@@ -28,6 +34,7 @@ impl Translation<'_> {
             lengths: Vec::new(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
+            home: closure.capture.is_none().then(|| self.home(closure)),
             result: match &closure.output {
                 syn::ReturnType::Type(_, ty) => Some((**ty).clone()),
                 syn::ReturnType::Default => None,
@@ -37,9 +44,32 @@ impl Translation<'_> {
         }))
     }
 
+    /// Where a closure is made that does not take what it captures with it.
+    fn home(&self, closure: &ExprClosure) -> Home {
+        let mut named = Vec::new();
+        each_word(closure.body.to_token_stream(), &mut |word| {
+            let place = self.frame.find(&word.to_string());
+            named.extend(place.filter(|&place| self.frame.value(place).is_selectable() && !named.contains(&place)));
+        });
+        Home { frame: self.frame.id.clone(), named }
+    }
+
     /// The value of a function's body, its parameters being the arguments.
-    pub(crate) fn body(&mut self, place: &impl ToTokens, function: &Callable, arguments: Vec<Value>) -> Value {
-        let frame = Frame::new(function.captured.clone(), function.scope.clone());
+    fn body(
+        &mut self,
+        place: &impl ToTokens,
+        function: &Callable,
+        arguments: Vec<Value>,
+        expected: &Expected,
+    ) -> Value {
+        let mut frame = Frame::new(function.captured.clone(), function.scope.clone());
+        // Where a closure was made it sees the variables as they are now, and may change them.
+        let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
+        let named = home.map_or(&[][..], |home| &home.named);
+        for &variable in named {
+            frame.assign(variable, self.frame.value(variable).clone());
+            frame.lend(variable);
+        }
         // What is lent is copied in, and back when the function is left: nobody else sees it meanwhile.
         let mut lent = Vec::new();
         let mut values = Vec::new();
@@ -65,15 +95,21 @@ impl Translation<'_> {
                 self.frame.lend(self.frame.depth() - 1);
             }
         }
-        let expected = self.expected_of(function.result.as_ref());
+        let expected = function.result.as_ref().map_or_else(|| expected.clone(), |ty| self.expected(ty));
         self.frame.result_type = expected.clone();
         let end = self.expression_as(&function.body, &expected);
         let value = self.frame.result(self.algebra, end);
-        self.frame = outer;
+        let inner = core::mem::replace(&mut self.frame, outer);
         match value {
             // Nothing comes out of it; the compiler says so.
             Some((Value::Never, _)) => Value::Unknown,
             Some((value, changed)) => {
+                let mut changed = changed.into_iter();
+                for (&variable, changed) in named.iter().zip(changed.by_ref()) {
+                    if inner.has_changed(variable) {
+                        self.frame.assign(variable, changed);
+                    }
+                }
                 for (reference, changed) in lent.iter().zip(changed) {
                     self.write(place, reference, changed);
                 }
@@ -85,10 +121,24 @@ impl Translation<'_> {
 
     /// The value of a call.
     pub(super) fn inline(&mut self, place: &impl ToTokens, function: &Rc<Callable>, arguments: Vec<Value>) -> Value {
+        self.inline_as(place, function, arguments, &Expected::Any)
+    }
+
+    /// The value of a call, of whose place the type is known.
+    pub(super) fn inline_as(
+        &mut self,
+        place: &impl ToTokens,
+        function: &Rc<Callable>,
+        arguments: Vec<Value>,
+        expected: &Expected,
+    ) -> Value {
         if arguments.iter().any(Value::is_unknown) || self.items.is_faulty(function) {
             return Value::Unknown;
         }
-        if self.calls.iter().any(|known| Rc::ptr_eq(known, function)) {
+        // What is known decides how deep it goes.
+        let around = self.calls.iter().filter(|known| Rc::ptr_eq(known, function)).count();
+        self.rounds_run += usize::from(around > 0);
+        if around == DEEPEST || self.rounds_run > MOST_ROUNDS {
             let name = function.name.as_deref().unwrap_or("a closure");
             return self.refuse(place, messages::recursion(name));
         }
@@ -98,7 +148,7 @@ impl Translation<'_> {
         }
         let errors = self.report.count();
         self.calls.push(function.clone());
-        let value = self.body(place, function, arguments);
+        let value = self.body(place, function, arguments, expected);
         self.calls.pop();
         if self.report.count() > errors {
             self.items.is_at_fault(function);
@@ -153,6 +203,17 @@ impl Translation<'_> {
         match self.closure(&closure) {
             Value::Function(function) => Some(function),
             _ => None,
+        }
+    }
+}
+
+/// Calls with each word among these tokens.
+pub(super) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => each_word(group.stream(), call),
+            TokenTree::Ident(word) => call(&word),
+            _ => {}
         }
     }
 }

@@ -9,8 +9,10 @@ mod constants;
 mod defaults;
 mod expected;
 mod fields;
+mod filtered;
 mod frame;
 mod functions;
+mod lists;
 mod map;
 mod methods;
 mod numbers;
@@ -172,7 +174,10 @@ impl Translation<'_> {
             return self.referenced(value);
         }
         let value = match paths::type_and_name(path) {
-            Some((Some(ty), name)) => self.associated(&ty, &name.to_string()),
+            Some((Some(ty), name)) => self.associated(&ty, &name.to_string()).or_else(|| {
+                let ty = self.resolved(&ty);
+                self.passed(path, &ty, &name.to_string())
+            }),
             Some((None, _)) => self.item(&segments(&path.path)),
             None => None,
         };
@@ -329,13 +334,18 @@ impl Translation<'_> {
             (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
             (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
+            // No number that counts wraps round in these.
+            (Value::Integer(_), "i32" | "u32" | "i64" | "u64" | "isize" | "usize", None) => value,
             (Value::Truth(condition), ty, _) if is_integer(ty) => {
                 let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
                 Value::Integer(condition.select(self.algebra, one, zero))
             }
-            (Value::Scalar(_), ty, _) if is_integer(ty) => {
-                self.unsupported(&cast.as_token, "a number that is cut off", "take the whole number as an argument")
-            }
+            (Value::Scalar(_), ty, _) if is_integer(ty) => methods::whole(self.algebra, &value, ty),
+            (Value::Integer(_), ty, _) if is_integer(ty) => self.unsupported(
+                &cast.as_token,
+                "a whole number that may wrap round",
+                "cast it to `i32`, `i64` or `usize`",
+            ),
             _ => self.unsupported(
                 &cast.as_token,
                 "a cast",
@@ -386,6 +396,18 @@ fn wrapped(whole: i64, ty: &str) -> i64 {
         "i32" => (whole as i32).into(),
         // Of what is wider i64 has no more.
         _ => whole,
+    }
+}
+
+/// Whether an expression is a variable or a part of one.
+fn is_place(expression: &Expr) -> bool {
+    match strip(expression) {
+        Expr::Path(_) => true,
+        Expr::Field(field) => is_place(&field.base),
+        Expr::Index(index) => is_place(&index.expr),
+        Expr::Unary(unary) => is_place(&unary.expr),
+        Expr::Reference(reference) => is_place(&reference.expr),
+        _ => false,
     }
 }
 

@@ -6,8 +6,8 @@ use syn::BinOp;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Quaternion};
-use super::square;
 use super::value::Value;
+use super::{methods, square};
 
 /// The value of `left operator right`; `None` where there is no such operation.
 pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
@@ -214,6 +214,12 @@ fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Optio
             _ => None,
         };
         return known.map(|known| a.integer(known));
+    }
+    if matches!(operator, BinOp::Div(_) | BinOp::Rem(_)) {
+        let quotient = Value::Scalar(a.div(x, y));
+        let Value::Integer(quotient) = methods::whole(a, &quotient, "i64") else { return None };
+        let product = a.mul(y, quotient);
+        return Some(Value::Integer(if matches!(operator, BinOp::Div(_)) { quotient } else { a.sub(x, product) }));
     }
     Some(Value::Integer(match operator {
         BinOp::Add(_) => a.add(x, y),

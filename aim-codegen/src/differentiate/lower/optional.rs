@@ -47,7 +47,7 @@ impl Order {
 }
 
 impl Translation<'_> {
-    /// A method of an option or an ordering; `None` if the receiver is neither.
+    /// A method of an option or an ordering, or one of a condition that makes an option; `None` of any other receiver.
     pub(super) fn optional_method(
         &mut self,
         receiver: &Value,
@@ -60,6 +60,15 @@ impl Translation<'_> {
             (Value::Ordering(order), "reverse") => {
                 let Order { less, greater } = (**order).clone();
                 return Some(Value::Ordering(Rc::new(Order { less: greater, greater: less })));
+            }
+            (Value::Truth(holds), "then_some") if arguments.len() == 1 => {
+                let value = self.expression(arguments[0]);
+                return Some(Value::some_if(holds.clone(), value));
+            }
+            (Value::Truth(holds), "then") if arguments.len() == 1 => {
+                let function = self.function_argument(arguments[0], 0)?;
+                let value = self.where_there(call, holds, |this| this.inline(&call.method, &function, Vec::new()));
+                return Some(Value::some_if(holds.clone(), value));
             }
             (Value::Optional(optional), _) => optional,
             (Value::Ordering(_), _) => {
@@ -109,7 +118,13 @@ impl Translation<'_> {
         })
     }
 
-    fn either_value(&mut self, call: &ExprMethodCall, condition: &Condition, then: &Value, otherwise: &Value) -> Value {
+    pub(super) fn either_value(
+        &mut self,
+        call: &ExprMethodCall,
+        condition: &Condition,
+        then: &Value,
+        otherwise: &Value,
+    ) -> Value {
         then.select(self.algebra, condition, otherwise).unwrap_or_else(|| {
             let text = messages::branches_differ(&then.describe(), &otherwise.describe());
             self.refuse(&call.method, text)

@@ -7,6 +7,7 @@ use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, UnOp};
 
 use super::algebra::Algebra;
+use super::condition::Condition;
 use super::expected::Expected;
 use super::map::{Affine, Map, Quaternion};
 use super::place_types::type_of;
@@ -57,7 +58,7 @@ impl Translation<'_> {
     /// Gives a place a value.
     pub(super) fn write(&mut self, target: &impl ToTokens, place: &Place, value: Value) -> Value {
         let Place { variable, ref steps } = *place;
-        if variable < self.frame.captured() {
+        if self.frame.is_fixed(variable) {
             return self.refuse(target, messages::captured());
         }
         let whole = self.frame.value(variable).clone();
@@ -109,7 +110,7 @@ impl Translation<'_> {
         }
     }
 
-    fn read(&mut self, place: &Place) -> Value {
+    pub(super) fn read(&mut self, place: &Place) -> Value {
         let whole = self.frame.value(place.variable).clone();
         place.steps.iter().try_fold(whole, |whole, step| part_of(self.algebra, &whole, step)).unwrap_or(Value::Unknown)
     }
@@ -118,22 +119,19 @@ impl Translation<'_> {
     pub(super) fn changing_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let name = call.method.to_string();
+        if let Some(value) = self.list_method(call) {
+            return Some(value);
+        }
         match (name.as_str(), arguments.as_slice()) {
             ("iter_mut", []) => {
                 let place = self.place(&call.receiver)?;
                 self.references(&place).map(Value::Sequence)
             }
             ("swap", [one, other]) => {
-                let place = self.place(&call.receiver)?;
-                let references = self.references(&place)?;
-                let picked = [one, other].map(|index| {
-                    let index = self.expression(index);
-                    self.algebra.known_index(&index).and_then(|index| references.get(index).cloned())
-                });
-                let [Some(Value::Reference(one)), Some(Value::Reference(other))] = picked else {
-                    return Some(self.refuse(&call.args, messages::index_unknown()));
-                };
-                Some(self.swapped(&call.method, [&one, &other]))
+                let Value::Array(_) = self.place(&call.receiver).map(|place| self.read(&place))? else { return None };
+                let array = &call.receiver;
+                let [one, other] = [one, other].map(|index| self.place(&syn::parse_quote!(#array[#index])));
+                Some(self.swapped(&call.method, [&one?, &other?]))
             }
             _ => None,
         }
@@ -151,6 +149,18 @@ impl Translation<'_> {
         }
     }
 
+    /// `mem::replace(&mut place, value)`
+    pub(super) fn replaced(&mut self, target: &impl ToTokens, lent: &Expr, value: Value) -> Value {
+        let place = match strip(lent) {
+            Expr::Reference(reference) => &*reference.expr,
+            place => place,
+        };
+        let Some(place) = self.place(place) else { return Value::Unknown };
+        let before = self.read(&place);
+        let written = self.write(target, &place, value);
+        if written.is_unknown() { written } else { before }
+    }
+
     /// Gives each of two places the value of the other.
     fn swapped(&mut self, target: &impl ToTokens, places: [&Place; 2]) -> Value {
         let [one, other] = places;
@@ -160,7 +170,7 @@ impl Translation<'_> {
     }
 
     /// What this expression names; `None` after an error.
-    fn place(&mut self, target: &Expr) -> Option<Place> {
+    pub(super) fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
             Expr::Path(path) => {
                 // A constant is not assigned to: the compiler says so.
@@ -178,9 +188,10 @@ impl Translation<'_> {
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
                 let value = self.expression(&index.index);
-                match self.algebra.known_index(&value) {
-                    Some(known) => place.steps.push(Step::Index(known)),
-                    None => {
+                match (self.algebra.known_index(&value), &value) {
+                    (Some(known), _) => place.steps.push(Step::Index(known)),
+                    (None, Value::Integer(chosen)) => place.steps.push(Step::Chosen(*chosen)),
+                    _ => {
                         self.refuse_known(&value, &index.index, messages::index_unknown());
                         return None;
                     }
@@ -220,17 +231,30 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
     match step {
         Step::Field(member) => whole.field(a, &super::fields::name_of(member)),
         Step::Index(index) => whole.element(a, *index),
+        Step::Chosen(index) => whole.chosen(a, *index),
     }
 }
 
 /// `whole` with one of its parts replaced.
 fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option<Value> {
+    if let Step::Chosen(chosen) = step {
+        let mut changed = whole.clone();
+        for index in 0..whole.elements(a).len() {
+            let Value::Integer(number) = a.whole(index) else { return None };
+            let (is_here, step) = (Condition::equal(a, *chosen, number), Step::Index(index));
+            let before = part_of(a, whole, &step)?;
+            let now = part.select(a, &is_here, &before)?;
+            changed = with_part(a, &changed, &step, now)?;
+        }
+        return Some(changed);
+    }
     let name = match step {
         Step::Field(member) => super::fields::name_of(member),
-        Step::Index(_) => String::new(),
+        _ => String::new(),
     };
     let place = |letters: &str| match step {
         Step::Index(index) => Some(*index),
+        Step::Chosen(_) => None,
         Step::Field(_) if name.len() == 1 => letters.find(&name),
         Step::Field(_) => None,
     };

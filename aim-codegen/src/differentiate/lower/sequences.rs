@@ -2,15 +2,16 @@
 
 use std::rc::Rc;
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Expr, ExprClosure, ExprMethodCall, ExprRange, RangeLimits};
+use syn::{Expr, ExprClosure, ExprMethodCall, ExprRange, Ident, RangeLimits};
 
 use super::condition::Condition;
 use super::expected::Expected;
+use super::functions::each_word;
 use super::place_types::neutral;
 use super::value::{Callable, Value};
-use super::{Translation, operators, strip};
+use super::{Translation, is_place, operators, strip};
 use crate::differentiate::messages;
 
 /// The longest range.
@@ -33,6 +34,16 @@ const METHODS: &[&str] = &[
     "flatten",
     "flat_map",
     "filter",
+    "filter_map",
+    "take_while",
+    "skip_while",
+    "map_while",
+    "scan",
+    "find",
+    "find_map",
+    "position",
+    "collect",
+    "unzip",
     "for_each",
     "fold",
     "reduce",
@@ -41,6 +52,7 @@ const METHODS: &[&str] = &[
     "any",
     "all",
     "next",
+    "nth",
     "last",
     "sum",
     "product",
@@ -50,8 +62,46 @@ const METHODS: &[&str] = &[
     "len",
 ];
 
+/// Those of them that go on later, or stop before the end.
+const LAZY: &[&str] = &[
+    "map",
+    "flat_map",
+    "filter",
+    "filter_map",
+    "take_while",
+    "skip_while",
+    "map_while",
+    "scan",
+    "any",
+    "all",
+    "find",
+    "find_map",
+    "position",
+];
+
+/// Those that go through all elements at once.
+const DRAINING: &[&str] = &[
+    "collect", "unzip", "sum", "product", "fold", "for_each", "reduce", "min_by", "max_by", "last", "count", "extend",
+];
+
+/// Those of which each element is asked for where one of theirs is.
+const PASSING: &[&str] = &["copied", "cloned", "enumerate", "map", "filter", "filter_map", "flat_map", "skip", "chain"];
+
+/// Whether a method goes through all of the iterator that it is called on, at once: by itself, or as the iterator that it makes
+/// is gone through so.
+pub(super) fn drains(method: &Ident, is_drained: bool) -> bool {
+    let is_one_of = |names: &[&str]| names.iter().any(|name| method == name);
+    is_one_of(DRAINING) || is_drained && is_one_of(PASSING)
+}
+
+/// Whether a function that is passed to a method of this value need not be called with each element.
+pub(super) fn is_lazy(receiver: &Value, method: &Ident) -> bool {
+    matches!(receiver, Value::Sequence(_) | Value::Filtered(_)) && LAZY.iter().any(|name| method == name)
+}
+
 /// Those of them that arrays have, too.
-const OF_ARRAYS: &[&str] = &["iter", "into_iter", "map", "windows", "chunks", "chunks_exact", "first", "last", "len"];
+const OF_ARRAYS: &[&str] =
+    &["iter", "into_iter", "map", "windows", "chunks", "chunks_exact", "first", "last", "len", "is_empty"];
 
 impl Value {
     /// The elements of what a loop can go over.
@@ -92,6 +142,12 @@ impl Translation<'_> {
         call: &ExprMethodCall,
         expected: &Expected,
     ) -> Option<Value> {
+        if let Some(value) = self.filtering_method(receiver, call) {
+            return Some(value);
+        }
+        if let Value::Filtered(items) = receiver {
+            return Some(self.filtered_method(items.clone(), call, expected));
+        }
         let is_array = matches!(receiver, Value::Array(_));
         let items = receiver.clone().items()?;
         let name = call.method.to_string();
@@ -102,11 +158,35 @@ impl Translation<'_> {
             return Some(self.refuse(&call.method, messages::trait_method(&name)));
         }
         Some(match (name.as_str(), arguments.as_slice()) {
-            ("next" | "any" | "all", _) if !is_array && is_place(&call.receiver) => {
+            ("next" | "any" | "all" | "nth", _) if !is_array && is_place(&call.receiver) => {
                 self.refuse(&call.method, messages::iterator_kept(&name))
             }
             ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Sequence(items),
-            ("clone" | "as_slice" | "as_ref" | "into" | "to_owned", []) => receiver.clone(),
+            ("clone" | "as_slice" | "as_ref" | "into" | "to_owned" | "to_vec", []) => receiver.clone(),
+            // How many there are is the same.
+            ("try_into", []) => Value::some(Value::Array(items)),
+            ("unzip", []) => {
+                let parts = items.into_iter().map(|item| match item {
+                    Value::Tuple(parts) => <[Value; 2]>::try_from(parts).ok(),
+                    _ => None,
+                });
+                match parts.collect::<Option<Vec<_>>>() {
+                    Some(pairs) => {
+                        let (ones, others) = pairs.into_iter().map(|[one, other]| (one, other)).unzip();
+                        Value::Tuple(vec![Value::Array(ones), Value::Array(others)])
+                    }
+                    None => Value::Unknown,
+                }
+            }
+            ("nth", [index]) => {
+                let value = self.expression(index);
+                match self.algebra.known_index(&value) {
+                    Some(known) => items.into_iter().nth(known).map_or_else(Value::none, Value::some),
+                    None => self.refuse_known(&value, *index, messages::index_unknown()),
+                }
+            }
+            ("collect", []) => self.collected(call, items),
+            ("is_empty", []) => Value::Truth(Condition::Known(items.is_empty())),
             ("len" | "count", []) => self.algebra.whole(items.len()),
             ("rev", []) => Value::Sequence(items.into_iter().rev().collect()),
             ("enumerate", []) => {
@@ -114,10 +194,10 @@ impl Translation<'_> {
                 Value::Sequence(numbered.map(|(i, item)| Value::Tuple(vec![self.algebra.whole(i), item])).collect())
             }
             ("zip", [other]) => self.zipped(Value::Sequence(items), other),
-            ("chain", [other]) => match self.expression(other).items() {
-                Some(others) => Value::Sequence(items.into_iter().chain(others).collect()),
-                None => self.refuse(*other, messages::not_iterable("this")),
-            },
+            ("chain", [_]) => {
+                let items = items.into_iter().map(|item| (Condition::Known(true), item)).collect();
+                self.filtered_method(items, call, expected)
+            }
             ("skip" | "take" | "step_by" | "windows" | "chunks" | "chunks_exact", [count]) => {
                 let value = self.expression(count);
                 let Some(count_known) = self.algebra.known_index(&value) else {
@@ -150,7 +230,6 @@ impl Translation<'_> {
                 let mapped = self.mapped(call, &function, items);
                 mapped.map_or(Value::Unknown, |values| self.flattened(call, values))
             }
-            ("filter", [function]) => self.filtered(function, items),
             ("for_each", [function]) => self.for_each(call, function, items),
             ("fold", [start, function]) => {
                 let mut value = self.expression_as(start, expected);
@@ -191,6 +270,37 @@ impl Translation<'_> {
         })
     }
 
+    /// What a method makes that must not change variables, as it is not said when.
+    pub(super) fn without_effect(
+        &mut self,
+        call: &ExprMethodCall,
+        act: impl FnOnce(&mut Self) -> Option<Value>,
+    ) -> Option<Value> {
+        let depth = self.frame.depth();
+        self.frame.begin_branch(Condition::Known(true));
+        let value = act(self);
+        let changed = self.frame.end_branch();
+        if changed.iter().any(|(variable, _)| *variable < depth) {
+            return Some(self.refuse(&call.method, messages::lazy_effect()));
+        }
+        value
+    }
+
+    /// What `collect` makes of these.
+    fn collected(&mut self, call: &ExprMethodCall, items: Vec<Value>) -> Value {
+        let written = call.turbofish.as_ref().and_then(|of| of.args.first());
+        let is_list = |ty: &syn::Type| match ty {
+            syn::Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Vec"),
+            syn::Type::Infer(_) => true,
+            _ => false,
+        };
+        match written {
+            Some(syn::GenericArgument::Type(ty)) if !is_list(ty) => self.refuse(ty, messages::not_a_list()),
+            _ if items.iter().any(Value::is_unknown) => Value::Unknown,
+            _ => Value::Array(items),
+        }
+    }
+
     /// What a function makes of each; `None` where one of them is unknown.
     fn mapped(&mut self, call: &ExprMethodCall, function: &Rc<Callable>, items: Vec<Value>) -> Option<Vec<Value>> {
         let mut values = Vec::with_capacity(items.len());
@@ -206,7 +316,22 @@ impl Translation<'_> {
 
     /// Pairs of what two iterators go over.
     pub(super) fn zipped(&mut self, one: Value, other: &Expr) -> Value {
-        let others = self.expression(other);
+        let others = match (strip(other), &one) {
+            // As many numbers as are asked for.
+            (
+                Expr::Range(ExprRange { start: Some(start), end: None, .. }),
+                Value::Sequence(items) | Value::Array(items),
+            ) => {
+                let first = self.expression(start);
+                match self.algebra.known_integer(&first) {
+                    Some(first) => {
+                        Value::Sequence((first..).zip(items).map(|(n, _)| self.algebra.integer(n)).collect())
+                    }
+                    None => self.refuse_known(&first, start, messages::rounds_unknown()),
+                }
+            }
+            _ => self.expression(other),
+        };
         if one.is_unknown() || others.is_unknown() {
             return Value::Unknown;
         }
@@ -233,20 +358,6 @@ impl Translation<'_> {
         Value::Sequence(all)
     }
 
-    /// The elements for which a condition holds, which has to be known.
-    fn filtered(&mut self, function: &Expr, items: Vec<Value>) -> Value {
-        let Some(condition) = self.function_argument(function, 1) else { return Value::Unknown };
-        let mut left = Vec::new();
-        for item in items {
-            match self.inline(function, &condition, vec![item.clone()]) {
-                Value::Truth(Condition::Known(true)) => left.push(item),
-                Value::Truth(Condition::Known(false)) => {}
-                other => return self.refuse_known(&other, function, messages::filter_unknown()),
-            }
-        }
-        Value::Sequence(left)
-    }
-
     /// Calls a function with each. A closure that is written there is the body of a loop, so that it may change variables.
     fn for_each(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Value>) -> Value {
         match strip(function) {
@@ -267,7 +378,7 @@ impl Translation<'_> {
     }
 
     /// The one of two that a comparison prefers: of equal ones `min_by` takes the first, `max_by` the last.
-    fn better(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, best: Value, item: Value) -> Value {
+    pub(super) fn better(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, best: Value, item: Value) -> Value {
         let order = match self.inline(&call.method, compare, vec![best.clone(), item.clone()]) {
             Value::Ordering(order) => order,
             other => return self.refuse_known(&other, &call.method, messages::not_an_ordering(&other.describe())),
@@ -278,7 +389,7 @@ impl Translation<'_> {
     }
 
     /// The sum or the product of all; of none, what its type has for that.
-    fn total(&mut self, call: &ExprMethodCall, items: Vec<Value>, expected: &Expected) -> Value {
+    pub(super) fn total(&mut self, call: &ExprMethodCall, items: Vec<Value>, expected: &Expected) -> Value {
         let name = call.method.to_string();
         let written = call.turbofish.as_ref().and_then(|of| match of.args.first() {
             Some(syn::GenericArgument::Type(ty)) => Some(self.expected(ty)),
@@ -319,23 +430,9 @@ impl Translation<'_> {
     }
 }
 
-/// Whether an expression is a variable or a part of one.
-fn is_place(expression: &Expr) -> bool {
-    match strip(expression) {
-        Expr::Path(_) => true,
-        Expr::Field(field) => is_place(&field.base),
-        Expr::Index(index) => is_place(&index.expr),
-        Expr::Unary(unary) => is_place(&unary.expr),
-        Expr::Reference(reference) => is_place(&reference.expr),
-        _ => false,
-    }
-}
-
 /// Whether a word stands among these tokens.
 fn has_word(tokens: TokenStream, word: &str) -> bool {
-    tokens.into_iter().any(|token| match token {
-        TokenTree::Group(group) => has_word(group.stream(), word),
-        TokenTree::Ident(found) => found == word,
-        _ => false,
-    })
+    let mut has = false;
+    each_word(tokens, &mut |found| has |= found == word);
+    has
 }

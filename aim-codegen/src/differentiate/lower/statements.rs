@@ -20,7 +20,10 @@ use crate::differentiate::names::{self, Meaning};
 const MOST_NODES: usize = 20_000;
 
 /// The most rounds of all loops together.
-const MOST_ROUNDS: usize = 10_000;
+pub(super) const MOST_ROUNDS: usize = 10_000;
+
+/// The most rounds of a `while` of which it is not known whether they are run.
+const MOST_OPEN_ROUNDS: usize = 200;
 
 impl Translation<'_> {
     /// The value of a block.
@@ -105,10 +108,15 @@ impl Translation<'_> {
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
             Stmt::Expr(expression, None) => self.expression_as(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
+                self.frame.begin_branch(Condition::Known(true));
                 let value = self.expression(expression);
+                let assigned = self.frame.end_branch();
+                let has_effect = !assigned.is_empty();
+                self.frame.take(assigned);
                 match &value {
                     Value::Tuple(parts) if parts.is_empty() => value,
                     Value::Never => value,
+                    _ if has_effect && !value.is_unknown() => Value::nothing(),
                     _ => self.refuse_known(&value, semicolon, messages::no_effect()),
                 }
             }
@@ -140,6 +148,7 @@ impl Translation<'_> {
             }
             "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
             // Nothing comes of these, so that the other branch is the value.
+            "vec" => self.list(call),
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
             _ => self.refuse(&call.path, messages::macro_call()),
         }
@@ -227,27 +236,30 @@ impl Translation<'_> {
             return over;
         }
         let kind = over.describe();
-        let items = match &over {
-            Value::Reference(place) => self.references(place),
-            _ => over.items(),
+        let items = match over {
+            Value::Reference(place) => self.references(&place).map(Value::Sequence).and_then(Value::maybe_items),
+            over => over.maybe_items(),
         };
         let Some(items) = items else {
             return self.refuse(&e.expr, messages::not_iterable(&kind));
         };
         let label = e.label.as_ref().map(|label| &label.name);
-        self.each(&e.for_token, label, items, |this, item| {
-            this.bind(&e.pat, item);
-            this.block(&e.body)
+        self.each(&e.for_token, label, items, |this, (is_there, item)| {
+            let round = |this: &mut Self| {
+                this.bind(&e.pat, item);
+                this.block(&e.body)
+            };
+            this.branch(&e.for_token, Some(is_there), round, |_| Value::nothing())
         })
     }
 
     /// Runs a round with each.
-    pub(super) fn each(
+    pub(super) fn each<T>(
         &mut self,
         token: &impl ToTokens,
         label: Option<&Lifetime>,
-        items: Vec<Value>,
-        mut round: impl FnMut(&mut Self, Value) -> Value,
+        items: Vec<T>,
+        mut round: impl FnMut(&mut Self, T) -> Value,
     ) -> Value {
         let mut items = items.into_iter();
         self.rounds(token, label, |this| match items.next() {
@@ -258,10 +270,25 @@ impl Translation<'_> {
 
     pub(super) fn while_loop(&mut self, e: &ExprWhile) -> Value {
         let label = e.label.as_ref().map(|label| &label.name);
-        self.rounds(&e.while_token, label, |this| match this.expression(&e.cond) {
-            Value::Truth(Condition::Known(false)) => Round::Over,
-            Value::Truth(Condition::Known(true)) => Round::Of(this.block(&e.body)),
-            other => Round::Of(this.refuse_known(&other, &e.cond, messages::rounds_unknown())),
+        let whole = Target::Loop(self.frame.loops());
+        let mut open_rounds = 0;
+        self.rounds(&e.while_token, label, |this| match this.condition(&e.cond) {
+            Some(Condition::Known(false)) => Round::Over,
+            Some(Condition::Known(true)) => Round::Of(this.block(&e.body)),
+            // As far as is known it goes on until something else ends it.
+            Some(_) if open_rounds == MOST_OPEN_ROUNDS || this.is_too_large() => {
+                Round::Of(this.refuse(&e.cond, messages::rounds_unknown()))
+            }
+            Some(condition) => {
+                open_rounds += 1;
+                let end = |this: &mut Self| {
+                    this.frame.exit(whole, Value::nothing());
+                    Value::Never
+                };
+                this.branch(&e.while_token, Some(condition), |_| Value::nothing(), end);
+                Round::Of(this.block(&e.body))
+            }
+            None => Round::Of(Value::Unknown),
         })
     }
 

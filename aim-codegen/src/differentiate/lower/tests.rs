@@ -538,4 +538,207 @@ same! {
             z + (x * x).sqrt() + <f64 as More>::sqrt(x) + f64::sqrt(y * y) + f64::from(Meters(x)) + f64::from(3u8)
         }
     }
+    elements_left_out {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let xs = [x, y, x * y, 1.0, -x, 0.25 - y];
+            let ys = [0.5, x - y, 2.0];
+            let positive: f64 = xs.iter().filter(|v| **v > 0.0).sum();
+            let product: f64 = xs.iter().copied().filter(|v| v.abs() > 0.5).map(|v| 0.5 + v).product();
+            let count = xs.iter().filter(|&&v| v < y).count();
+            let roots: f64 = xs.iter().filter_map(|&v| if v >= 0.0 { Some(v.sqrt()) } else { None }).map(|v| v + 1.0).sum();
+            let known = (0..6).filter(|i| i % 2 == 0).map(|i| xs[i]).fold(0.0, |a, b| 0.5 * a + b);
+            let first: f64 = xs.iter().take_while(|&&v| v < 2.0).sum();
+            let rest: f64 = xs.iter().skip_while(|v| **v < 0.4).map(|v| 3.0 * v).sum();
+            let mapped: f64 = xs.iter().map_while(|v| (*v > -1.0).then_some(v * v)).sum();
+            let chained = xs.iter().filter(|v| **v > 1.0).chain(ys.iter()).fold(1.0, |a, v| a * 0.5 + v);
+            let best = xs.iter().filter(|v| **v > 0.1).copied().reduce(f64::min).unwrap_or(-4.0);
+            let last = xs.iter().rev().filter(|v| **v < 0.75).last().copied().unwrap_or(11.0);
+            let most = xs.iter().filter(|v| **v < y).max_by(|a, b| a.total_cmp(b)).copied().unwrap_or(0.125);
+            let found = xs.iter().find(|v| **v > y).copied().unwrap_or(0.5) + xs.iter().filter(|v| **v < x).next().unwrap_or(&3.0);
+            let place = xs.iter().position(|v| *v >= 1.0).map_or(9.0, |k| k as f64);
+            let root = xs.iter().find_map(|v| if *v > x { Some(0.5 * v) } else { None }).unwrap_or(1.0);
+            let any = xs.iter().filter(|v| **v > 0.0).any(|v| *v > 2.0);
+            let all = xs.iter().filter(|v| **v > 0.0).all(|v| *v > 0.3);
+            let mut loops = 0.0;
+            for v in xs.iter().filter(|v| **v < 1.5) {
+                if *v < -2.0 { continue; }
+                loops = loops * 0.5 + v;
+                if loops > 3.0 { break; }
+            }
+            let mut each = 1.0;
+            xs.iter().filter(|v| **v > 0.2).for_each(|v| each = 0.25 * each - v);
+            let (odd, even): (Vec<f64>, Vec<f64>) = ys.iter().map(|v| (v + 1.0, v * v)).unzip();
+            let numbered: f64 = ys.iter().zip(2..).map(|(v, k)| v * k as f64).sum();
+            found + place + root + odd[1] + even.iter().nth(2).unwrap() + numbered + positive + product + 10.0 * count as f64 + roots + known + first + rest + mapped + chained + best + last + most
+                + if any { 100.0 } else { 0.0 } + if all { 200.0 } else { 0.0 } + loops + each
+        }
+    }
+    scans {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let sums: f64 = [x, y, 2.0].iter().scan(0.0, |sum, v| { *sum += v; Some(*sum) }).map(|s| s * s).sum();
+            let walk: Vec<f64> = (1..5).scan((x, y), |state, k| {
+                let (a, b) = *state;
+                *state = (b, 0.5 * a - b / k as f64);
+                Some(state.0 + state.1)
+            }).collect();
+            let until: f64 = [x, y, x + y].into_iter().scan(1.0, |left, v| {
+                *left -= 0.25 * v;
+                if *left < 0.0 { None } else { Some(*left) }
+            }).sum();
+            sums + walk[0] - walk[3] + until
+        }
+    }
+    lists {
+        fn powers(x: f64, count: usize) -> Vec<f64> {
+            let mut all = Vec::with_capacity(count);
+            let mut power = 1.0;
+            for _ in 0..count {
+                all.push(power);
+                power *= x;
+            }
+            all
+        }
+        fn dot(a: &[f64], b: &[f64]) -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() }
+        fn median(values: &[f64]) -> f64 {
+            let mut sorted = values.to_vec();
+            sorted.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            let middle = sorted.len() / 2;
+            if sorted.len() % 2 == 0 { 0.5 * (sorted[middle - 1] + sorted[middle]) } else { sorted[middle] }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let halves: Vec<f64> = powers(x, 4).iter().map(|p| 0.5 * p).collect();
+            let mut grid = vec![vec![0.0; 3]; 2];
+            grid[1][2] = y;
+            grid[0].fill(x);
+            let mut all = vec![x, y];
+            all.extend(halves.iter().rev().skip(1));
+            all.extend_from_slice(&grid[1]);
+            let dropped = all.pop().unwrap();
+            let even = median(&all[..4]);
+            all.reverse();
+            all.truncate(5);
+            let mut more: Vec<f64> = Vec::new();
+            if more.is_empty() { more.push(dropped); }
+            let squares = all.iter().map(|v| v * v).collect::<Vec<_>>();
+            let three: [f64; 3] = squares[..3].to_vec().try_into().unwrap();
+            let mut numbers = [3, 1, 2];
+            numbers.sort();
+            dot(&all, &squares) + even + median(&all) + more[0] + three[1] + grid.iter().flatten().sum::<f64>()
+                + x * numbers[2] as f64
+        }
+    }
+    closures_that_change_what_is_outside {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut total, mut count, mut path) = (0.0, 0, [x, y]);
+            let mut add = |v: f64, weight: f64| {
+                if v < -1.0 { return; }
+                total += weight * v;
+                count += 1;
+                path[1] *= if count % 2 == 0 { 0.5 } else { -1.0 };
+            };
+            add(x, 1.0);
+            add(y, 2.0);
+            for k in 0..3 { if k != 1 { add(k as f64, 0.5); } }
+            let mut last = x;
+            let mut step = || { last = 0.5 * last + y; last };
+            let first = step();
+            let second = if y > 0.0 { step() } else { 7.0 };
+            let k = 3.0;
+            let scaled = move |v: f64| v * k;
+            let mut seen = 0.0;
+            let doubled: Vec<f64> = [x, y].iter().map(|v| { seen += v; 2.0 * v }).collect();
+            total + path[0] - path[1] + first + 3.0 * second + scaled(last) + seen + doubled[1]
+        }
+    }
+    functions_as_values {
+        fn midpoint(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 { (b - a) * f(0.5 * (a + b)) }
+        fn twice(f: fn(f64) -> f64, x: f64) -> f64 { f(f(x)) }
+        fn apply(f: &dyn Fn(f64, f64) -> f64, x: f64, y: f64) -> f64 { f(x, y) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let act = f64::tanh;
+            midpoint(f64::sin, x, y) + twice(f64::cos, x) + apply(&f64::hypot, x, y) + act(y) + apply(&f64::max, x, y)
+        }
+    }
+    tables {
+        const TABLE: [f64; 5] = [1.0, -2.0, 0.5, 4.0, 3.0];
+        fn lookup(x: f64) -> f64 {
+            let position = (x + 3.0) * 0.6;
+            let i = (position.floor() as usize).min(TABLE.len() - 2);
+            let t = position - i as f64;
+            TABLE[i] * (1.0 - t) + TABLE[i + 1] * t
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let bin = (2.0 * y) as i32;
+            let parity = [1.0, 0.5, -0.25][((bin + 12) % 3) as usize];
+            lookup(x) + 10.0 * lookup(y) + bin as f64 + parity + (bin / 2) as f64 + (300.0 * x) as u8 as f64 + (100.0 * y) as i8 as f64
+        }
+    }
+    loops_that_arguments_end {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut a, mut b, mut n) = (0.0, 0.0, 0);
+            while n < 7 && a * a + b * b < 4.0 {
+                (a, b) = (a * a - b * b + 0.3 * x, 2.0 * a * b + 0.3 * y);
+                n += 1;
+            }
+            let mut left = vec![x, y, 1.0];
+            let mut sum = 0.0;
+            while let Some(v) = left.pop() {
+                if v > 2.0 { sum -= 3.0; continue; }
+                sum = 0.5 * sum + v;
+            }
+            let mut k = 0;
+            while k < 4 {
+                k += 1;
+                if k == 2 { continue; }
+                sum += 0.1 * k as f64;
+            }
+            a + b + n as f64 + sum
+        }
+    }
+    recursion_that_ends {
+        fn basis(i: usize, p: usize, t: f64) -> f64 {
+            if p == 0 { return if i as f64 <= t && t < (i + 1) as f64 { 1.0 } else { 0.0 }; }
+            let d = p as f64;
+            (t - i as f64) / d * basis(i, p - 1, t) + ((i + p + 1) as f64 - t) / d * basis(i + 1, p - 1, t)
+        }
+        fn power(x: f64, n: u32) -> f64 {
+            match n { 0 => 1.0, n if n % 2 == 0 => power(x * x, n / 2), n => x * power(x, n - 1) }
+        }
+        pub fn f(x: f64, y: f64) -> f64 { (0..5).map(|i| basis(i, 3, x + 1.5) * (i as f64 - y)).sum::<f64>() + power(y, 11) }
+    }
+    chosen_elements {
+        fn solve(mut a: [[f64; 3]; 3], mut b: [f64; 3]) -> [f64; 3] {
+            for c in 0..3 {
+                let pivot = (c..3).max_by(|&i, &j| a[i][c].abs().partial_cmp(&a[j][c].abs()).unwrap()).unwrap();
+                a.swap(c, pivot);
+                b.swap(c, pivot);
+                for r in c + 1..3 {
+                    let k = a[r][c] / a[c][c];
+                    for j in c..3 { a[r][j] -= k * a[c][j]; }
+                    b[r] -= k * b[c];
+                }
+            }
+            let mut x = [0.0; 3];
+            for i in (0..3).rev() {
+                let s: f64 = (i + 1..3).map(|j| a[i][j] * x[j]).sum();
+                x[i] = (b[i] - s) / a[i][i];
+            }
+            x
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut bins = [[0.0; 2]; 4];
+            for v in [x, y, 0.5 * x] { bins[((v + 4.0) * 0.4) as usize % 4][(v > 0.0) as usize] += 1.0 + 0.1 * v; }
+            let [p, q, r] = solve([[x + 5.0, 1.0, y], [2.0, y - 6.0, x], [0.5, x, 8.0]], [1.0, x, y]);
+            let eye: [[f64; 3]; 2] = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { x } else { y }));
+            let four = std::array::from_fn::<f64, 4, _>(|i| i as f64 + x);
+            let mut kept = [0.0; 4];
+            kept.copy_from_slice(&four);
+            let mut more = vec![x, y, 3.0];
+            more.pop();
+            std::mem::replace(&mut more[0], 2.0);
+            kept[0] += more.iter().sum::<f64>();
+            let before = std::mem::replace(&mut kept[1], y);
+            bins[1][0] + 2.0 * bins[2][1] - bins[3][1] + bins[0][0] + p + 2.0 * q - r + eye[1][1] - eye[0][2] + kept[1] - kept[3] * before
+        }
+    }
 }

@@ -30,6 +30,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) constants: Vec<String>,
     /// Rounds of loops so far.
     pub(super) rounds_run: usize,
+    /// Whether the iterator that is made next is gone through to its end at once.
+    pub(super) is_drained: bool,
 }
 
 impl<'a> Translation<'a> {
@@ -41,7 +43,17 @@ impl<'a> Translation<'a> {
         precision: Option<Precision>,
     ) -> Self {
         let frame = Frame::new(Vec::new(), Rc::default());
-        Self { algebra, report, items, precision, frame, calls: Vec::new(), constants: Vec::new(), rounds_run: 0 }
+        Self {
+            algebra,
+            report,
+            items,
+            precision,
+            frame,
+            calls: Vec::new(),
+            constants: Vec::new(),
+            rounds_run: 0,
+            is_drained: false,
+        }
     }
 
     /// What is done in another scope, without the variables of the function that is being run.

@@ -38,6 +38,8 @@ pub(crate) enum Value {
     Reference(Rc<Place>),
     /// What an iterator goes over.
     Sequence(Vec<Self>),
+    /// The same of one that leaves some out: each with the condition that it is there.
+    Filtered(Vec<(Condition, Self)>),
     /// Of an expression that control does not come out of.
     Never,
     /// What an error was reported for: nothing more is said about it.
@@ -89,7 +91,26 @@ pub(crate) struct Scope {
     pub(crate) imports: Vec<(String, Vec<String>)>,
 }
 
+/// Which run of a function it is: the same one, or another.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FrameId(Rc<()>);
+
+impl PartialEq for FrameId {
+    fn eq(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// Where a closure was made.
+#[derive(Clone)]
+pub(crate) struct Home {
+    pub(super) frame: FrameId,
+    /// The variables there that it names.
+    pub(super) named: Vec<usize>,
+}
+
 /// What can be called.
+#[derive(Clone)]
 pub(crate) struct Callable {
     /// Of a function, with its type in front.
     pub(crate) name: Option<String>,
@@ -105,6 +126,8 @@ pub(crate) struct Callable {
     pub(crate) result: Option<syn::Type>,
     /// Where it is written.
     pub(crate) scope: Rc<Scope>,
+    /// Where a closure was made, which may change the variables there.
+    pub(crate) home: Option<Home>,
     /// The trait that it is a function of.
     pub(crate) of_trait: Option<String>,
 }
@@ -120,6 +143,8 @@ impl core::fmt::Debug for Callable {
 pub(super) enum Step {
     Field(Member),
     Index(usize),
+    /// An element that arguments choose.
+    Chosen(Scalar),
 }
 
 /// A variable, or a part of one.
@@ -159,6 +184,7 @@ impl Value {
             Self::Function(_) => "a function".into(),
             Self::Reference(_) => "a reference that changes what it refers to".into(),
             Self::Sequence(values) => format!("an iterator over {}", values.len()),
+            Self::Filtered(_) => "an iterator that leaves some elements out".into(),
             Self::Never | Self::Unknown => "an expression".into(),
         }
     }
@@ -166,6 +192,11 @@ impl Value {
     /// The value of an expression that has none.
     pub(crate) fn nothing() -> Self {
         Self::Tuple(Vec::new())
+    }
+
+    /// Whether a variable can have this value in one branch and another one in another.
+    pub(super) fn is_selectable(&self) -> bool {
+        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Sequence(_) | Self::Filtered(_))
     }
 
     pub(crate) fn is_never(&self) -> bool {

@@ -34,6 +34,11 @@ impl Function {
         (self.make)(a, arguments)
     }
 
+    /// The number of its arguments.
+    pub(in crate::differentiate::lower) fn count(&self) -> usize {
+        self.takes.len()
+    }
+
     /// Its arguments in words; those of a method stand without the receiver.
     pub(in crate::differentiate::lower) fn takes(&self, of_a_method: bool) -> String {
         let takes = &self.takes[usize::from(of_a_method)..];

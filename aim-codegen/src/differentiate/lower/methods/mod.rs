@@ -86,6 +86,23 @@ pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
     }
 }
 
+/// A number as a whole number of a type, as `as` has it: cut off, and no larger or smaller than that has.
+pub(super) fn whole(a: &mut Algebra, x: &Value, ty: &str) -> Value {
+    let formula = match ty {
+        "u8" => "x.trunc().clamp(0.0, 255.0)",
+        "i8" => "x.trunc().clamp(-128.0, 127.0)",
+        "u16" => "x.trunc().clamp(0.0, 65535.0)",
+        "i16" => "x.trunc().clamp(-32768.0, 32767.0)",
+        // What is beyond the others' ends is no index.
+        ty if ty.starts_with('u') => "x.trunc().max(0.0)",
+        _ => "x.trunc()",
+    };
+    match function::evaluate(a, formula, &["x"], core::slice::from_ref(x)) {
+        Value::Scalar(whole) => Value::Integer(whole),
+        other => other,
+    }
+}
+
 /// Calls the function of this name in these tables; `None` if there is none.
 ///
 /// Methods of vectors of two are those of vectors, whose third component is 0.
