@@ -3,9 +3,9 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 
-use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Struct, Value};
+use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Struct, TAG, Value, field_of};
 use super::manifold::Varies;
 use super::types::{Shape, Type};
 
@@ -41,6 +41,16 @@ impl<'a> Inputs<'a> {
                 let values = parts(&fields.iter().map(|(_, ty)| ty).collect::<Vec<_>>());
                 let names = fields.iter().map(|(member, _)| member.to_token_stream().to_string());
                 Value::Struct(Rc::new(Struct { name: name.clone(), fields: names.zip(values).collect() }))
+            }
+            Shape::Enum(name, variants) => {
+                let tag = self.leaf(&Type::made(quote!(usize), Shape::Integer, None));
+                let mut fields = vec![(TAG.to_owned(), tag)];
+                for (variant, of_it) in variants {
+                    for (member, ty) in of_it {
+                        fields.push((field_of(&variant.to_string(), member), self.value(ty)));
+                    }
+                }
+                Value::Struct(Rc::new(Struct { name: name.clone(), fields }))
             }
             _ => self.leaf(ty),
         }

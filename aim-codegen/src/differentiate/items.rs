@@ -21,6 +21,7 @@ pub(super) struct Items {
     /// Of one name are several where a type implements a trait, such as `From`, more than once.
     functions: Vec<(Name, Rc<Callable>)>,
     structs: Vec<(String, Structure)>,
+    enums: Vec<(String, Enumeration)>,
     aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`, of which nothing is read.
     conditional: Vec<String>,
@@ -45,13 +46,26 @@ pub(super) struct Structure {
     pub(super) has_default: bool,
 }
 
+/// An enum, with the types of its variants' fields as its module names them.
+pub(super) struct Enumeration {
+    pub(super) scope: Rc<Scope>,
+    pub(super) variants: Vec<Variant>,
+    /// The number of the one that is the default, where `Default` is derived.
+    pub(super) default: Option<usize>,
+}
+
+/// A variant of an enum.
+pub(super) struct Variant {
+    pub(super) name: String,
+    pub(super) fields: Vec<(Member, syn::Type)>,
+}
+
 /// A type that a name is short for, as its module names it.
 pub(super) struct Alias {
     pub(super) scope: Rc<Scope>,
     pub(super) ty: syn::Type,
 }
 
-const AN_ENUM: [&str; 2] = ["an enum", "write a struct whose fields tell the case by a number or a `bool`, and `if`"];
 const GENERIC: [&str; 2] = ["generic", "write out what its parameters stand for"];
 
 impl Items {
@@ -79,6 +93,14 @@ impl Items {
                 item => {
                     if let Some(name) = name_of_item(item) {
                         self.names.add_item(join(module, &name));
+                    }
+                    // Variants are found, and imported, as the items of a module are.
+                    if let Item::Enum(item) = item {
+                        let name = join(module, &item.ident.to_string());
+                        for variant in &item.variants {
+                            self.names.add_item(join(&name, &variant.ident.to_string()));
+                        }
+                        self.names.add_module(name);
                     }
                 }
             }
@@ -123,9 +145,20 @@ impl Items {
                     let structure = Structure { scope: scope.clone(), fields: fields(&item.fields), has_default };
                     self.structs.push((full(&item.ident), structure));
                 }
+                Item::Enum(item) if item.generics.params.is_empty() => {
+                    let variants = item.variants.iter();
+                    let is_default =
+                        |variant: &syn::Variant| variant.attrs.iter().any(|of| of.path().is_ident("default"));
+                    let default = variants.clone().position(is_default).filter(|_| derives_default(&item.attrs));
+                    let variants = variants
+                        .map(|variant| Variant { name: variant.ident.to_string(), fields: fields(&variant.fields) })
+                        .collect();
+                    self.enums.push((full(&item.ident), Enumeration { scope: scope.clone(), variants, default }));
+                }
                 Item::Impl(item) => self.add_impl(scope, item),
-                Item::Enum(_) => self.others.extend(name_of_item(item).map(|name| (name, AN_ENUM))),
-                Item::Struct(_) | Item::Type(_) => self.others.extend(name_of_item(item).map(|name| (name, GENERIC))),
+                Item::Struct(_) | Item::Enum(_) | Item::Type(_) => {
+                    self.others.extend(name_of_item(item).map(|name| (name, GENERIC)));
+                }
                 _ => {}
             }
         }
@@ -201,6 +234,16 @@ impl Items {
     /// The struct of this full name.
     pub(super) fn structure(&self, name: &str) -> Option<&Structure> {
         self.structs.iter().find(|(known, _)| known == name).map(|(_, structure)| structure)
+    }
+
+    /// The enum of this full name.
+    pub(super) fn enumeration(&self, name: &str) -> Option<&Enumeration> {
+        self.enums.iter().find(|(known, _)| known == name).map(|(_, enumeration)| enumeration)
+    }
+
+    /// Whether a struct or an enum has this full name.
+    pub(super) fn defines(&self, name: &str) -> bool {
+        self.structure(name).is_some() || self.enumeration(name).is_some()
     }
 
     /// The type that this full name is short for.

@@ -78,6 +78,8 @@ impl Type {
             Shape::Array(element, length) => array(element.in_lanes(), *length),
             Shape::Optional(inner) => tuple(vec![scalar(), inner.in_lanes()]),
             Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),
+            // It is not made of numbers, and was refused.
+            Shape::Enum(..) => scalar(),
             Shape::Struct(_, fields, _) => tuple(fields.iter().map(|(_, field)| field.in_lanes()).collect()),
         };
         ty.borrowed = self.borrowed;

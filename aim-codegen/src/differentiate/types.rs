@@ -3,9 +3,9 @@
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
-use syn::Member;
+use syn::{Ident, Member};
 
-use super::items::{Alias, Items, Structure};
+use super::items::{Alias, Enumeration, Items, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
 use super::{lower, messages};
@@ -30,6 +30,8 @@ pub(super) enum Shape {
     /// An option: 1 or 0, then the numbers of what is inside, or as many 0.
     Optional(Box<Type>),
     Tuple(Vec<Type>),
+    /// An enum of the module: its name, and its variants, each with the numbers of its fields of types that are understood.
+    Enum(String, Vec<(Ident, Vec<(Member, Type)>)>),
     /// A struct of the module: its name, its fields of types that are understood, and whether those are all.
     Struct(String, Vec<(Member, Type)>, bool),
 }
@@ -145,6 +147,9 @@ impl Type {
                     if let Some(structure) = items.structure(name) {
                         return Self::of_struct(seen(name), name, structure, items);
                     }
+                    if let Some(enumeration) = items.enumeration(name) {
+                        return Self::of_enum(seen(name), name, enumeration, items);
+                    }
                     return Err(unknown());
                 }
                 let name = meaning.into_type();
@@ -201,15 +206,30 @@ impl Type {
 
     /// A struct of the module. Fields of other types may be there, but not read.
     fn of_struct(tokens: TokenStream, name: &str, structure: &Structure, items: &Items) -> Result<Self, Fault> {
-        let declared = &structure.fields;
+        let fields = Self::of_fields(&structure.scope, &structure.fields, items);
+        let precision = fields.iter().find_map(|(_, ty)| ty.precision);
+        let whole = fields.len() == structure.fields.len();
+        Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
+    }
+
+    /// The types of the fields that are understood.
+    fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], items: &Items) -> Vec<(Member, Self)> {
         let known = declared.iter().filter_map(|(member, ty)| {
-            let ty = Self::parse_in(&structure.scope, ty, items).ok().filter(|ty| !ty.borrowed)?;
+            let ty = Self::parse_in(scope, ty, items).ok().filter(|ty| !ty.borrowed)?;
             Some((member.clone(), ty))
         });
-        let fields: Vec<(Member, Self)> = known.collect();
-        let precision = fields.iter().find_map(|(_, ty)| ty.precision);
-        let whole = fields.len() == declared.len();
-        Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
+        known.collect()
+    }
+
+    /// An enum of the module.
+    fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, items: &Items) -> Result<Self, Fault> {
+        let variants = of
+            .variants
+            .iter()
+            .map(|variant| (format_ident!("{}", variant.name), Self::of_fields(&of.scope, &variant.fields, items)));
+        let variants: Vec<_> = variants.collect();
+        let precision = variants.iter().flat_map(|(_, fields)| fields).find_map(|(_, ty)| ty.precision);
+        Self::of_parts(tokens, Shape::Enum(name.to_owned(), variants), precision)
     }
 
     fn of_parts(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
@@ -228,6 +248,9 @@ impl Type {
             Shape::Array(element, _) | Shape::Optional(element) => element.other_precision(expected),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.other_precision(expected)),
             Shape::Struct(_, fields, _) => fields.iter().find_map(|(_, field)| field.other_precision(expected)),
+            Shape::Enum(_, variants) => {
+                variants.iter().flat_map(|(_, fields)| fields).find_map(|(_, field)| field.other_precision(expected))
+            }
             _ => self.precision.filter(|&precision| precision != expected),
         }
     }
@@ -236,7 +259,9 @@ impl Type {
     pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
         match &self.shape {
             Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
-            Shape::Truth | Shape::Integer | Shape::Optional(_) => Some(messages::constant_variable(name)),
+            Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..) => {
+                Some(messages::constant_variable(name))
+            }
             Shape::Array(element, _) => element.no_variable(name, tangent),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name, tangent)),
             Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
@@ -248,7 +273,7 @@ impl Type {
     /// Whether a result may be of this type.
     pub(super) fn is_result(&self) -> bool {
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Optional(_) => false,
+            Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..) => false,
             Shape::Array(element, _) => element.is_result(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_result),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_result()),
@@ -275,6 +300,9 @@ impl Type {
             Shape::Optional(inner) => 1 + inner.components(),
             Shape::Tuple(parts) => parts.iter().map(Self::components).sum(),
             Shape::Struct(_, fields, _) => fields.iter().map(|(_, field)| field.components()).sum(),
+            Shape::Enum(_, variants) => {
+                1 + variants.iter().flat_map(|(_, fields)| fields).map(|(_, field)| field.components()).sum::<usize>()
+            }
         }
     }
 
@@ -317,6 +345,24 @@ impl Type {
                     }))
                 }));
             }
+            // The number of its variant, then those of all fields, of which those of other variants are 0.
+            Shape::Enum(_, variants) => {
+                let ty = &self.tokens;
+                let names = variants.iter().map(|(name, _)| name);
+                let tags = (0_u32..).map(|tag| Literal::f64_unsuffixed(tag.into()));
+                let arms = names.zip(tags).map(|(name, tag)| quote!(#ty::#name { .. } => #tag,));
+                to.push(quote!((match &#value { #(#arms)* })));
+                for (name, fields) in variants {
+                    for (member, field) in fields {
+                        let mut numbers = Vec::new();
+                        field.numbers(&quote!((*value)), number, &mut numbers);
+                        let otherwise = (variants.len() > 1).then(|| quote!(_ => 0.0,));
+                        to.extend(numbers.iter().map(|number| {
+                            quote!((match &#value { #ty::#name { #member: value, .. } => #number, #otherwise }))
+                        }));
+                    }
+                }
+            }
             Shape::Array(element, length) => {
                 for index in (0..*length).map(Literal::usize_unsuffixed) {
                     element.numbers(&quote!(#place[#index]), number, to);
@@ -346,6 +392,10 @@ impl Type {
             }
             Shape::Tuple(parts) => parts.iter().for_each(|part| part.leaves(each)),
             Shape::Struct(_, fields, _) => fields.iter().for_each(|(_, field)| field.leaves(each)),
+            Shape::Enum(_, variants) => {
+                each(&Self::made(quote!(::core::primitive::usize), Shape::Integer, None));
+                variants.iter().flat_map(|(_, fields)| fields).for_each(|(_, field)| field.leaves(each));
+            }
             _ => each(self),
         }
     }
@@ -356,6 +406,7 @@ impl Type {
             Shape::Array(element, _) | Shape::Optional(element) => element.is_whole(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
+            Shape::Enum(..) => false,
             _ => true,
         }
     }
@@ -412,7 +463,9 @@ impl Type {
                 let parts = take(self.components());
                 quote!(<#ty>::from_cols_array(&[#(#parts),*]))
             }
-            Shape::Array(..) | Shape::Optional(_) | Shape::Tuple(_) | Shape::Struct(..) => TokenStream::new(),
+            Shape::Array(..) | Shape::Optional(_) | Shape::Tuple(_) | Shape::Struct(..) | Shape::Enum(..) => {
+                TokenStream::new()
+            }
         }
     }
 

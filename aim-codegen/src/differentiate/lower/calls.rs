@@ -159,7 +159,7 @@ impl Translation<'_> {
     /// The functions of this name that the module has for a type. What a type has by itself comes before that, which is not
     /// known of all types outside of the module.
     fn own_functions(&self, ty: &str, name: &str) -> Vec<Rc<Callable>> {
-        let is_own = self.items.structure(ty).is_some();
+        let is_own = self.items.defines(ty);
         let may_be = is_own || types::named(ty).is_some_and(|(shape, _)| !methods::is_of_type(&shape, name));
         if may_be { self.functions(Some(ty), name) } else { Vec::new() }
     }
@@ -218,6 +218,12 @@ impl Translation<'_> {
                 other => self.refuse_known(&other, &call.func, messages::call_of_value()),
             };
         };
+        if let (None, Some((ty, tag))) = (&path.qself, self.variant(&segments(&path.path))) {
+            let expected = self.expected_fields(&ty, tag);
+            let fields = call.args.iter().zip(expected);
+            let fields = fields.map(|(value, (name, expected))| (name, self.expression_as(value, &expected))).collect();
+            return self.of_variant(&ty, tag, fields);
+        }
         let Some((ty, name)) = type_and_name(path) else {
             return self.refuse(&path.path, messages::unknown_function(&path_text(path)));
         };
@@ -267,7 +273,7 @@ impl Translation<'_> {
             several.retain(|function| function.of_trait == of_trait);
         }
         // Beside those of the module, types that are not its own have others.
-        if !several.is_empty() && self.items.structure(ty).is_none() {
+        if !several.is_empty() && !self.items.defines(ty) {
             let arguments: Vec<Value> = call.args.iter().map(|argument| self.expression(argument)).collect();
             if arguments.iter().any(Value::is_unknown) {
                 return Value::Unknown;
@@ -381,7 +387,7 @@ impl Translation<'_> {
         name: &Ident,
         (ty, function): (&str, String),
     ) -> Value {
-        let Some((shape, _)) = types::named(ty).filter(|_| self.items.structure(ty).is_none()) else {
+        let Some((shape, _)) = types::named(ty).filter(|_| !self.items.defines(ty)) else {
             let text = path_text(path);
             let text = self.unseen(&text, messages::unknown_function(&text));
             return self.refuse(&path.path, text);
@@ -428,6 +434,16 @@ impl Translation<'_> {
 
     /// `Type { field: value, … }`
     pub(super) fn structure(&mut self, of: &ExprStruct) -> Value {
+        if let Some((ty, tag)) = self.variant(&segments(&of.path)) {
+            let known = self.expected_fields(&ty, tag);
+            let fields = of.fields.iter().map(|field| {
+                let name = name_of(&field.member);
+                let expected = known.iter().find(|(known, _)| *known == name).map(|(_, expected)| expected);
+                (name, self.expression_as(&field.expr, expected.unwrap_or(&Expected::Any)))
+            });
+            let fields = fields.collect();
+            return self.of_variant(&ty, tag, fields);
+        }
         let name = self.resolved(&segments(&of.path));
         let structure = self.items.structure(&name);
         let declared = structure.map(|structure| structure.fields.as_slice()).unwrap_or_default();

@@ -10,7 +10,7 @@ use super::statements::is_rest;
 use super::value::Value;
 use super::{Translation, has_effect, operators, strip};
 use crate::differentiate::messages;
-use crate::differentiate::names::Meaning;
+use crate::differentiate::names::{Meaning, segments};
 
 impl Translation<'_> {
     pub(super) fn choice(&mut self, choice: &ExprIf, expected: &Expected) -> Value {
@@ -168,7 +168,10 @@ impl Translation<'_> {
     }
 
     /// Whether a value matches a pattern, whose names it is given; `None` after an error.
-    fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
+    pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
+        if let Some((ty, tag)) = path_of(pattern).and_then(|path| self.variant(&path)) {
+            return self.matches_variant(pattern, (&ty, tag), value);
+        }
         match pattern {
             Pat::Paren(paren) => self.pattern(&paren.pat, value),
             Pat::Reference(reference) => self.pattern(&reference.pat, value),
@@ -187,10 +190,7 @@ impl Translation<'_> {
                 self.equal_to(&syn::parse_quote!(#path), value)
             }
             Pat::Path(path) => self.equal_to(&Expr::Path(path.clone()), value),
-            Pat::Or(or) => or.cases.iter().try_fold(Condition::Known(false), |matched, case| {
-                let next = self.pattern(case, value)?;
-                Some(matched.or(next))
-            }),
+            Pat::Or(or) => self.any_of(or, value),
             Pat::Range(range) => {
                 let ends = [&range.start, &range.end].map(Option::as_deref);
                 self.is_between(number(value), ends, &range.limits)
@@ -243,6 +243,30 @@ impl Translation<'_> {
         }
     }
 
+    /// Whether a value matches one of several patterns. What they bind has the values of the first that matches.
+    fn any_of(&mut self, or: &syn::PatOr, value: &Value) -> Option<Condition> {
+        let depth = self.frame.depth();
+        let mut cases = Vec::new();
+        for case in &or.cases {
+            let matched = self.pattern(case, value)?;
+            // What cannot match binds nothing.
+            if !matches!(matched, Condition::Known(false)) {
+                cases.push((matched, self.frame.variables()[depth..].to_vec()));
+            }
+            self.frame.leave(depth);
+        }
+        let Some((_, names)) = cases.last().cloned() else { return Some(Condition::Known(false)) };
+        for (name, value) in names {
+            let chosen = cases.iter().rev().skip(1).try_fold(value, |otherwise, (matched, bound)| {
+                let (_, value) = bound.iter().find(|(known, _)| *known == name)?;
+                value.select(self.algebra, matched, &otherwise)
+            });
+            let chosen = chosen.unwrap_or_else(|| self.refuse(or, messages::match_pattern()));
+            self.frame.declare(name, chosen);
+        }
+        Some(cases.into_iter().fold(Condition::Known(false), |any, (matched, _)| any.or(matched)))
+    }
+
     /// `(low..high).contains(&x)`; `None` for any other call.
     pub(super) fn contained(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let (Expr::Range(range), "contains", Some(x), 1) =
@@ -284,7 +308,7 @@ impl Translation<'_> {
     }
 
     /// Whether each of several values matches its pattern.
-    fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
+    pub(super) fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
         parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
             let next = self.pattern(pattern, value)?;
             Some(matched.and(next))
@@ -314,6 +338,17 @@ impl Translation<'_> {
                 None
             }
         }
+    }
+}
+
+/// The path of a pattern that may be a variant's.
+fn path_of(pattern: &Pat) -> Option<Vec<String>> {
+    match pattern {
+        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => Some(vec![name.ident.to_string()]),
+        Pat::Path(path) => Some(segments(&path.path)),
+        Pat::TupleStruct(of) => Some(segments(&of.path)),
+        Pat::Struct(of) => Some(segments(&of.path)),
+        _ => None,
     }
 }
 

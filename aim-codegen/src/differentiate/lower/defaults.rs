@@ -34,6 +34,10 @@ impl Translation<'_> {
                     let fields = fields.collect::<Option<_>>()?;
                     return Some(Value::Struct(Rc::new(Struct { fields, name: name.clone() })));
                 }
+                if let Some(enumeration) = self.items.enumeration(name) {
+                    let default = enumeration.default?;
+                    return Some(self.of_variant(name, default, Vec::new()));
+                }
                 match name.as_str() {
                     "bool" => Some(Value::Truth(Condition::Known(false))),
                     name if types::is_integer(name) => Some(self.algebra.integer(0)),

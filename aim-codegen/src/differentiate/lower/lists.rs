@@ -96,7 +96,7 @@ impl Translation<'_> {
                         match value.items() {
                             // Of another length it panics.
                             Some(others) if name.ends_with("_from_slice") && name != "extend_from_slice" => {
-                                *values = others
+                                *values = others;
                             }
                             Some(others) => values.extend(others),
                             None => return self.refuse(argument, messages::not_iterable(&kind)),

@@ -7,6 +7,7 @@ mod choices;
 mod condition;
 mod constants;
 mod defaults;
+mod enums;
 mod expected;
 mod fields;
 mod filtered;
@@ -40,6 +41,7 @@ use syn::{Expr, UnOp};
 
 pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
+pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
@@ -173,6 +175,9 @@ impl Translation<'_> {
             let value = self.frame.value(place).clone();
             return self.referenced(value);
         }
+        if let (None, Some((ty, tag))) = (&path.qself, self.variant(&segments(&path.path))) {
+            return self.of_variant(&ty, tag, Vec::new());
+        }
         let value = match paths::type_and_name(path) {
             Some((Some(ty), name)) => self.associated(&ty, &name.to_string()).or_else(|| {
                 let ty = self.resolved(&ty);
@@ -210,7 +215,7 @@ impl Translation<'_> {
         if let Some(constant) = self.items.constant(Some(&ty), name) {
             return Some(self.constant(&format!("{ty}::{name}"), constant));
         }
-        self.items.structure(&ty).is_none().then(|| constants::associated(self.algebra, &ty, name))?
+        (!self.items.defines(&ty)).then(|| constants::associated(self.algebra, &ty, name))?
     }
 
     /// What a path to no type leads to: a function or a constant of the module, or a mathematical constant.

@@ -401,7 +401,7 @@ impl Translation<'_> {
         }
         let of_items = items.first().and_then(|first| self.type_name(first));
         let ty = expected.name().map(str::to_owned).or(of_items);
-        if let Some(ty) = ty.filter(|ty| self.items.structure(ty).is_some()) {
+        if let Some(ty) = ty.filter(|ty| self.items.defines(ty)) {
             // As the struct says, by `Sum` or `Product`.
             return match self.functions(Some(&ty), &name).as_slice() {
                 [only] => self.inline(&call.method, only, vec![Value::Sequence(items)]),

@@ -149,6 +149,7 @@ impl Translation<'_> {
             "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
             // Nothing comes of these, so that the other branch is the value.
             "vec" => self.list(call),
+            "matches" => self.matches_macro(call),
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
             _ => self.refuse(&call.path, messages::macro_call()),
         }

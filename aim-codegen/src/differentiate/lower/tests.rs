@@ -692,7 +692,7 @@ same! {
                 if k == 2 { continue; }
                 sum += 0.1 * k as f64;
             }
-            a + b + n as f64 + sum
+            a + b + 2f64.powi(n - 3) + sum
         }
     }
     recursion_that_ends {
@@ -739,6 +739,53 @@ same! {
             kept[0] += more.iter().sum::<f64>();
             let before = std::mem::replace(&mut kept[1], y);
             bins[1][0] + 2.0 * bins[2][1] - bins[3][1] + bins[0][0] + p + 2.0 * q - r + eye[1][1] - eye[0][2] + kept[1] - kept[3] * before
+        }
+    }
+    enums {
+        #[derive(Clone, Copy, PartialEq, Default)]
+        pub enum Side { Left, #[default] Right }
+        #[derive(Clone, Copy)]
+        pub enum Easing { Linear, Power(i32), Elastic { period: f64, side: Side }, Steps(f64, f64, f64), Square(f64) }
+        impl Easing {
+            const DEFAULT: Self = Self::Power(2);
+            fn eval(self, t: f64) -> f64 {
+                use Easing::*;
+                match self {
+                    Linear => t,
+                    Power(2) => t * t,
+                    Power(n) if n > 5 => 1.0,
+                    Power(_) => t * t * t,
+                    Elastic { period, side: Side::Left } => (t / period).sin(),
+                    Self::Elastic { period, .. } => -(t / period).sin(),
+                    Steps(first, .., last) if t > 0.0 => first * t + last,
+                    Square(k) | Steps(_, k, _) => k * t,
+                }
+            }
+            fn scale(&mut self, k: f64) {
+                if let Easing::Elastic { period, side } = *self { *self = Easing::Elastic { period: k * period, side }; }
+            }
+        }
+        fn chosen(x: f64) -> Easing {
+            if x < -1.0 { return Easing::Linear; }
+            if x < 0.0 { Easing::Elastic { period: 2.0 + x, side: if x < -0.5 { Side::Left } else { Side::default() } } }
+            else if x < 1.0 { Easing::Steps(x, 2.0, 3.0) } else if x < 3.0 { Easing::Square(x) } else { Easing::DEFAULT }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut one = chosen(x);
+            let other = chosen(y);
+            one.scale(1.5);
+            let side = if x > y { Side::Left } else { Side::Right };
+            let is_square = matches!(other, Easing::Square(k) | Easing::Steps(k, ..) if k > 0.5);
+            let Easing::Power(n) = Easing::Power(3) else { return 0.0 };
+            one.eval(y) + 2.0 * other.eval(x) + if side == Side::Left { 10.0 } else { 0.0 } + if is_square { 20.0 } else { 0.0 }
+                + n as f64 + [Easing::Linear, one].iter().map(|e| e.eval(0.5)).sum::<f64>()
+        }
+    }
+    patterns_of_several {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let first = if x > 0.0 { Some(x) } else { None };
+            let second = if y > 0.0 { Some(y) } else { None };
+            match (first, second) { (Some(v), _) | (None, Some(v)) => 2.0 * v, (None, None) => x - y }
         }
     }
 }

@@ -26,8 +26,12 @@ functions! {
     atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
     powi(x: Scalar, exponent: Integer) -> Scalar {
-        let exponent = whole(a, exponent)?;
-        a.power(x, exponent)
+        match whole(a, exponent) {
+            Ok(exponent) => a.power(x, exponent),
+            // No sign depends on it.
+            Err(_) if a.constant_of(x).is_some_and(|x| x > 0.0) => a.pow(x, exponent),
+            Err(text) => return Err(text.into()),
+        }
     }
     powf(x: Scalar, exponent: Scalar) -> Scalar { a.pow(x, exponent) }
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }

@@ -1,0 +1,131 @@
+//! Enums: a value is a number that tells the variant, and the fields of all variants, of which those of the others are never
+//! there. It is a [`Struct`] of these, so that it is selected, stored and passed on as one.
+
+use std::rc::Rc;
+
+use syn::parse::{ParseStream, Parser};
+use syn::{Expr, Member, Pat, Token};
+
+use super::Translation;
+use super::condition::Condition;
+use super::expected::Expected;
+use super::fields::name_of;
+use super::statements::is_rest;
+use super::value::{Struct, Value};
+use crate::differentiate::items::Enumeration;
+use crate::differentiate::messages;
+
+/// The field that tells the variant. No field of a user is called so.
+pub(in crate::differentiate) const TAG: &str = "#";
+
+/// The field that has a variant's.
+pub(in crate::differentiate) fn field_of(variant: &str, member: &Member) -> String {
+    format!("{variant}.{}", name_of(member))
+}
+
+impl Translation<'_> {
+    /// The enum and the number of the variant that a path means; `None` if it means something else.
+    pub(super) fn variant(&self, path: &[String]) -> Option<(String, usize)> {
+        let (variant, ty) = path.split_last()?;
+        let (ty, variant) = if ty.is_empty() {
+            // Its name alone, where it is imported.
+            let full = self.resolved(path);
+            let (ty, variant) = full.rsplit_once("::")?;
+            (ty.to_owned(), variant.to_owned())
+        } else {
+            (self.resolved(ty), variant.clone())
+        };
+        let place = self.items.enumeration(&ty)?.variants.iter().position(|known| known.name == variant)?;
+        Some((ty, place))
+    }
+
+    /// A value of this variant, of which these are the fields.
+    pub(super) fn of_variant(&mut self, ty: &str, tag: usize, mut fields: Vec<(String, Value)>) -> Value {
+        let Some(Enumeration { variants, .. }) = self.items.enumeration(ty) else { return Value::Unknown };
+        if fields.iter().any(|(_, value)| value.is_unknown()) {
+            return Value::Unknown;
+        }
+        let mut all = vec![(TAG.to_owned(), self.algebra.whole(tag))];
+        for (place, variant) in variants.iter().enumerate() {
+            all.extend(variant.fields.iter().map(|(member, _)| {
+                let own = fields.iter().position(|(name, _)| place == tag && *name == name_of(member));
+                let value = own.map_or(Value::Never, |own| fields.swap_remove(own).1);
+                (field_of(&variant.name, member), value)
+            }));
+        }
+        Value::Struct(Rc::new(Struct { name: ty.to_owned(), fields: all }))
+    }
+
+    /// What the types of a variant's fields say.
+    pub(super) fn expected_fields(&mut self, ty: &str, tag: usize) -> Vec<(String, Expected)> {
+        let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(ty) else { return Vec::new() };
+        let fields = variants.get(tag).map_or(&[][..], |variant| &variant.fields);
+        self.within(scope.clone(), |this| {
+            fields.iter().map(|(member, ty)| (name_of(member), this.expected(ty))).collect()
+        })
+    }
+
+    /// Whether a value is of this variant, and its fields match the patterns in it; `None` after an error.
+    pub(super) fn matches_variant(
+        &mut self,
+        pattern: &Pat,
+        (ty, tag): (&str, usize),
+        value: &Value,
+    ) -> Option<Condition> {
+        let Value::Struct(of) = value else {
+            self.refuse_known(value, pattern, messages::pattern_of(&value.describe()));
+            return None;
+        };
+        // Of a value of another type the compiler speaks.
+        let Some(Value::Integer(found)) = of.field(TAG).filter(|_| of.name == ty) else { return None };
+        let variant = self.items.enumeration(ty)?.variants.get(tag)?;
+        let Value::Integer(tag) = self.algebra.whole(tag) else { return None };
+        let is_it = Condition::equal(self.algebra, *found, tag);
+        if matches!(is_it, Condition::Known(false)) {
+            return Some(is_it);
+        }
+        let field = |member: &Member| of.field(&field_of(&variant.name, member)).cloned().unwrap_or(Value::Unknown);
+        let parts: Vec<(&Pat, Value)> = match pattern {
+            Pat::Struct(of) => of.fields.iter().map(|written| (&*written.pat, field(&written.member))).collect(),
+            Pat::TupleStruct(of) => {
+                let (count, written) = (variant.fields.len(), of.elems.len());
+                let rest = of.elems.iter().position(is_rest);
+                let place = |index| if rest.is_some_and(|rest| rest < index) { index + count - written } else { index };
+                let elements = of.elems.iter().enumerate().filter(|(_, element)| !is_rest(element));
+                elements.map(|(index, element)| (element, field(&Member::from(place(index))))).collect()
+            }
+            _ => Vec::new(),
+        };
+        let inner = self.patterns(parts.iter().map(|(pattern, part)| (*pattern, part)))?;
+        Some(is_it.and(inner))
+    }
+
+    /// `matches!(value, pattern if condition)`
+    pub(super) fn matches_macro(&mut self, call: &syn::Macro) -> Value {
+        let parse = |input: ParseStream<'_>| {
+            let value: Expr = input.parse()?;
+            input.parse::<Token![,]>()?;
+            let pattern = Pat::parse_multi_with_leading_vert(input)?;
+            let guard = if input.peek(Token![if]) {
+                input.parse::<Token![if]>()?;
+                Some(input.parse::<Expr>()?)
+            } else {
+                None
+            };
+            input.parse::<Option<Token![,]>>()?;
+            Ok((value, pattern, guard))
+        };
+        let Ok((value, pattern, guard)) = parse.parse2(call.tokens.clone()) else {
+            return self.refuse(&call.path, messages::macro_call());
+        };
+        let value = self.expression(&value);
+        if value.is_unknown() {
+            return value;
+        }
+        let depth = self.frame.depth();
+        let matched = self.pattern(&pattern, &value);
+        let guarded = guard.map_or(Some(Condition::Known(true)), |guard| self.condition(&guard));
+        self.frame.leave(depth);
+        matched.zip(guarded).map_or(Value::Unknown, |(matched, guarded)| Value::Truth(matched.and(guarded)))
+    }
+}
