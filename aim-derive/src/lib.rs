@@ -153,15 +153,15 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// | | understood | not |
 /// |---|---|---|
-/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool` and integers, which do not vary; arrays, tuples and structs of the module of these; by value or by `&`; known by the last words of their types | slices: a loop over them has no known end |
-/// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | |
+/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool`, integers and enums of the module, which do not vary; arrays, tuples, structs of the module and `Option` of these; by value or by `&`; known by the last words of their types | slices and `Vec`: a loop over them has no known end |
+/// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | `Option`, `Vec`, enums, whole numbers |
 /// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `&mut` of variables and parts of them, `debug_assert!` (which companions leave out) | `&mut` arguments of the function itself |
-/// | patterns | names, `_`, tuples, arrays with `..`, structs | |
-/// | branches | `if` and `match` on comparisons, numbers, ranges, tuples, with `&&`, `\|\|`, `!`: both sides are computed, and selected | `if let`, enums |
-/// | loops | `for` over constant ranges, arrays and `iter enumerate zip chain rev skip take step_by windows chunks_exact map`, `while` and `loop` by counts, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that an argument decides: bound it, and leave by `break` |
-/// | of arrays | `len map`, `array::from_fn` where a `let` or the function's result says the length, and `swap iter_mut`, of iterators `sum product fold`; indices and slices by constants, counters and what is computed of them | an index that an argument decides |
-/// | functions | those of the module, methods and operators that it implements for its structs, functions inside of the function, closures | recursion, closures that change what is outside |
-/// | whole numbers | `+ - * / %`, comparisons, `as` to numbers; of arguments no `/` and `%` | |
+/// | patterns | names, `_`, tuples, arrays with `..`, structs, variants, `Some` and `None`, numbers, ranges, `\|`, guards | `@`, `ref` |
+/// | branches | `if`, `if let`, `let … else`, `match`, `matches!`, with `&&`, `\|\|`, `!`: both sides are computed, and selected; `?` of an `Option` | `Result` |
+/// | loops | `for` over constant ranges, arrays and their iterators, `while` and `loop`, with `break`, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that arguments alone decide: bound it, as in `while n < 20 && …` |
+/// | of arrays | `len first last map swap fill reverse sort_by iter iter_mut windows chunks`, `array::from_fn`; of iterators `enumerate zip chain rev skip take step_by map flat_map filter filter_map take_while scan` and their like, `sum product fold reduce min_by max_by any all find position count`; a local `Vec`, as an array whose length is known at each place: `vec! push pop extend truncate collect`; slices by constants and counters. An element that an argument chooses is a select among all; of an index outside, where the function panics, it is the first or the last | slices whose length an argument decides, arrays of more than 16 to be sorted |
+/// | functions | those of the module, methods and operators that it implements for its structs and enums, functions inside of the function, closures, `f64::sin` and its like as arguments; recursion of a depth that is known, up to 16 | closures that change what is outside, passed to other functions |
+/// | whole numbers | `+ - * / %`, comparisons, `as` from and to numbers | what wraps round, bits |
 ///
 /// - `Rigid` and `Affine3A` count as **rigid**, a rotation and a translation: the derivation relies on it. Derivatives by
 ///   them are by their tangents.

@@ -201,9 +201,17 @@ messages! {
         "pass it as an argument, or {MODULE}; known everywhere are `core::f32::consts::PI` and its like, \
          `Vec3::X` and its like, `Quat::IDENTITY`";
 
-    unknown_function(path: &str) =>
+    unknown_function(path: &str)
+        where help = match path.split("::").next() {
+            Some("std" | "core" | "alloc" | "Vec" | "Box" | "Rc" | "Arc" | "String" | "HashMap" | "BTreeMap") => OF_STD.to_owned(),
+            _ => format!("{MODULE}, or pass its result as an argument"),
+        } =>
         "what `{path}` does cannot be seen from here",
-        "{MODULE}, or pass its result as an argument";
+        "{help}";
+
+    from_fn_unknown() =>
+        "the length of this array is not known here",
+        "say it: `let a: [f64; 4] = …`, or `from_fn::<_, 4, _>(…)`";
 
     several_functions(name: &str) =>
         "which of several functions `{name}` is called here cannot be told",
@@ -399,6 +407,9 @@ messages! {
         "the function's value is {found}, its type says {expected}",
         "make both the same";
 }
+
+/// What of the standard library is not known by name cannot be read either.
+const OF_STD: &str = "the standard library is not read: write what it does in its place";
 
 /// How a function sees what is defined beside it.
 const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";

@@ -340,6 +340,7 @@ impl Translation<'_> {
                 if let Some(length) = self.written_length(path).or(length) {
                     return self.array_of(call, length, function, &element);
                 }
+                return self.refuse(&call.func, messages::from_fn_unknown());
             }
             ("Some", [value], _) => {
                 let value = self.expression(value);
@@ -364,7 +365,7 @@ impl Translation<'_> {
                 self.call_of_glam(call, path, &last.ident, (ty, (*function).to_owned()))
             }
             _ => {
-                let text = self.unseen(&text, messages::unknown_function(&text));
+                let text = self.unseen(&text, messages::unknown_function(&outside.join("::")));
                 self.refuse(&name, text)
             }
         }

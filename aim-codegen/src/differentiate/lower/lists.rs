@@ -31,6 +31,11 @@ const CHANGING: &[(&str, usize)] = &[
 /// The longest array that is sorted by conditions alone: every two elements are compared.
 const LONGEST_SORTED: usize = 16;
 
+/// The names of these methods.
+pub(super) fn methods() -> impl Iterator<Item = &'static str> {
+    CHANGING.iter().map(|(name, _)| *name)
+}
+
 impl Translation<'_> {
     /// `vec![…]`
     pub(super) fn list(&mut self, list: &syn::Macro) -> Value {

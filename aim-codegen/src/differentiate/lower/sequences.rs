@@ -11,7 +11,7 @@ use super::expected::Expected;
 use super::functions::each_word;
 use super::place_types::neutral;
 use super::value::{Callable, Value};
-use super::{Translation, is_place, operators, strip};
+use super::{Translation, is_place, lists, operators, strip};
 use crate::differentiate::messages;
 
 /// The longest range.
@@ -100,8 +100,20 @@ pub(super) fn is_lazy(receiver: &Value, method: &Ident) -> bool {
 }
 
 /// Those of them that arrays have, too.
-const OF_ARRAYS: &[&str] =
-    &["iter", "into_iter", "map", "windows", "chunks", "chunks_exact", "first", "last", "len", "is_empty"];
+const OF_ARRAYS: &[&str] = &[
+    "iter",
+    "iter_mut",
+    "into_iter",
+    "map",
+    "windows",
+    "chunks",
+    "chunks_exact",
+    "first",
+    "last",
+    "len",
+    "is_empty",
+    "swap",
+];
 
 impl Value {
     /// The elements of what a loop can go over.
@@ -266,7 +278,14 @@ impl Translation<'_> {
             ("next" | "first", []) => items.into_iter().next().map_or_else(Value::none, Value::some),
             ("last", []) => items.into_iter().last().map_or_else(Value::none, Value::some),
             ("sum" | "product", []) => self.total(call, items, expected),
-            _ => self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), METHODS)),
+            _ => {
+                let known = if is_array {
+                    lists::methods().chain(OF_ARRAYS.iter().copied()).collect()
+                } else {
+                    METHODS.to_vec()
+                };
+                self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), &known))
+            }
         })
     }
 
