@@ -293,6 +293,8 @@ impl Translation<'_> {
         }
         match (ty, text.as_str()) {
             ("Vec", "new" | "with_capacity") => Value::Array(Vec::new()),
+            // It is where it is.
+            ("Box" | "Rc" | "Arc", "new") if call.args.len() == 1 => self.expression(&call.args[0]),
             _ => self.call_of_glam(call, path, name, (ty, text)),
         }
     }
@@ -354,6 +356,14 @@ impl Translation<'_> {
             ("zip", [one, other], _) if is_of("iter") => {
                 let one = self.expression(one);
                 return self.zipped(one, other);
+            }
+            ("once", [value], _) if is_of("iter") => return Value::Sequence(vec![self.expression(value)]),
+            ("repeat_n", [value, count], _) if is_of("iter") => {
+                let (value, count) = (self.expression(value), self.expression(count));
+                return match self.algebra.known_index(&count) {
+                    Some(count) => Value::Sequence(vec![value; count]),
+                    None => self.refuse_known(&count, &call.args, messages::index_unknown()),
+                };
             }
             _ => {}
         }

@@ -184,7 +184,7 @@ impl Translation<'_> {
                 let other = self.expression(other);
                 let kind = other.describe();
                 match other.maybe_items() {
-                    Some(others) => Some(Value::Filtered(items.into_iter().chain(others).collect())),
+                    Some(others) => Some(Value::filtered(items.into_iter().chain(others))),
                     None => Some(self.refuse(&call.args, messages::not_iterable(&kind))),
                 }
             }

@@ -22,6 +22,8 @@ const CHANGING: &[(&str, usize)] = &[
     ("clone_from_slice", 1),
     ("fill", 1),
     ("reverse", 0),
+    ("rotate_left", 1),
+    ("rotate_right", 1),
     ("sort", 0),
     ("sort_unstable", 0),
     ("sort_by", 1),
@@ -92,9 +94,14 @@ impl Translation<'_> {
                 match name {
                     "push" => values.push(value),
                     "fill" => values.fill(value),
-                    "truncate" => match self.algebra.known_index(&value) {
-                        Some(length) => values.truncate(length),
-                        None => return self.refuse(argument, messages::index_unknown()),
+                    "truncate" | "rotate_left" | "rotate_right" => match (self.algebra.known_index(&value), name) {
+                        (Some(length), "truncate") => values.truncate(length),
+                        (Some(count), _) if count > values.len() => {
+                            return self.refuse(argument, messages::index_outside("this array"));
+                        }
+                        (Some(count), "rotate_left") => values.rotate_left(count),
+                        (Some(count), _) => values.rotate_right(count),
+                        (None, _) => return self.refuse(argument, messages::index_unknown()),
                     },
                     _ => {
                         let kind = value.describe();

@@ -2,6 +2,7 @@
 //! its place; what depends on it is then unknown, and nothing more is said about it.
 
 mod algebra;
+mod arrays;
 mod calls;
 mod choices;
 mod condition;

@@ -11,7 +11,7 @@ use super::expected::Expected;
 use super::functions::each_word;
 use super::place_types::neutral;
 use super::value::{Callable, Value};
-use super::{Translation, is_place, lists, operators, strip};
+use super::{Translation, arrays, is_place, lists, operators, strip};
 use crate::differentiate::messages;
 
 /// The longest range.
@@ -169,6 +169,9 @@ impl Translation<'_> {
         if is_array && is_of_iterators && !OF_ARRAYS.contains(&name.as_str()) {
             return Some(self.refuse(&call.method, messages::trait_method(&name)));
         }
+        if is_array && let Some(value) = self.array_method(&items, call) {
+            return Some(value);
+        }
         Some(match (name.as_str(), arguments.as_slice()) {
             ("next" | "any" | "all" | "nth", _) if !is_array && is_place(&call.receiver) => {
                 self.refuse(&call.method, messages::iterator_kept(&name))
@@ -280,7 +283,7 @@ impl Translation<'_> {
             ("sum" | "product", []) => self.total(call, items, expected),
             _ => {
                 let known = if is_array {
-                    lists::methods().chain(OF_ARRAYS.iter().copied()).collect()
+                    lists::methods().chain([OF_ARRAYS, arrays::METHODS].concat()).collect()
                 } else {
                     METHODS.to_vec()
                 };

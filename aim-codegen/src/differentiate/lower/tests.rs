@@ -788,4 +788,28 @@ same! {
             match (first, second) { (Some(v), _) | (None, Some(v)) => 2.0 * v, (None, None) => x - y }
         }
     }
+    slices_and_whole_numbers {
+        fn at(table: &[(f64, f64)], t: f64) -> f64 {
+            let after = table.partition_point(|(time, _)| *time <= t).clamp(1, table.len() - 1);
+            let ((t0, a), (t1, b)) = (table[after - 1], table[after]);
+            a + (b - a) * (t - t0) / (t1 - t0)
+        }
+        fn head(values: &[f64]) -> f64 {
+            let Some((first, rest)) = values.split_first() else { return 0.0 };
+            first - 0.5 * head(rest)
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let table = [(-2.0, 1.0), (-0.5, x), (1.0, -1.0), (2.5, y)];
+            let all = [[x, y], [1.0, 2.0]].concat();
+            let (one, other) = all.split_at(1);
+            let mut turned = all.clone();
+            turned.rotate_left(1);
+            let cell = (x * 2.0).floor() as i32;
+            let wrapped = cell.rem_euclid(4) + cell.signum() + cell.div_euclid(3) + cell.abs_diff(2) as i32;
+            let ramp: Vec<f64> = std::iter::once(x).chain(std::iter::repeat_n(y, 2)).collect();
+            let f: Box<dyn Fn(f64) -> f64> = Box::new(move |v| v * x);
+            at(&table, y) + head(&all) + one[0] * other[2] + turned[0] + wrapped as f64 + ramp[2] + f(y)
+                + if [1, 2, 3].contains(&cell) { 5.0 } else { 0.0 }
+        }
+    }
 }

@@ -105,6 +105,15 @@ functions! {
     abs(n: Integer) = if n < 0 { -n } else { n };
     min(n: Integer, m: Integer) = if m < n { m } else { n };
     max(n: Integer, m: Integer) = if n < m { m } else { n };
+    clamp(n: Integer, low: Integer, high: Integer) = n.max(low).min(high);
+    signum(n: Integer) = if n < 0 { -1 } else if n > 0 { 1 } else { 0 };
+    abs_diff(n: Integer, m: Integer) = (n - m).abs();
+    saturating_sub(n: Integer, m: Integer) = if n < m { 0 } else { n - m };
+    rem_euclid(n: Integer, m: Integer) = {
+        let rest = n % m;
+        if rest < 0 { rest + m.abs() } else { rest }
+    };
+    div_euclid(n: Integer, m: Integer) = (n - n.rem_euclid(m)) / m;
     cmp(n: Integer, m: Integer) -> Ordering { Rc::new(Order::of(a, n, m)) }
     clone(n: Integer) -> Integer { n }
 }

@@ -1,0 +1,77 @@
+//! Methods of arrays, lists and slices that no iterator has.
+
+use syn::{Expr, ExprMethodCall};
+
+use super::condition::Condition;
+use super::value::Value;
+use super::{Translation, operators};
+use crate::differentiate::messages;
+
+/// Their names, for messages.
+pub(super) const METHODS: &[&str] = &["split_at", "split_first", "split_last", "concat", "contains", "partition_point"];
+
+impl Translation<'_> {
+    /// A method of an array of these elements that no iterator has; `None` if it is another one.
+    pub(super) fn array_method(&mut self, items: &[Value], call: &ExprMethodCall) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("split_at", [place]) => {
+                let value = self.expression(place);
+                let known = self.algebra.known_index(&value);
+                match known.filter(|place| *place <= items.len()) {
+                    Some(place) => {
+                        let (before, after) = items.split_at(place);
+                        Value::Tuple(vec![Value::Array(before.to_vec()), Value::Array(after.to_vec())])
+                    }
+                    None if known.is_some() => self.refuse(*place, messages::index_outside("this array")),
+                    None => self.refuse_known(&value, *place, messages::index_unknown()),
+                }
+            }
+            ("split_first" | "split_last", []) => {
+                let split = if name == "split_first" { items.split_first() } else { items.split_last() };
+                let pair = split.map(|(one, rest)| Value::Tuple(vec![one.clone(), Value::Array(rest.to_vec())]));
+                pair.map_or_else(Value::none, Value::some)
+            }
+            ("concat", []) => {
+                let parts: Option<Vec<Vec<Value>>> = items.iter().map(|item| item.clone().items()).collect();
+                match parts {
+                    Some(parts) => Value::Array(parts.concat()),
+                    None => self.refuse(&call.method, messages::not_iterable("an element of it")),
+                }
+            }
+            ("contains", [element]) => {
+                let element = self.expression(element);
+                let equal = |this: &mut Self, item: &Value| match operators::binary(
+                    this.algebra,
+                    &syn::parse_quote!(==),
+                    item,
+                    &element,
+                ) {
+                    Some(Value::Truth(condition)) => Some(condition),
+                    _ => None,
+                };
+                let equal: Option<Vec<Condition>> = items.iter().map(|item| equal(self, item)).collect();
+                match equal {
+                    Some(equal) => Value::Truth(equal.into_iter().fold(Condition::Known(false), Condition::or)),
+                    None => self.refuse_known(&element, &call.args, messages::not_a_condition(&element.describe())),
+                }
+            }
+            // Of what is partitioned so, as many as fulfil it.
+            ("partition_point", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                let mut count = self.algebra.integer(0);
+                for item in items {
+                    let Value::Truth(holds) = self.inline(&call.method, &function, vec![item.clone()]) else {
+                        return Some(Value::Unknown);
+                    };
+                    let [none, one] = [0, 1].map(|count| self.algebra.integer(count));
+                    let term = self.either_value(call, &holds, &one, &none);
+                    count = operators::binary(self.algebra, &syn::parse_quote!(+), &count, &term)?;
+                }
+                count
+            }
+            _ => return None,
+        })
+    }
+}
