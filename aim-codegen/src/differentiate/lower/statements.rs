@@ -164,6 +164,12 @@ impl Translation<'_> {
             _ => value,
         };
         match pattern {
+            // The only variant of an enum.
+            Pat::Struct(syn::PatStruct { path, .. }) | Pat::TupleStruct(syn::PatTupleStruct { path, .. })
+                if self.variant(&names::segments(path)).is_some() =>
+            {
+                self.pattern(pattern, &value);
+            }
             Pat::Ident(name) => {
                 if let Some(by_ref) = &name.by_ref {
                     self.refuse(by_ref, messages::pattern());

@@ -770,7 +770,10 @@ same! {
             if x < 0.0 { Easing::Elastic { period: 2.0 + x, side: if x < -0.5 { Side::Left } else { Side::default() } } }
             else if x < 1.0 { Easing::Steps(x, 2.0, 3.0) } else if x < 3.0 { Easing::Square(x) } else { Easing::DEFAULT }
         }
+        enum Only { One(f64, f64) }
         pub fn f(x: f64, y: f64) -> f64 {
+            let Only::One(a, b) = Only::One(x, y);
+            let (x, y) = [Only::One(a, b)].into_iter().map(|Only::One(a, b)| (a, b)).next().unwrap();
             let mut one = chosen(x);
             let other = chosen(y);
             one.scale(1.5);

@@ -16,6 +16,7 @@ mod language;
 mod least_squares;
 mod lengths;
 mod limits;
+mod lists;
 mod manifolds;
 mod natural;
 mod powers;

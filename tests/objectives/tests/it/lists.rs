@@ -1,0 +1,163 @@
+//! Lists, iterators that leave elements out, elements that arguments choose, and enums: companions have the value of the function
+//! itself, and the derivatives of its central differences.
+
+#[aim::differentiate]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole, and in the table")]
+mod functions {
+    /// What a loss does with a residual.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub(super) enum Loss {
+        Square,
+        Huber { width: f64 },
+        Tukey(f64, bool),
+    }
+
+    impl Loss {
+        fn of(self, r: f64) -> f64 {
+            match self {
+                Self::Square => r * r,
+                Self::Huber { width } if r.abs() < width => r * r,
+                Self::Huber { width } => width * (2.0 * r.abs() - width),
+                Self::Tukey(width, scaled) => {
+                    let s = (1.0 - (r / width).powi(2)).max(0.0);
+                    let loss = (1.0 - s * s * s) * width * width / 3.0;
+                    if scaled { 2.0 * loss } else { loss }
+                }
+            }
+        }
+    }
+
+    /// By the residuals and a scale.
+    #[differentiate(wrt(x, scale), hessian, hvp)]
+    pub(super) fn robust(losses: &[Loss; 3], x: [f64; 3], scale: f64) -> f64 {
+        losses.iter().zip(x).map(|(loss, x)| loss.of(scale * x)).sum()
+    }
+
+    /// The only variant, which has a field.
+    #[derive(Clone, Copy)]
+    pub(super) enum Only {
+        One(f64),
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn only(x: f64, only: Only) -> f64 {
+        let Only::One(k) = only;
+        k * x * x
+    }
+
+    /// Straight between the nodes of a table.
+    #[differentiate(wrt(x, table))]
+    pub(super) fn interpolated(x: f64, table: [f64; 6]) -> f64 {
+        let last = (table.len() - 2) as f64;
+        let cell = x.floor().clamp(0.0, last) as usize;
+        let t = x - cell as f64;
+        (1.0 - t) * table[cell] + t * table[cell + 1]
+    }
+
+    /// The mean of what is near the median.
+    #[differentiate(wrt(x))]
+    pub(super) fn trimmed(x: [f64; 5], near: f64) -> f64 {
+        let mut sorted = x.to_vec();
+        sorted.sort_by(|a, b| a.total_cmp(b));
+        let median = sorted[2];
+        let close = || x.iter().filter(|v| (*v - median).abs() < near);
+        close().sum::<f64>() / close().count() as f64
+    }
+
+    /// Steps of a walk until it leaves the circle.
+    #[differentiate(wrt(x, pull))]
+    pub(super) fn walk(x: [f64; 2], pull: f64, most: usize) -> f64 {
+        let mut place = x;
+        let mut visited = Vec::new();
+        let mut steps = 0;
+        while steps < 6 && place[0].hypot(place[1]) < 2.0 {
+            if steps >= most {
+                break;
+            }
+            place = [1.3 * place[0] - pull * place[1], 1.2 * place[1] + pull * place[0]];
+            steps += 1;
+        }
+        for _ in 0..2 {
+            visited.push(place[0] * place[1]);
+            place = [place[1], -place[0]];
+        }
+        let mut energy = 0.0;
+        let mut add = |v: f64| energy += v * v;
+        visited.iter().for_each(|v| add(*v));
+        add(place[0]);
+        energy + steps as f64
+    }
+}
+
+use functions::{Loss, Only};
+
+/// (f(x + h e) − f(x − h e)) / 2h by each component.
+fn differences<const N: usize>(f: impl Fn([f64; N]) -> f64, x: [f64; N]) -> [f64; N] {
+    let h = 1e-6;
+    core::array::from_fn(|k| {
+        let [mut less, mut more] = [x; 2];
+        less[k] -= h;
+        more[k] += h;
+        (f(more) - f(less)) / (2.0 * h)
+    })
+}
+
+fn assert_near<const N: usize>(found: [f64; N], expected: [f64; N], what: &str) {
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-7 * (1.0 + expected.abs()), "{what}: {found}, differences {expected}");
+    }
+}
+
+#[test]
+fn enums_as_arguments() {
+    let all = [Loss::Square, Loss::Huber { width: 0.7 }, Loss::Tukey(2.0, true), Loss::Tukey(1.1, false)];
+    for a in all {
+        for b in all {
+            let losses = [a, b, Loss::Huber { width: 0.3 }];
+            for x in [[0.2, -0.4, 0.1], [-1.3, 0.9, 2.1], [3.0, -2.5, -0.2]] {
+                let (value, (by_x, by_scale)) = functions::robust_gradient(&losses, x, 1.2);
+                let expected = functions::robust(&losses, x, 1.2);
+                assert!((value - expected).abs() < 1e-14 * (1.0 + expected), "{value}, {expected}: {losses:?}");
+                assert_near(by_x, differences(|x| functions::robust(&losses, x, 1.2), x), "by x");
+                assert_near([by_scale], differences(|[s]| functions::robust(&losses, x, s), [1.2]), "by the scale");
+            }
+        }
+    }
+    let (value, (slope,)) = functions::only_gradient(2.0, Only::One(3.0));
+    assert_eq!([value, slope], [12.0, 12.0]);
+}
+
+#[test]
+fn elements_that_arguments_choose() {
+    let table = [1.0, -2.0, 0.5, 4.0, 3.0, -1.0];
+    for x in [-0.5, 0.25, 1.5, 2.75, 3.5, 4.25, 5.5] {
+        let (value, (by_x, by_table)) = functions::interpolated_gradient(x, table);
+        assert_eq!(value.to_bits(), functions::interpolated(x, table).to_bits());
+        assert_near([by_x], differences(|[x]| functions::interpolated(x, table), [x]), "by the place");
+        assert_near(by_table, differences(|table| functions::interpolated(x, table), table), "by the table");
+    }
+}
+
+#[test]
+fn what_is_left_of_a_list() {
+    for x in [[0.3, -1.0, 0.5, 2.0, 0.1], [5.0, 4.0, 3.0, 2.0, 1.0], [-0.2, 0.1, 0.05, -0.4, 9.0]] {
+        for near in [0.15, 0.6, 1.75, 100.0] {
+            let (value, (slopes,)) = functions::trimmed_gradient(x, near);
+            assert!((value - functions::trimmed(x, near)).abs() < 1e-14);
+            assert_near(slopes, differences(|x| functions::trimmed(x, near), x), "by the numbers");
+        }
+    }
+}
+
+#[test]
+fn loops_that_arguments_end() {
+    for x in [[0.3, 0.2], [-1.0, 0.4], [2.5, 0.0], [0.01, -0.02]] {
+        for most in [0, 1, 3, 9] {
+            let (value, (by_x, by_pull)) = functions::walk_gradient(x, 0.4, most);
+            let expected = functions::walk(x, 0.4, most);
+            assert!((value - expected).abs() < 1e-13 * (1.0 + expected.abs()), "{value}, {expected}");
+            assert_near(by_x, differences(|x| functions::walk(x, 0.4, most), x), "by the start");
+            assert_near([by_pull], differences(|[pull]| functions::walk(x, pull, most), [0.4]), "by the pull");
+        }
+    }
+}
