@@ -302,10 +302,6 @@ messages! {
         "`{name}` of an array is the method of a trait, which cannot be seen from here",
         "of an iterator write `iter().{name}`; else make it a function of the module";
 
-    effect_of_condition() =>
-        "what is after `&&` or `||` changes a variable",
-        "both sides are computed: change it before, or in an `if`";
-
     effect_of_assertion() =>
         "this assertion changes a variable",
         "companions do not check assertions: change it before";
@@ -333,6 +329,18 @@ messages! {
     sorted_too_long(most: usize) =>
         "this array is too long to be sorted here: at most {most}",
         "every two elements are compared; sort it before it is passed";
+
+    receiver_effect() =>
+        "which place this method changes depends on what is changed on the way to it",
+        "bind the index with `let` before";
+
+    error_value() =>
+        "what an error says is not followed",
+        "write `Err(_)`";
+
+    rebound_reference() =>
+        "a reference is given another place here",
+        "give what it refers to another value, as in `*x = …`, or take turns by an index into an array of two";
 
     not_a_list() => "what is collected here is no `Vec`", "collect a `Vec`: `.collect::<Vec<_>>()`";
 

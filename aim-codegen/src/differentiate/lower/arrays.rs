@@ -8,7 +8,8 @@ use super::{Translation, operators};
 use crate::differentiate::messages;
 
 /// Their names, for messages.
-pub(super) const METHODS: &[&str] = &["split_at", "split_first", "split_last", "concat", "contains", "partition_point"];
+pub(super) const METHODS: &[&str] =
+    &["get", "split_at", "split_first", "split_last", "concat", "contains", "partition_point"];
 
 impl Translation<'_> {
     /// A method of an array of these elements that no iterator has; `None` if it is another one.
@@ -26,6 +27,22 @@ impl Translation<'_> {
                     }
                     None if known.is_some() => self.refuse(*place, messages::index_outside("this array")),
                     None => self.refuse_known(&value, *place, messages::index_unknown()),
+                }
+            }
+            ("get", [place]) => {
+                let place = self.expression(place);
+                match (&place, self.algebra.known_integer(&place)) {
+                    (_, Some(known)) => {
+                        let item = usize::try_from(known).ok().and_then(|known| items.get(known));
+                        item.map_or_else(Value::none, |item| Value::some(item.clone()))
+                    }
+                    (Value::Integer(index), None) => {
+                        let Value::Integer(count) = self.algebra.whole(items.len()) else { return None };
+                        let is_some = Condition::less(self.algebra, *index, count);
+                        let chosen = Value::Array(items.to_vec()).chosen(self.algebra, *index);
+                        chosen.map_or_else(Value::none, |item| Value::some_if(is_some, item))
+                    }
+                    _ => self.refuse_known(&place, &call.args, messages::index_unknown()),
                 }
             }
             ("split_first" | "split_last", []) => {

@@ -8,6 +8,7 @@ use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
+use super::condition::Condition;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::map::Quaternion;
@@ -57,7 +58,11 @@ impl Translation<'_> {
         }
         let is_drained = core::mem::take(&mut self.is_drained);
         self.is_drained = sequences::drains(&call.method, is_drained);
+        self.frame.begin_branch(Condition::Known(true));
         let receiver = self.expression(&call.receiver);
+        let assigned = self.frame.end_branch();
+        let has_effect = !assigned.is_empty();
+        self.frame.take(assigned);
         self.is_drained = false;
         if receiver.is_unknown() {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
@@ -80,7 +85,7 @@ impl Translation<'_> {
         if let Some(value) = self.column_or_row(&receiver, call) {
             return value;
         }
-        if let Some(value) = self.own_method(&receiver, call) {
+        if let Some(value) = self.own_method(&receiver, has_effect, call) {
             return value;
         }
         if let Value::Struct(of) = &receiver {
@@ -145,11 +150,15 @@ impl Translation<'_> {
     }
 
     /// A method that the module has for a struct of its own, or by a trait for numbers; `None` if there is none.
-    fn own_method(&mut self, receiver: &Value, call: &ExprMethodCall) -> Option<Value> {
+    fn own_method(&mut self, receiver: &Value, has_effect: bool, call: &ExprMethodCall) -> Option<Value> {
         let ty = self.type_name(receiver)?;
         let several = self.own_functions(&ty, &call.method.to_string());
         let receiver = match several.as_slice() {
             [] => return None,
+            // It would happen twice.
+            [function] if function.changed.first() == Some(&true) && has_effect => {
+                return Some(self.refuse(&call.receiver, messages::receiver_effect()));
+            }
             [function] if function.changed.first() == Some(&true) => self.reference(&call.receiver),
             _ => receiver.clone(),
         };
@@ -344,7 +353,9 @@ impl Translation<'_> {
                 }
                 return self.refuse(&call.func, messages::from_fn_unknown());
             }
-            ("Some", [value], _) => {
+            // Of an error nothing is known but that it is one.
+            ("Err", [_], _) => return Value::none(),
+            ("Some" | "Ok", [value], _) => {
                 let value = self.expression(value);
                 return Value::some(value);
             }

@@ -8,7 +8,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::statements::is_rest;
 use super::value::Value;
-use super::{Translation, has_effect, operators, strip};
+use super::{Translation, operators, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 
@@ -79,14 +79,13 @@ impl Translation<'_> {
                 None
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
-                if has_effect(both.right.to_token_stream()) {
-                    self.refuse(&both.right, messages::effect_of_condition());
-                    return None;
-                }
                 // Where a pattern does not fit, its names have no values.
                 match self.condition(&both.left)? {
                     Condition::Known(false) => Some(Condition::Known(false)),
-                    left => self.condition(&both.right).map(|right| left.and(right)),
+                    left => {
+                        let right = self.under(&both.op, &left, |this| this.condition(&both.right));
+                        right.map(|right| left.and(right))
+                    }
                 }
             }
             _ => match self.expression(expression) {
@@ -97,6 +96,25 @@ impl Translation<'_> {
                 }
             },
         }
+    }
+
+    /// What is done only where a condition holds: what that makes of variables counts there alone.
+    pub(super) fn under<T>(
+        &mut self,
+        place: &impl ToTokens,
+        condition: &Condition,
+        act: impl FnOnce(&mut Self) -> T,
+    ) -> T {
+        if matches!(condition, Condition::Known(true)) {
+            return act(self);
+        }
+        self.frame.begin_branch(condition.clone());
+        let made = act(self);
+        let assigned = self.frame.end_branch();
+        if self.frame.merge(self.algebra, condition, &assigned, &Vec::new()).is_err() {
+            self.refuse(place, messages::variable_of_two_kinds());
+        }
+        made
     }
 
     /// Runs two branches and joins what they make of the variables. Where it is known which one is taken, the other is not
@@ -176,9 +194,8 @@ impl Translation<'_> {
             Pat::Paren(paren) => self.pattern(&paren.pat, value),
             Pat::Reference(reference) => self.pattern(&reference.pat, value),
             Pat::Guard(guard) => {
-                let matched = self.pattern(&guard.pat, value);
-                let guard = self.condition(&guard.guard);
-                matched.zip(guard).map(|(matched, guard)| matched.and(guard))
+                let matched = self.pattern(&guard.pat, value)?;
+                self.guarded(matched, Some(&guard.guard))
             }
             Pat::Lit(literal) => self.equal_to(&Expr::Lit(literal.clone()), value),
             Pat::Ident(name) if name.ident == "None" && matches!(value, Value::Optional(_)) => match value {
@@ -215,13 +232,22 @@ impl Translation<'_> {
                 }
             },
             Pat::TupleStruct(of) => match (value, of.path.segments.last()) {
-                (Value::Optional(optional), Some(last)) if last.ident == "Some" => match &optional.is_some {
-                    Condition::Known(false) => Some(Condition::Known(false)),
-                    is_some => {
-                        let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));
-                        inner.flatten().map(|inner| is_some.clone().and(inner))
+                (Value::Optional(optional), Some(last)) if last.ident == "Err" => {
+                    if !of.elems.iter().all(|element| matches!(element, Pat::Wild(_) | Pat::Rest(_))) {
+                        self.refuse(of, messages::error_value());
+                        return None;
                     }
-                },
+                    Some(optional.is_some.clone().not())
+                }
+                (Value::Optional(optional), Some(last)) if last.ident == "Some" || last.ident == "Ok" => {
+                    match &optional.is_some {
+                        Condition::Known(false) => Some(Condition::Known(false)),
+                        is_some => {
+                            let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));
+                            inner.flatten().map(|inner| is_some.clone().and(inner))
+                        }
+                    }
+                }
                 _ => {
                     let parts = of.elems.iter().enumerate().map(|(index, _)| Member::from(index));
                     let parts: Vec<Value> = parts.map(|member| self.part(value, &member)).collect();
@@ -239,6 +265,17 @@ impl Translation<'_> {
             other => {
                 self.refuse(other, messages::match_pattern());
                 None
+            }
+        }
+    }
+
+    /// Whether a guard holds where its pattern matches.
+    pub(super) fn guarded(&mut self, matched: Condition, guard: Option<&Expr>) -> Option<Condition> {
+        match (matched, guard) {
+            (matched @ Condition::Known(false), _) | (matched, None) => Some(matched),
+            (matched, Some(guard)) => {
+                let guard = self.under(guard, &matched, |this| this.condition(guard))?;
+                Some(matched.and(guard))
             }
         }
     }

@@ -56,7 +56,8 @@ impl Translation<'_> {
                 let values = parts.iter().map(|part| self.default_of(place, part));
                 Some(Value::Tuple(values.collect::<Option<_>>()?))
             }
-            Expected::Array(_, None) | Expected::Any => None,
+            Expected::Optional => Some(Value::none()),
+            Expected::Array(_, None) | Expected::Other | Expected::Any => None,
         }
     }
 }

@@ -4,14 +4,14 @@
 use std::rc::Rc;
 
 use syn::parse::{ParseStream, Parser};
-use syn::{Expr, Member, Pat, Token};
+use syn::{BinOp, Expr, Member, Pat, Token};
 
-use super::Translation;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::statements::is_rest;
 use super::value::{Struct, Value};
+use super::{Translation, operators};
 use crate::differentiate::items::Enumeration;
 use crate::differentiate::messages;
 
@@ -100,6 +100,79 @@ impl Translation<'_> {
         Some(is_it.and(inner))
     }
 
+    /// `==` or `!=` of what has parts: as its own `eq` has it, or as is derived. `None` of anything else.
+    pub(super) fn equality(&mut self, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+        let is_equal = matches!(operator, BinOp::Eq(_));
+        if !is_equal && !matches!(operator, BinOp::Ne(_)) {
+            return None;
+        }
+        match self.equal(operator, left, right)? {
+            Value::Truth(equal) => Some(Value::Truth(if is_equal { equal } else { equal.not() })),
+            other => Some(other),
+        }
+    }
+
+    fn equal(&mut self, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+        let parts: Vec<(&Value, &Value)> = match (left, right) {
+            (Value::Struct(x), Value::Struct(y)) if x.name == y.name => {
+                if let Some(own) = self.only_function(Some(&x.name), "eq") {
+                    return Some(self.inline(operator, &own, vec![left.clone(), right.clone()]));
+                }
+                if self.items.enumeration(&x.name).is_some() {
+                    return self.equal_variants(operator, x, y);
+                }
+                x.fields.iter().zip(&y.fields).map(|((_, x), (_, y))| (x, y)).collect()
+            }
+            (Value::Array(x), Value::Array(y)) | (Value::Tuple(x), Value::Tuple(y)) if x.len() == y.len() => {
+                x.iter().zip(y).collect()
+            }
+            (Value::Optional(x), Value::Optional(y)) => {
+                let (one, other) = (x.is_some.clone(), y.is_some.clone());
+                let neither = one.clone().not().and(other.clone().not());
+                if x.value.is_never() || y.value.is_never() {
+                    return Some(Value::Truth(neither));
+                }
+                return match self.equal(operator, &x.value, &y.value)? {
+                    Value::Truth(equal) => Some(Value::Truth(neither.or(one.and(other).and(equal)))),
+                    other => Some(other),
+                };
+            }
+            _ => return operators::binary(self.algebra, &syn::parse_quote!(==), left, right),
+        };
+        let mut all = Condition::Known(true);
+        for (x, y) in parts {
+            match self.equal(operator, x, y)? {
+                Value::Truth(equal) => all = all.and(equal),
+                other => return Some(other),
+            }
+        }
+        Some(Value::Truth(all))
+    }
+
+    /// The variants are the same, and what that has.
+    fn equal_variants(&mut self, operator: &BinOp, x: &Struct, y: &Struct) -> Option<Value> {
+        let variants = &self.items.enumeration(&x.name)?.variants;
+        let (Value::Integer(tag), Value::Integer(other)) = (x.field(TAG)?, y.field(TAG)?) else { return None };
+        let mut all = Condition::equal(self.algebra, *tag, *other);
+        for (number, variant) in variants.iter().enumerate() {
+            let Value::Integer(number) = self.algebra.whole(number) else { return None };
+            let is_another = Condition::equal(self.algebra, *tag, number).not();
+            for (member, _) in &variant.fields {
+                let name = field_of(&variant.name, member);
+                let (one, two) = (x.field(&name)?, y.field(&name)?);
+                // It is of one of them at most, and the variants differ where it is.
+                if one.is_never() || two.is_never() {
+                    continue;
+                }
+                match self.equal(operator, one, two)? {
+                    Value::Truth(equal) => all = all.and(is_another.clone().or(equal)),
+                    other => return Some(other),
+                }
+            }
+        }
+        Some(Value::Truth(all))
+    }
+
     /// `matches!(value, pattern if condition)`
     pub(super) fn matches_macro(&mut self, call: &syn::Macro) -> Value {
         let parse = |input: ParseStream<'_>| {
@@ -123,9 +196,8 @@ impl Translation<'_> {
             return value;
         }
         let depth = self.frame.depth();
-        let matched = self.pattern(&pattern, &value);
-        let guarded = guard.map_or(Some(Condition::Known(true)), |guard| self.condition(&guard));
+        let matched = self.pattern(&pattern, &value).and_then(|matched| self.guarded(matched, guard.as_ref()));
         self.frame.leave(depth);
-        matched.zip(guarded).map_or(Value::Unknown, |(matched, guarded)| Value::Truth(matched.and(guarded)))
+        matched.map_or(Value::Unknown, Value::Truth)
     }
 }

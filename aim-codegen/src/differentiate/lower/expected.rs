@@ -9,6 +9,9 @@ pub(super) enum Expected {
     /// Elements, and how many.
     Array(Box<Self>, Option<usize>),
     Tuple(Vec<Self>),
+    Optional,
+    /// A type that is not understood, with parameters.
+    Other,
     /// It is not known.
     #[default]
     Any,

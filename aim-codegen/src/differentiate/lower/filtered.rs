@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use quote::ToTokens;
 use syn::{Expr, ExprMethodCall};
 
 use super::condition::Condition;
@@ -131,7 +130,7 @@ impl Translation<'_> {
     fn conditions(&mut self, call: &ExprMethodCall, function: &Expr, items: &[Maybe]) -> Result<Vec<Condition>, Value> {
         let function = self.function_argument(function, 1).ok_or(Value::Unknown)?;
         let condition = |(is_there, item): &Maybe| match self
-            .where_there(call, is_there, |this| this.inline(&call.method, &function, vec![item.clone()]))
+            .under(call, is_there, |this| this.inline(&call.method, &function, vec![item.clone()]))
         {
             Value::Truth(holds) => Ok(holds),
             other => Err(self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()))),
@@ -154,7 +153,7 @@ impl Translation<'_> {
             if matches!(is_there, Condition::Known(false)) {
                 continue;
             }
-            match self.where_there(call, &is_there, |this| make(this, item)) {
+            match self.under(call, &is_there, |this| make(this, item)) {
                 Value::Optional(optional) => {
                     let Optional { is_some, value } = &*optional;
                     if is_first_none_the_end {
@@ -205,7 +204,7 @@ impl Translation<'_> {
                 let start = self.expression_as(start, expected);
                 self.function_argument(function, 2).map(|function| {
                     items.into_iter().fold(start, |value, (is_there, item)| {
-                        let next = self.where_there(call, &is_there, |this| {
+                        let next = self.under(call, &is_there, |this| {
                             this.inline(&call.method, &function, vec![value.clone(), item])
                         });
                         self.either_value(call, &is_there, &next, &value)
@@ -250,7 +249,7 @@ impl Translation<'_> {
     fn map_those(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Maybe>) -> Option<Vec<Maybe>> {
         let function = self.function_argument(function, 1)?;
         let map = |(is_there, item): Maybe| {
-            let value = self.where_there(call, &is_there, |this| this.inline(&call.method, &function, vec![item]));
+            let value = self.under(call, &is_there, |this| this.inline(&call.method, &function, vec![item]));
             (is_there, value)
         };
         Some(items.into_iter().map(map).collect())
@@ -265,30 +264,10 @@ impl Translation<'_> {
     ) -> Value {
         let reduced = items.into_iter().reduce(|(is_some, value), (is_there, item)| {
             let both = is_some.clone().and(is_there.clone());
-            let joined = self.where_there(call, &both, |this| join(this, value.clone(), item.clone()));
+            let joined = self.under(call, &both, |this| join(this, value.clone(), item.clone()));
             let joined = self.either_value(call, &is_some, &joined, &item);
             (is_some.or(is_there.clone()), self.either_value(call, &is_there, &joined, &value))
         });
         reduced.map_or_else(Value::none, |(is_some, value)| Value::some_if(is_some, value))
-    }
-
-    /// What is done where an element is there. What that makes of variables counts there alone.
-    pub(super) fn where_there(
-        &mut self,
-        place: &impl ToTokens,
-        is_there: &Condition,
-        act: impl FnOnce(&mut Self) -> Value,
-    ) -> Value {
-        let mut value = Value::Unknown;
-        let done = self.branch(
-            place,
-            Some(is_there.clone()),
-            |this| {
-                value = act(this);
-                if value.is_unknown() { value.clone() } else { Value::nothing() }
-            },
-            |_| Value::nothing(),
-        );
-        if done.is_unknown() { done } else { value }
     }
 }

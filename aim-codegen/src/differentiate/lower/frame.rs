@@ -131,6 +131,11 @@ impl Frame {
         self.returned.contains(&place)
     }
 
+    /// Whether it is that of a parameter, which is a `&mut` to whoever reads the function.
+    pub(super) fn is_lent_parameter(&self, place: usize) -> bool {
+        place >= self.captured && self.is_lent(place)
+    }
+
     pub(super) fn is_lent(&self, place: usize) -> bool {
         self.lent.contains(&place)
     }

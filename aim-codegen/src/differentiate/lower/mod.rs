@@ -36,7 +36,6 @@ mod tests;
 
 use std::rc::Rc;
 
-use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
@@ -300,32 +299,67 @@ impl Translation<'_> {
     }
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Value {
-        let assigned = operators::assigned(&binary.op);
-        if matches!(binary.op, syn::BinOp::And(_) | syn::BinOp::Or(_)) && has_effect(binary.right.to_token_stream()) {
-            return self.refuse(&binary.right, messages::effect_of_condition());
+        if matches!(binary.op, syn::BinOp::And(_) | syn::BinOp::Or(_)) {
+            return self.short_circuit(binary);
         }
-        let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
+        let Some(operator) = operators::assigned(&binary.op) else {
+            let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
+            if left.is_unknown() || right.is_unknown() {
+                return Value::Unknown;
+            }
+            return match self.own_operator(&binary.op, &left, &right) {
+                Some(Ok(function)) => self.inline(&binary.op, &function, vec![left, right]),
+                Some(Err(text)) => self.refuse(&binary.op, text),
+                None => match self.equality(&binary.op, &left, &right) {
+                    Some(value) => value,
+                    None => self.operation(binary, &binary.op, &left, &right),
+                },
+            };
+        };
+        // What is added comes before the place that it is added to, which is found once.
+        let right = self.expression(&binary.right);
+        let Some(place) = self.place(&binary.left) else { return Value::Unknown };
+        let left = self.read(&place);
         if left.is_unknown() || right.is_unknown() {
             return Value::Unknown;
         }
-        let operator = assigned.as_ref().unwrap_or(&binary.op);
         match self.own_operator(&binary.op, &left, &right) {
-            Some(Ok(function)) if assigned.is_some() => {
-                let left = self.reference(&binary.left);
-                return self.inline(&binary.op, &function, vec![left, right]);
-            }
-            Some(Ok(function)) => return self.inline(&binary.op, &function, vec![left, right]),
-            Some(Err(text)) => return self.refuse(&binary.op, text),
-            None => {}
-        }
-        let value = match operators::binary(self.algebra, operator, &left, &right) {
-            Some(value) => value,
+            Some(Ok(function)) => self.inline(&binary.op, &function, vec![Value::Reference(Rc::new(place)), right]),
+            Some(Err(text)) => self.refuse(&binary.op, text),
             None => {
-                let text = messages::no_operation(operator, &left.describe(), &right.describe());
-                self.refuse(&binary.op, text)
+                let value = self.operation(binary, &operator, &left, &right);
+                self.write(&binary.left, &place, value)
+            }
+        }
+    }
+
+    /// What an operator that the language knows makes of two values.
+    fn operation(&mut self, binary: &syn::ExprBinary, operator: &syn::BinOp, left: &Value, right: &Value) -> Value {
+        operators::binary(self.algebra, operator, left, right).unwrap_or_else(|| {
+            self.refuse(&binary.op, messages::no_operation(operator, &left.describe(), &right.describe()))
+        })
+    }
+
+    /// `left && right` or `left || right`: what is on the right is done only where the left side does not decide.
+    fn short_circuit(&mut self, binary: &syn::ExprBinary) -> Value {
+        let is_and = matches!(binary.op, syn::BinOp::And(_));
+        let left = match self.expression(&binary.left) {
+            Value::Truth(left) => left,
+            other => {
+                return self.refuse_known(&other, &binary.left, messages::not_a_condition(&other.describe()));
             }
         };
-        if assigned.is_some() { self.assign(&binary.left, value) } else { value }
+        let goes_on = if is_and { left.clone() } else { left.clone().not() };
+        if matches!(goes_on, Condition::Known(false)) {
+            return Value::Truth(left);
+        }
+        match self.under(&binary.op, &goes_on, |this| this.expression(&binary.right)) {
+            Value::Truth(right) => Value::Truth(if is_and { left.and(right) } else { left.or(right) }),
+            // Whoever comes past it has not been there.
+            Value::Never if matches!(goes_on, Condition::Known(true)) => Value::Never,
+            Value::Never => Value::Truth(left),
+            other => self.refuse_known(&other, &binary.right, messages::not_a_condition(&other.describe())),
+        }
     }
 
     /// `value as type`
@@ -341,7 +375,7 @@ impl Translation<'_> {
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
             (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
             // No number that counts wraps round in these.
-            (Value::Integer(_), "i32" | "u32" | "i64" | "u64" | "isize" | "usize", None) => value,
+            (Value::Integer(_), "i32" | "i64" | "isize" | "usize" | "u64", None) => value,
             (Value::Truth(condition), ty, _) if is_integer(ty) => {
                 let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
                 Value::Integer(condition.select(self.algebra, one, zero))
@@ -367,27 +401,6 @@ impl Translation<'_> {
             other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls, `if` and `for`"),
         }
     }
-}
-
-/// True if an expression assigns to anything, or lends it to be changed.
-fn has_effect(tokens: TokenStream) -> bool {
-    let (mut before, mut assigns) = (' ', false);
-    for token in tokens {
-        let mut now = ' ';
-        match &token {
-            TokenTree::Group(group) if has_effect(group.stream()) => return true,
-            TokenTree::Ident(word) if before == '&' && word == "mut" => return true,
-            TokenTree::Punct(punct) => now = punct.as_char(),
-            _ => {}
-        }
-        // `=` alone, not the end or the beginning of a comparison or an arrow.
-        if assigns && !['=', '>'].contains(&now) {
-            return true;
-        }
-        assigns = now == '=' && !['=', '<', '>', '!', '.'].contains(&before);
-        before = now;
-    }
-    false
 }
 
 /// A whole number in an integer type; it wraps round.

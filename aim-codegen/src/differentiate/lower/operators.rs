@@ -7,7 +7,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Quaternion};
 use super::value::Value;
-use super::{TAG, methods, square};
+use super::{methods, square};
 
 /// The value of `left operator right`; `None` where there is no such operation.
 pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
@@ -240,10 +240,6 @@ fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option
             BinOp::Ne(_) => Condition::equal(a, *x, *y).not(),
             _ => return None,
         },
-        // Of enums without fields.
-        (Value::Struct(x), Value::Struct(y)) if x.name == y.name && x.fields.len() == 1 => {
-            return compare(a, operator, x.field(TAG)?, y.field(TAG)?);
-        }
         (Value::Ordering(x), Value::Ordering(y)) => {
             let same = |x: &Condition, y: &Condition| x.clone().and(y.clone()).or(x.clone().not().and(y.clone().not()));
             let equal = same(&x.less, &y.less).and(same(&x.greater, &y.greater));

@@ -14,8 +14,23 @@ use super::value::{Optional, Order, Value};
 use crate::differentiate::messages;
 
 /// The methods of options and orderings, for messages.
-const METHODS: &[&str] =
-    &["is_some", "is_none", "unwrap", "expect", "unwrap_or", "unwrap_or_else", "map", "map_or", "and_then"];
+const METHODS: &[&str] = &[
+    "is_some",
+    "is_none",
+    "is_some_and",
+    "unwrap",
+    "expect",
+    "unwrap_or",
+    "unwrap_or_else",
+    "map",
+    "map_or",
+    "and_then",
+    "filter",
+    "or",
+    "or_else",
+    "take",
+    "replace",
+];
 
 impl Value {
     pub(super) fn none() -> Self {
@@ -67,7 +82,10 @@ impl Translation<'_> {
             }
             (Value::Truth(holds), "then") if arguments.len() == 1 => {
                 let function = self.function_argument(arguments[0], 0)?;
-                let value = self.where_there(call, holds, |this| this.inline(&call.method, &function, Vec::new()));
+                if matches!(holds, Condition::Known(false)) {
+                    return Some(Value::none());
+                }
+                let value = self.under(call, holds, |this| this.inline(&call.method, &function, Vec::new()));
                 return Some(Value::some_if(holds.clone(), value));
             }
             (Value::Optional(optional), _) => optional,
@@ -81,8 +99,9 @@ impl Translation<'_> {
         let nothing = matches!(is_some, Condition::Known(false));
         Some(match (name.as_str(), arguments.as_slice()) {
             ("clone" | "copied" | "cloned" | "as_ref", []) => receiver.clone(),
-            ("is_some", []) => Value::Truth(is_some.clone()),
-            ("is_none", []) => Value::Truth(is_some.clone().not()),
+            ("ok", []) | ("map_err" | "ok_or", [_]) => receiver.clone(),
+            ("is_some" | "is_ok", []) => Value::Truth(is_some.clone()),
+            ("is_none" | "is_err", []) => Value::Truth(is_some.clone().not()),
             ("unwrap", []) | ("expect", [_]) if nothing => self.refuse(&call.method, messages::unwrapped_none()),
             // Where there is nothing, the function has no value.
             ("unwrap", []) | ("expect", [_]) => value.clone(),
@@ -92,27 +111,60 @@ impl Translation<'_> {
             }
             ("unwrap_or_else", [otherwise]) => {
                 let function = self.function_argument(otherwise, 0)?;
-                let otherwise = self.inline(&call.method, &function, Vec::new());
+                if matches!(is_some, Condition::Known(true)) {
+                    return Some(value.clone());
+                }
+                let is_none = is_some.clone().not();
+                let otherwise = self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
                 self.either_value(call, is_some, value, &otherwise)
             }
             ("map", [_]) if nothing => receiver.clone(),
             ("map", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                let mapped = self.inline(&call.method, &function, vec![value.clone()]);
+                let mapped =
+                    self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
                 Value::some_if(is_some.clone(), mapped)
             }
             ("map_or", [otherwise, function]) => {
                 let otherwise = self.expression_as(otherwise, expected);
                 let function = self.function_argument(function, 1)?;
-                let mapped =
-                    if nothing { Value::Never } else { self.inline(&call.method, &function, vec![value.clone()]) };
+                let mapped = if nothing {
+                    Value::Never
+                } else {
+                    self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]))
+                };
                 self.either_value(call, is_some, &mapped, &otherwise)
             }
             ("and_then", [_]) if nothing => receiver.clone(),
             ("and_then", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                let next = self.inline(&call.method, &function, vec![value.clone()]);
+                let next = self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
                 self.either_value(call, is_some, &next, &Value::none())
+            }
+            ("is_some_and", [_]) | ("filter", [_]) if nothing => match name.as_str() {
+                "filter" => receiver.clone(),
+                _ => Value::Truth(Condition::Known(false)),
+            },
+            ("is_some_and" | "filter", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                match self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()])) {
+                    Value::Truth(holds) if name == "filter" => {
+                        Value::some_if(is_some.clone().and(holds), value.clone())
+                    }
+                    Value::Truth(holds) => Value::Truth(is_some.clone().and(holds)),
+                    other => self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe())),
+                }
+            }
+            ("or", [other]) => {
+                let other = self.expression(other);
+                self.either_value(call, is_some, receiver, &other)
+            }
+            ("or_else", [_]) if matches!(is_some, Condition::Known(true)) => receiver.clone(),
+            ("or_else", [function]) => {
+                let function = self.function_argument(function, 0)?;
+                let is_none = is_some.clone().not();
+                let other = self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
+                self.either_value(call, is_some, receiver, &other)
             }
             _ => self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), METHODS)),
         })

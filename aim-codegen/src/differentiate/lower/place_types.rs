@@ -14,7 +14,8 @@ impl Expected {
     /// True if a value can be of the type.
     pub(super) fn fits(&self, value: &Value) -> bool {
         match (self, value) {
-            (Self::Any, _) | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Sequence(_)) => true,
+            (Self::Any | Self::Other, _)
+            | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Sequence(_)) => true,
             (Self::Array(element, length), Value::Array(values)) => {
                 length.is_none_or(|length| length == values.len()) && values.iter().all(|value| element.fits(value))
             }
@@ -22,6 +23,7 @@ impl Expected {
                 parts.len() == values.len() && parts.iter().zip(values).all(|(part, value)| part.fits(value))
             }
             (Self::Named(name), Value::Struct(of)) => *name == of.name,
+            (Self::Optional, value) => matches!(value, Value::Optional(_)),
             (Self::Named(name), Value::Integer(_)) => types::is_integer(name),
             (Self::Named(name), Value::Truth(_)) => name == "bool",
             (Self::Named(name), value) => types::named(name).is_some_and(|(shape, _)| is_of(value, &shape)),
@@ -84,8 +86,11 @@ impl Translation<'_> {
                 if path.get_ident().is_some_and(|name| generics.iter().any(|generic| name == generic)) {
                     return Expected::Any;
                 }
-                if path.segments.last().is_none_or(|last| !last.arguments.is_none()) {
-                    return Expected::Any;
+                match path.segments.last() {
+                    Some(last) if last.ident == "Option" => return Expected::Optional,
+                    Some(last) if OTHERS.iter().any(|name| last.ident == name) => return Expected::Other,
+                    Some(last) if last.arguments.is_none() => {}
+                    _ => return Expected::Any,
                 }
                 match self.items.meaning(&scope, &segments(path)) {
                     Meaning::Own(name) => match self.items.alias(&name) {
@@ -112,6 +117,9 @@ impl Translation<'_> {
         self.algebra.known_index(&value)
     }
 }
+
+/// Collections that are not understood.
+const OTHERS: [&str; 7] = ["HashMap", "HashSet", "BTreeMap", "BTreeSet", "BinaryHeap", "VecDeque", "LinkedList"];
 
 /// The value of a type that is added to without a change, or multiplied by.
 pub(super) fn neutral(a: &mut Algebra, name: &str, of_sums: bool) -> Option<Value> {

@@ -12,7 +12,7 @@ use super::expected::Expected;
 use super::map::{Affine, Map, Quaternion};
 use super::place_types::type_of;
 use super::value::{Place, Step, Struct, Value};
-use super::{Translation, square, strip};
+use super::{Translation, is_place, square, strip};
 use crate::differentiate::messages;
 
 impl Translation<'_> {
@@ -48,6 +48,9 @@ impl Translation<'_> {
     }
 
     fn assign_part(&mut self, target: &Expr, value: Value) -> Value {
+        if self.is_reference(target) {
+            return self.refuse(target, messages::rebound_reference());
+        }
         match self.place(target) {
             Some(_) if matches!(value, Value::Reference(_)) => self.refuse(target, messages::mutable_borrow()),
             Some(place) => self.write(target, &place, value),
@@ -119,7 +122,7 @@ impl Translation<'_> {
     pub(super) fn changing_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let name = call.method.to_string();
-        if let Some(value) = self.list_method(call) {
+        if let Some(value) = self.list_method(call).or_else(|| self.option_method(call)) {
             return Some(value);
         }
         match (name.as_str(), arguments.as_slice()) {
@@ -139,6 +142,12 @@ impl Translation<'_> {
 
     /// `mem::swap(&mut one, &mut other)`
     pub(super) fn exchanged(&mut self, target: &impl ToTokens, one: &Expr, other: &Expr) -> Value {
+        if [one, other]
+            .into_iter()
+            .any(|lent| matches!(strip(lent), Expr::Reference(of) if self.is_reference(&of.expr)))
+        {
+            return self.refuse(target, messages::rebound_reference());
+        }
         let [one, other] = [one, other].map(|lent| match strip(lent) {
             Expr::Reference(reference) => &*reference.expr,
             place => place,
@@ -147,6 +156,25 @@ impl Translation<'_> {
             (Some(one), Some(other)) => self.swapped(target, [&one, &other]),
             _ => Value::Unknown,
         }
+    }
+
+    /// `take` and `replace` of an option; `None` if it is another method, or of something else.
+    fn option_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let is_one = call.method == "take" && call.args.is_empty() || call.method == "replace" && call.args.len() == 1;
+        if !is_one || !is_place(&call.receiver) {
+            return None;
+        }
+        let place = self.place(&call.receiver)?;
+        let before = self.read(&place);
+        if !matches!(before, Value::Optional(_)) {
+            return None;
+        }
+        let now = match call.args.first() {
+            Some(value) => Value::some(self.expression(value)),
+            None => Value::none(),
+        };
+        let written = self.write(&call.method, &place, now);
+        Some(if written.is_unknown() { written } else { before })
     }
 
     /// `mem::replace(&mut place, value)`
@@ -159,6 +187,15 @@ impl Translation<'_> {
         let before = self.read(&place);
         let written = self.write(target, &place, value);
         if written.is_unknown() { written } else { before }
+    }
+
+    /// Whether an expression is a variable that is a `&mut`.
+    fn is_reference(&self, target: &Expr) -> bool {
+        let Expr::Path(path) = strip(target) else { return false };
+        let variable = path.path.get_ident().and_then(|name| self.frame.find(&name.to_string()));
+        variable.is_some_and(|variable| {
+            matches!(self.frame.value(variable), Value::Reference(_)) || self.frame.is_lent_parameter(variable)
+        })
     }
 
     /// Gives each of two places the value of the other.

@@ -200,6 +200,7 @@ impl Translation<'_> {
                     None => self.refuse_known(&value, *index, messages::index_unknown()),
                 }
             }
+            ("collect", []) if matches!(expected, Expected::Other) => self.refuse(&call.method, messages::not_a_list()),
             ("collect", []) => self.collected(call, items),
             ("is_empty", []) => Value::Truth(Condition::Known(items.is_empty())),
             ("len" | "count", []) => self.algebra.whole(items.len()),

@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::value::Value;
-use super::{Translation, functions, has_effect, numbers};
+use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
 
@@ -143,7 +143,7 @@ impl Translation<'_> {
     pub(super) fn macro_call(&mut self, call: &syn::Macro) -> Value {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.strip_prefix("debug_").unwrap_or(&name) {
-            "assert" | "assert_eq" | "assert_ne" if name.starts_with('a') && has_effect(call.tokens.clone()) => {
+            "assert" | "assert_eq" | "assert_ne" if self.has_effect(call) => {
                 self.refuse(&call.path, messages::effect_of_assertion())
             }
             "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
@@ -153,6 +153,17 @@ impl Translation<'_> {
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
             _ => self.refuse(&call.path, messages::macro_call()),
         }
+    }
+
+    /// Whether what a macro is given changes a variable. What of it is not understood does not matter.
+    fn has_effect(&mut self, call: &syn::Macro) -> bool {
+        let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
+        let errors = self.report.count();
+        self.frame.begin_branch(Condition::Known(true));
+        written.iter().for_each(|part| _ = self.expression(part));
+        let changed = self.frame.end_branch();
+        self.report.forget(errors);
+        !changed.is_empty()
     }
 
     /// Gives the names of a pattern their values.

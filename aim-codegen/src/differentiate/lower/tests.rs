@@ -815,4 +815,72 @@ same! {
                 + if [1, 2, 3].contains(&cell) { 5.0 } else { 0.0 }
         }
     }
+    effects_where_they_happen {
+        #[derive(Clone, Copy, PartialEq, Default)]
+        struct Counter { n: f64, last: Option<f64> }
+        impl Counter {
+            fn hit(&mut self, v: f64) -> bool { self.n += v; v > 0.0 }
+            fn next(&mut self) -> usize { self.n += 1.0; self.last = None; 0 }
+        }
+        fn early(x: f64, y: f64) -> f64 {
+            let o = if y > 0.0 { Some(y) } else { None };
+            let _positive = x > 0.0 || return 3.0 * y;
+            let p = || -> Option<f64> { if x > 1.5 && o? > 0.6 { Some(9.0) } else { Some(1.0) } };
+            p().unwrap_or(-5.0)
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut c = Counter { n: 0.0, ..Default::default() };
+            if c.hit(x) && c.hit(y) || c.hit(2.0) { c.n += 10.0; }
+            let mut n = 0.0;
+            let mut hit = |v: f64| { n += v; v > 0.0 };
+            let both = hit(x) && hit(10.0 * y);
+            let mut k = 0;
+            while k < 4 && hit(y - k as f64) { k += 1; }
+            let o = if x > 0.5 { Some(x) } else { None };
+            let mut seen = 0.0;
+            let mapped = o.map(|v| { seen += v; v * v }).unwrap_or_else(|| { seen -= 7.0; y });
+            let guarded = match o { Some(v) if { seen += 0.5; v > 1.0 } => v, Some(_) => -1.0, None => 4.0 };
+            let mut v = [x, y, 3.0];
+            let mut i = 1;
+            v[i] += { i = 2; 0.5 };
+            v[c.next()] *= 2.0;
+            c.n += if c.hit(y) { c.n } else { -c.n };
+            c.last = Some(x);
+            let old = c.last.replace(y).unwrap() + c.last.take().unwrap_or(0.0);
+            let near = (0..3).filter(|&j| j + 1 < 3 && v[j + 1] > v[j]).count();
+            let mut previous: Option<f64> = None;
+            let mut rises = 0.0;
+            for w in v { match previous { Some(p) if w > p => rises += w - p, _ => {} } previous = Some(w); }
+            let kept = o.filter(|v| *v < 2.5).or(Some(0.25)).is_some_and(|v| v > 0.7);
+            c.n + n + early(x, y) + early(y, x) + mapped + guarded + seen + v[0] + v[1] * v[2] + old + near as f64 + rises + k as f64
+                + if both { 100.0 } else { 0.0 } + if kept { 200.0 } else { 0.0 } + if c.last.is_some() { 1e3 } else { 0.0 }
+        }
+    }
+    equality_and_results {
+        #[derive(Clone, Copy, PartialEq)]
+        enum Joint { Fixed, Hinge(f64, i32), Slide { along: f64 } }
+        #[derive(Clone, Copy)]
+        enum Parity { Even, Odd }
+        impl PartialEq for Parity { fn eq(&self, _: &Self) -> bool { matches!(self, Parity::Odd) } }
+        #[derive(PartialEq)]
+        struct Pose { at: [f64; 2], joint: Joint }
+        fn joint(x: f64) -> Joint {
+            if x < 0.0 { Joint::Fixed } else if x < 1.5 { Joint::Hinge(x.floor(), 2) } else { Joint::Slide { along: 1.0 } }
+        }
+        fn root(x: f64) -> Result<f64, &'static str> { if x < 0.0 { Err("negative") } else { Ok(x.sqrt()) } }
+        fn both(x: f64, y: f64) -> Result<f64, &'static str> { Ok(root(x)? + root(y)?) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let number = |truth: bool| if truth { 1.0 } else { 0.0 };
+            let (a, b) = (Pose { at: [x, 1.0], joint: joint(x) }, Pose { at: [x.max(0.5), 1.0], joint: joint(y) });
+            let pair = [2.0, -1.0, 0.5];
+            let index = (x + 3.0) as usize;
+            let quotient = x / (y - 0.75);
+            number(joint(x) == joint(y)) + 2.0 * number(joint(x) != Joint::Fixed) + 4.0 * number(a == b)
+                + 8.0 * number(Parity::Even == Parity::Even) + 16.0 * number(Parity::Odd == Parity::Even)
+                + 32.0 * number(Some(x.floor()) == if y > 0.0 { Some(0.0) } else { None })
+                + match both(x, y) { Ok(v) => v, Err(_) => -3.0 } + root(y).unwrap_or(0.5) + number(root(x).is_ok())
+                + pair.get(index).copied().unwrap_or(7.0) + if quotient.is_finite() { quotient } else { 11.0 }
+                + number(quotient.is_nan()) + (x * 1e10) as i32 as f64
+        }
+    }
 }

@@ -93,6 +93,8 @@ pub(super) fn whole(a: &mut Algebra, x: &Value, ty: &str) -> Value {
         "i8" => "x.trunc().clamp(-128.0, 127.0)",
         "u16" => "x.trunc().clamp(0.0, 65535.0)",
         "i16" => "x.trunc().clamp(-32768.0, 32767.0)",
+        "u32" => "x.trunc().clamp(0.0, 4294967295.0)",
+        "i32" => "x.trunc().clamp(-2147483648.0, 2147483647.0)",
         // What is beyond the others' ends is no index.
         ty if ty.starts_with('u') => "x.trunc().max(0.0)",
         _ => "x.trunc()",

@@ -84,6 +84,18 @@ functions! {
         let factor = a.number(180.0 / core::f64::consts::PI);
         a.mul(factor, x)
     }
+    is_finite(x: Scalar) -> Truth {
+        let (size, infinity) = (size(a, x)?, a.number(f64::INFINITY));
+        Condition::less(a, size, infinity)
+    }
+    is_infinite(x: Scalar) -> Truth {
+        let (size, most) = (size(a, x)?, a.number(f64::MAX));
+        Condition::less(a, most, size)
+    }
+    is_nan(x: Scalar) -> Truth {
+        let (size, [infinity, most]) = (size(a, x)?, [f64::INFINITY, f64::MAX].map(|end| a.number(end)));
+        Condition::less(a, size, infinity).or(Condition::less(a, most, size)).not()
+    }
     partial_cmp(x: Scalar, y: Scalar) -> Optional {
         let order = Value::Ordering(Rc::new(Order::of(a, x, y)));
         Rc::new(Optional { is_some: Condition::Known(true), value: order })
@@ -137,6 +149,14 @@ fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Sc
     );
     match evaluate(a, &formula, &["x"], &[Value::Scalar(x)]) {
         Value::Scalar(value) => Ok(value),
+        _ => Err(Fault::Arguments),
+    }
+}
+
+/// |x|
+fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, Fault> {
+    match evaluate(a, "x.abs()", &["x"], &[Value::Scalar(x)]) {
+        Value::Scalar(size) => Ok(size),
         _ => Err(Fault::Arguments),
     }
 }
