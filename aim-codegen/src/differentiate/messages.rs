@@ -111,7 +111,7 @@ messages! {
         "differentiate one term and sum its derivatives in a function around it";
 
     constant_variable(name: &str) =>
-        "`{name}` does not vary: there are no derivatives by truth values, whole numbers and options",
+        "`{name}` does not vary: there are no derivatives by truth values, whole numbers, options and enums",
         "leave it out of `wrt`";
 
     partial_struct(name: &str) =>
@@ -164,7 +164,7 @@ messages! {
 
     variable_of_two_kinds() =>
         "a variable has two kinds of values where the branches meet",
-        "give it values of one kind";
+        "give it values of one kind, and lists of one length";
 
     returns_differ() => "this function returns values of two kinds", "return values of one kind";
 

@@ -87,7 +87,7 @@ impl Translation<'_> {
                     return Expected::Any;
                 }
                 match path.segments.last() {
-                    Some(last) if last.ident == "Option" => return Expected::Optional,
+                    Some(last) if last.ident == "Option" || last.ident == "Result" => return Expected::Optional,
                     Some(last) if OTHERS.iter().any(|name| last.ident == name) => return Expected::Other,
                     Some(last) if last.arguments.is_none() => {}
                     _ => return Expected::Any,

@@ -200,8 +200,7 @@ impl Translation<'_> {
                     None => self.refuse_known(&value, *index, messages::index_unknown()),
                 }
             }
-            ("collect", []) if matches!(expected, Expected::Other) => self.refuse(&call.method, messages::not_a_list()),
-            ("collect", []) => self.collected(call, items),
+            ("collect", []) => self.collected(call, items, expected),
             ("is_empty", []) => Value::Truth(Condition::Known(items.is_empty())),
             ("len" | "count", []) => self.algebra.whole(items.len()),
             ("rev", []) => Value::Sequence(items.into_iter().rev().collect()),
@@ -309,18 +308,30 @@ impl Translation<'_> {
         value
     }
 
-    /// What `collect` makes of these.
-    fn collected(&mut self, call: &ExprMethodCall, items: Vec<Value>) -> Value {
-        let written = call.turbofish.as_ref().and_then(|of| of.args.first());
-        let is_list = |ty: &syn::Type| match ty {
-            syn::Type::Path(path) => path.path.segments.last().is_some_and(|last| last.ident == "Vec"),
-            syn::Type::Infer(_) => true,
-            _ => false,
-        };
-        match written {
-            Some(syn::GenericArgument::Type(ty)) if !is_list(ty) => self.refuse(ty, messages::not_a_list()),
-            _ if items.iter().any(Value::is_unknown) => Value::Unknown,
-            _ => Value::Array(items),
+    /// What `collect` makes of these: a list, or an option of one, which is there where all of them are.
+    fn collected(&mut self, call: &ExprMethodCall, items: Vec<Value>, expected: &Expected) -> Value {
+        let written = call.turbofish.as_ref().and_then(|of| match of.args.first() {
+            Some(syn::GenericArgument::Type(ty)) => Some(self.expected(ty)),
+            _ => None,
+        });
+        if items.iter().any(Value::is_unknown) {
+            return Value::Unknown;
+        }
+        match written.as_ref().unwrap_or(expected) {
+            Expected::Any | Expected::Array(..) => Value::Array(items),
+            Expected::Optional => {
+                let mut all = (Condition::Known(true), Vec::with_capacity(items.len()));
+                for item in items {
+                    let Value::Optional(optional) = item else { return Value::Unknown };
+                    all.0 = all.0.and(optional.is_some.clone());
+                    all.1.push(optional.value.clone());
+                }
+                match all {
+                    (Condition::Known(false), _) => Value::none(),
+                    (is_some, values) => Value::some_if(is_some, Value::Array(values)),
+                }
+            }
+            _ => self.refuse(&call.method, messages::not_a_list()),
         }
     }
 

@@ -847,6 +847,9 @@ same! {
             c.n += if c.hit(y) { c.n } else { -c.n };
             c.last = Some(x);
             let old = c.last.replace(y).unwrap() + c.last.take().unwrap_or(0.0);
+            let roots: Option<Vec<f64>> = [x + 1.0, y + 2.0].iter().map(|v| (*v > 0.0).then(|| v.sqrt())).collect();
+            let more = [x, y].iter().map(|v| if *v > 0.0 { Some(*v) } else { None }).collect::<Option<Vec<_>>>();
+            c.n += roots.map_or(0.5, |roots| roots[0] - roots[1]) + more.map_or(-1.0, |v| v.iter().sum());
             let near = (0..3).filter(|&j| j + 1 < 3 && v[j + 1] > v[j]).count();
             let mut previous: Option<f64> = None;
             let mut rises = 0.0;

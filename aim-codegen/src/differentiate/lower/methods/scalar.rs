@@ -89,12 +89,12 @@ functions! {
         Condition::less(a, size, infinity)
     }
     is_infinite(x: Scalar) -> Truth {
-        let (size, most) = (size(a, x)?, a.number(f64::MAX));
-        Condition::less(a, most, size)
+        let (size, [infinity, below]) = (size(a, x)?, [f64::INFINITY, -1.0].map(|end| a.number(end)));
+        Condition::less(a, size, infinity).not().and(Condition::less(a, below, size))
     }
     is_nan(x: Scalar) -> Truth {
-        let (size, [infinity, most]) = (size(a, x)?, [f64::INFINITY, f64::MAX].map(|end| a.number(end)));
-        Condition::less(a, size, infinity).or(Condition::less(a, most, size)).not()
+        let (size, below) = (size(a, x)?, a.number(-1.0));
+        Condition::less(a, below, size).not()
     }
     partial_cmp(x: Scalar, y: Scalar) -> Optional {
         let order = Value::Ordering(Rc::new(Order::of(a, x, y)));
