@@ -91,19 +91,6 @@ mod unseen {
     }
 
     #[differentiate(wrt(x))]
-    pub fn counted(x: f32, y: f32) -> f32 {
-        let mut n = 0.0;
-        if x > 0.0 && {
-            n += 1.0;
-            y > 0.0
-        } {
-            n * x
-        } else {
-            x
-        }
-    }
-
-    #[differentiate(wrt(x))]
     pub fn optional(x: f32, limit: Option<f32>, name: Option<&str>) -> Option<f32> {
         let _ = name;
         if let Some(limit) = limit { Some(x.min(limit)) } else { None }
