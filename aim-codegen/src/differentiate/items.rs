@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature};
+use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, TraitItem};
 
 use super::lower::{Callable, Scope};
 use super::names::{Meaning, Names, join, segments};
@@ -22,6 +22,9 @@ pub(super) struct Items {
     functions: Vec<(Name, Rc<Callable>)>,
     structs: Vec<(String, Structure)>,
     enums: Vec<(String, Enumeration)>,
+    traits: Vec<(String, Rc<Scope>, syn::ItemTrait)>,
+    /// Implementations of traits: the trait's full name, the name that the type is known by, and what `Self` is.
+    implementations: Vec<(String, String, String)>,
     aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`, of which nothing is read.
     conditional: Vec<String>,
@@ -74,7 +77,38 @@ impl Items {
         let mut items = Self::default();
         items.add_names("", module);
         items.add_module(&Rc::new(Scope::default()), module);
+        items.add_provided();
         items
+    }
+
+    /// Adds what traits of the module provide, to the types that implement them without saying it themselves.
+    fn add_provided(&mut self) {
+        for (of_trait, known_as, ty) in core::mem::take(&mut self.implementations) {
+            let Some((_, scope, definition)) = self.traits.iter().find(|(known, ..)| *known == of_trait) else {
+                continue;
+            };
+            let scope = Rc::new(Scope { self_type: Some(ty), ..(**scope).clone() });
+            for part in &definition.items {
+                let (name, function, constant) = match part {
+                    TraitItem::Fn(syn::TraitItemFn { sig, default: Some(block), .. }) => {
+                        let of_trait = Some(definition.ident.to_string());
+                        (&sig.ident, Some(Rc::new(callable(sig, block, scope.clone(), of_trait))), None)
+                    }
+                    TraitItem::Const(syn::TraitItemConst { ident, ty, default: Some((_, value)), .. }) => {
+                        let ty = Some(ty.clone());
+                        (ident, None, Some(Constant { scope: scope.clone(), ty, value: value.clone() }))
+                    }
+                    _ => continue,
+                };
+                let name = (Some(known_as.clone()), name.to_string());
+                let is_there = self.functions.iter().any(|(known, _)| *known == name)
+                    || self.constants.iter().any(|(known, _)| *known == name);
+                if !is_there {
+                    self.functions.extend(function.map(|function| (name.clone(), function)));
+                    self.constants.extend(constant.map(|constant| (name, constant)));
+                }
+            }
+        }
     }
 
     /// Notes what there is, so that paths are understood.
@@ -156,6 +190,9 @@ impl Items {
                     self.enums.push((full(&item.ident), Enumeration { scope: scope.clone(), variants, default }));
                 }
                 Item::Impl(item) => self.add_impl(scope, item),
+                Item::Trait(item) if item.generics.params.is_empty() => {
+                    self.traits.push((full(&item.ident), scope.clone(), item.clone()));
+                }
                 Item::Struct(_) | Item::Enum(_) | Item::Type(_) => {
                     self.others.extend(name_of_item(item).map(|name| (name, GENERIC)));
                 }
@@ -178,6 +215,10 @@ impl Items {
         let scope = Rc::new(Scope { module: scope.module.clone(), self_type: Some(ty.clone()), ..Scope::default() });
         let known_as = if by_reference { format!("&{ty}") } else { ty };
         let of_trait = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
+        if let Some((path, _)) = &item.trait_ {
+            let of_trait = self.resolved(&scope, &segments(path));
+            self.implementations.push((of_trait, known_as.clone(), scope.self_type.clone().unwrap_or_default()));
+        }
         for part in &item.items {
             match part {
                 ImplItem::Const(part) => {

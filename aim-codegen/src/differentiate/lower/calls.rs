@@ -68,6 +68,12 @@ impl Translation<'_> {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
             return receiver;
         }
+        if let (Some(ty), true) = (expected.name(), call.method == "into" && call.args.is_empty()) {
+            let several = self.functions(Some(ty), "from");
+            if let Some(function) = self.function_for(&several, core::slice::from_ref(&receiver)) {
+                return self.inline(&call.method, &function, vec![receiver]);
+            }
+        }
         let value = if is_drained || !sequences::is_lazy(&receiver, &call.method) {
             self.sequence_method(&receiver, call, expected)
         } else {

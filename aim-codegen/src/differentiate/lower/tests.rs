@@ -886,4 +886,33 @@ same! {
                 + number(quotient.is_nan()) + (x * 1e10) as i32 as f64
         }
     }
+    what_traits_provide {
+        trait Shape {
+            const SIDES: f64 = 4.0;
+            fn area(&self) -> f64;
+            fn scaled(&self, k: f64) -> f64 { k * k * self.area() + Self::SIDES }
+            fn unit() -> f64 { 2.0 * Self::SIDES }
+        }
+        #[derive(Clone, Copy)]
+        struct Circle(f64);
+        struct Square { side: f64 }
+        impl Shape for Circle {
+            const SIDES: f64 = 0.5;
+            fn area(&self) -> f64 { 3.0 * self.0 * self.0 }
+        }
+        impl Shape for Square {
+            fn area(&self) -> f64 { self.side * self.side }
+            fn scaled(&self, k: f64) -> f64 { k - self.area() }
+        }
+        struct Polar { length: f64, angle: f64 }
+        impl From<[f64; 2]> for Polar {
+            fn from([x, y]: [f64; 2]) -> Self { Self { length: x.hypot(y), angle: y.atan2(x + 10.0) } }
+        }
+        impl From<Circle> for Polar { fn from(of: Circle) -> Self { Self { length: of.0, angle: 0.0 } } }
+        fn sum(p: Polar) -> f64 { p.length + p.angle }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let polar: Polar = [x, y].into();
+            Circle(x).scaled(y) + Square { side: y }.scaled(x) + Circle::unit() + Square::unit() + sum(polar) + sum(Circle(y).into())
+        }
+    }
 }
