@@ -64,6 +64,7 @@ fn of_numbers(precision: Precision, name: &str) -> Option<f64> {
         "MIN" => Some(-most),
         "INFINITY" => Some(f64::INFINITY),
         "NEG_INFINITY" => Some(f64::NEG_INFINITY),
+        "NAN" => Some(f64::NAN),
         _ => None,
     }
 }

@@ -875,6 +875,7 @@ same! {
         pub fn f(x: f64, y: f64) -> f64 {
             let number = |truth: bool| if truth { 1.0 } else { 0.0 };
             let (a, b) = (Pose { at: [x, 1.0], joint: joint(x) }, Pose { at: [x.max(0.5), 1.0], joint: joint(y) });
+            if x + y > 100.0 { return f64::NAN; }
             let pair = [2.0, -1.0, 0.5];
             let index = (x + 3.0) as usize;
             let quotient = x / (y - 0.75);
