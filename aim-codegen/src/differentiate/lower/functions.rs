@@ -9,7 +9,7 @@ use syn::{Expr, ExprClosure, ItemFn, Pat};
 use super::Translation;
 use super::expected::Expected;
 use super::frame::Frame;
-use super::statements::MOST_ROUNDS;
+use super::translation::MOST_ROUNDS;
 use super::value::{Callable, Home, Value};
 use crate::differentiate::{items, messages};
 

@@ -11,6 +11,7 @@ use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Item, Lifetime, Pat, St
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
+use super::translation::MOST_ROUNDS;
 use super::value::Value;
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
@@ -18,9 +19,6 @@ use crate::differentiate::names::{self, Meaning};
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
-
-/// The most rounds of all loops together.
-pub(super) const MOST_ROUNDS: usize = 10_000;
 
 /// The most rounds of a `while` of which it is not known whether they are run.
 const MOST_OPEN_ROUNDS: usize = 200;

@@ -15,6 +15,9 @@ use crate::differentiate::items::Items;
 use crate::differentiate::messages;
 use crate::emit::Precision;
 
+/// The most rounds of all loops, and calls of functions inside of themselves, together.
+pub(super) const MOST_ROUNDS: usize = 10_000;
+
 /// The interpretation of one function.
 pub(in crate::differentiate) struct Translation<'a> {
     pub(super) algebra: &'a mut Algebra,
@@ -28,7 +31,7 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) calls: Vec<Rc<Callable>>,
     /// The constants that are being looked up.
     pub(super) constants: Vec<String>,
-    /// Rounds of loops so far.
+    /// Rounds of loops, and calls of functions inside of themselves, so far.
     pub(super) rounds_run: usize,
     /// Whether the iterator that is made next is gone through to its end at once.
     pub(super) is_drained: bool,
