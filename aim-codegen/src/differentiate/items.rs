@@ -32,6 +32,8 @@ pub(super) struct Items {
     others: Vec<(String, [&'static str; 2])>,
     /// Functions that errors were reported of: of further calls nothing more is said.
     faulty: RefCell<Vec<Rc<Callable>>>,
+    /// Structs and enums whose fields are being read.
+    under_way: RefCell<Vec<String>>,
 }
 
 /// A constant, or a `static` that is not changed.
@@ -319,6 +321,27 @@ impl Items {
 
     pub(super) fn is_faulty(&self, function: &Rc<Callable>) -> bool {
         self.faulty.borrow().iter().any(|known| Rc::ptr_eq(known, function))
+    }
+
+    /// Reads the fields of a type; `None` where it is a part of itself.
+    pub(super) fn once<R>(&self, name: &str, read: impl FnOnce() -> R) -> Option<R> {
+        if self.under_way.borrow().iter().any(|known| known == name) {
+            return None;
+        }
+        self.under_way.borrow_mut().push(name.to_owned());
+        let made = read();
+        self.under_way.borrow_mut().pop();
+        Some(made)
+    }
+
+    /// How many functions errors were reported of.
+    pub(super) fn faults(&self) -> usize {
+        self.faulty.borrow().len()
+    }
+
+    /// Forgets the errors of all but the first so many.
+    pub(super) fn forget_faults(&self, faults: usize) {
+        self.faulty.borrow_mut().truncate(faults);
     }
 
     pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {

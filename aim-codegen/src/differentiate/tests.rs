@@ -128,6 +128,8 @@ fn whole_numbers_are_no_others() {
 fn what_is_not_followed_is_refused() {
     for value in [
         "{ let mut rest = [x, 2.0].iter(); x + rest.next().unwrap() }",
+        "{ let mut rest = [x, 2.0].iter().filter(|v| **v > x); x + rest.next().unwrap() }",
+        "{ let mut rest = [x, 2.0].iter(); x + rest.find(|v| **v > 1.0).unwrap() }",
         "{ let rest = [x, 2.0].iter(); if rest.any(|v| *v > 3.0) { x } else { 0.0 } }",
         "x + [x, 2.0].iter().map(|v| Default::default()).fold(x, |a, b| a + b)",
         "x + f32::from(Default::default())",
@@ -145,6 +147,19 @@ fn what_is_not_followed_is_refused() {
         let item = format!("fn f(x: f32) -> f32 {{ {value} }}");
         assert_eq!(errors(&expand("wrt(x)", &item)), 1, "{value}");
     }
+}
+
+/// Types that are parts of themselves are read once.
+#[test]
+fn types_that_contain_themselves_are_refused() {
+    for tree in ["enum Tree { Leaf(f64), Node(&'static Tree) }", "struct Tree { k: f64, next: Option<&'static Tree> }"]
+    {
+        let module = format!("mod m {{ {tree} #[differentiate(wrt(x))] fn f(t: &Tree, x: f64) -> f64 {{ x }} }}");
+        assert_eq!(errors(&expand("", &module)), 0, "{tree}");
+    }
+    let module =
+        "mod m { struct Tree { k: f64, next: Tree } #[differentiate(wrt(x))] fn f(t: Tree, x: f64) -> f64 { x } }";
+    assert_eq!(errors(&expand("", module)), 0, "the compiler says so");
 }
 
 /// A generic parameter is not the struct of the same name.

@@ -145,10 +145,12 @@ impl Type {
                         return Ok(Self { tokens: seen(name), ..Self::parse_in(scope, ty, items)? });
                     }
                     if let Some(structure) = items.structure(name) {
-                        return Self::of_struct(seen(name), name, structure, items);
+                        let read = items.once(name, || Self::of_struct(seen(name), name, structure, items));
+                        return read.ok_or_else(unknown)?;
                     }
                     if let Some(enumeration) = items.enumeration(name) {
-                        return Self::of_enum(seen(name), name, enumeration, items);
+                        let read = items.once(name, || Self::of_enum(seen(name), name, enumeration, items));
+                        return read.ok_or_else(unknown)?;
                     }
                     return Err(unknown());
                 }

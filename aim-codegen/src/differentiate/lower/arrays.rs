@@ -37,10 +37,16 @@ impl Translation<'_> {
                         item.map_or_else(Value::none, |item| Value::some(item.clone()))
                     }
                     (Value::Integer(index), None) => {
-                        let Value::Integer(count) = self.algebra.whole(items.len()) else { return None };
+                        let [before, count] =
+                            [-1, i64::try_from(items.len()).ok()?].map(|end| self.algebra.integer(end));
+                        let (Value::Integer(before), Value::Integer(count)) = (before, count) else { return None };
                         let is_some = Condition::less(self.algebra, *index, count);
-                        let chosen = Value::Array(items.to_vec()).chosen(self.algebra, *index);
-                        chosen.map_or_else(Value::none, |item| Value::some_if(is_some, item))
+                        let is_some = is_some.and(Condition::less(self.algebra, before, *index));
+                        match Value::Array(items.to_vec()).chosen(self.algebra, *index) {
+                            Some(item) => Value::some_if(is_some, item),
+                            None if items.is_empty() => Value::none(),
+                            None => self.refuse(&call.args, messages::no_such_choice("this array")),
+                        }
                     }
                     _ => self.refuse_known(&place, &call.args, messages::index_unknown()),
                 }

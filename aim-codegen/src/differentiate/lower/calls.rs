@@ -57,7 +57,8 @@ impl Translation<'_> {
             return value;
         }
         let is_drained = core::mem::take(&mut self.is_drained);
-        self.is_drained = sequences::drains(&call.method, is_drained);
+        self.is_drained =
+            matches!(strip(&call.receiver), Expr::MethodCall(_)) && sequences::drains(&call.method, is_drained);
         self.frame.begin_branch(Condition::Known(true));
         let receiver = self.expression(&call.receiver);
         let assigned = self.frame.end_branch();
@@ -214,8 +215,8 @@ impl Translation<'_> {
         }
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         arguments.extend(written.iter().map(|argument| self.expression(argument)));
-        if arguments.iter().any(Value::is_unknown) {
-            return Value::Unknown;
+        if let Some(without) = Value::without(&arguments) {
+            return without;
         }
         match self.function_for(several, &arguments) {
             Some(function) => self.inline(place, &function, arguments),
@@ -532,8 +533,8 @@ impl Translation<'_> {
         let of_a_method = receiver.is_some();
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         arguments.extend(written.iter().map(|argument| self.expression(argument)));
-        if arguments.iter().any(Value::is_unknown) {
-            return Value::Unknown;
+        if let Some(without) = Value::without(&arguments) {
+            return without;
         }
         let Callee { name, function, tables, kind } = callee;
         let text = match methods::call(tables, function, self.algebra, &arguments) {

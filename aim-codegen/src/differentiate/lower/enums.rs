@@ -90,7 +90,9 @@ impl Translation<'_> {
             Pat::TupleStruct(of) => {
                 let (count, written) = (variant.fields.len(), of.elems.len());
                 let rest = of.elems.iter().position(is_rest);
-                let place = |index| if rest.is_some_and(|rest| rest < index) { index + count - written } else { index };
+                let place = |index| {
+                    if rest.is_some_and(|rest| rest < index) { (index + count).saturating_sub(written) } else { index }
+                };
                 let elements = of.elems.iter().enumerate().filter(|(_, element)| !is_rest(element));
                 elements.map(|(index, element)| (element, field(&Member::from(place(index))))).collect()
             }
@@ -113,13 +115,20 @@ impl Translation<'_> {
     }
 
     fn equal(&mut self, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+        if let Value::Struct(of) = left {
+            let several = self.functions(Some(&of.name), "eq");
+            if let Some(own) = self.function_for(&several, &[left.clone(), right.clone()]) {
+                return Some(self.inline(operator, &own, vec![left.clone(), right.clone()]));
+            }
+        }
         let parts: Vec<(&Value, &Value)> = match (left, right) {
             (Value::Struct(x), Value::Struct(y)) if x.name == y.name => {
-                if let Some(own) = self.only_function(Some(&x.name), "eq") {
-                    return Some(self.inline(operator, &own, vec![left.clone(), right.clone()]));
-                }
                 if self.items.enumeration(&x.name).is_some() {
                     return self.equal_variants(operator, x, y);
+                }
+                // Of fields that are not read nothing is known.
+                if self.items.structure(&x.name)?.fields.len() != x.fields.len() {
+                    return None;
                 }
                 x.fields.iter().zip(&y.fields).map(|((_, x), (_, y))| (x, y)).collect()
             }

@@ -67,7 +67,7 @@ impl Translation<'_> {
         let items = receiver.clone().maybe_items()?;
         Some(match (name.as_str(), arguments.as_slice()) {
             ("filter" | "take_while" | "skip_while" | "find" | "position", [function]) => {
-                let holds = match self.conditions(call, function, &items) {
+                let holds = match self.conditions(call, function, &items, &name) {
                     Ok(holds) => holds,
                     Err(refused) => return Some(refused),
                 };
@@ -127,13 +127,30 @@ impl Translation<'_> {
     }
 
     /// What a function says of each of the elements; or what is refused about it.
-    fn conditions(&mut self, call: &ExprMethodCall, function: &Expr, items: &[Maybe]) -> Result<Vec<Condition>, Value> {
+    fn conditions(
+        &mut self,
+        call: &ExprMethodCall,
+        function: &Expr,
+        items: &[Maybe],
+        name: &str,
+    ) -> Result<Vec<Condition>, Value> {
         let function = self.function_argument(function, 1).ok_or(Value::Unknown)?;
-        let condition = |(is_there, item): &Maybe| match self
-            .under(call, is_there, |this| this.inline(&call.method, &function, vec![item.clone()]))
-        {
-            Value::Truth(holds) => Ok(holds),
-            other => Err(self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()))),
+        // While elements are taken or left out it is called, and not after that.
+        let (ends, mut goes_on) = (name.ends_with("_while"), Condition::Known(true));
+        let condition = |(is_there, item): &Maybe| {
+            let is_asked = is_there.clone().and(goes_on.clone());
+            if matches!(is_asked, Condition::Known(false)) {
+                return Ok(Condition::Known(false));
+            }
+            match self.under(call, &is_asked, |this| this.inline(&call.method, &function, vec![item.clone()])) {
+                Value::Truth(holds) => {
+                    if ends {
+                        goes_on = goes_on.clone().and(is_there.clone().not().or(holds.clone()));
+                    }
+                    Ok(holds)
+                }
+                other => Err(self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()))),
+            }
         };
         items.iter().map(condition).collect()
     }
@@ -177,7 +194,7 @@ impl Translation<'_> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let value = match (name.as_str(), arguments.as_slice()) {
-            ("iter" | "into_iter" | "copied" | "cloned" | "by_ref", []) => Some(Value::Filtered(items)),
+            ("iter" | "into_iter" | "copied" | "cloned", []) => Some(Value::Filtered(items)),
             ("rev", []) => Some(Value::Filtered(items.into_iter().rev().collect())),
             ("chain", [other]) => {
                 let other = self.expression(other);

@@ -263,6 +263,11 @@ impl Frame {
         }
     }
 
+    /// The number of ways out so far.
+    pub(super) fn exits(&self) -> usize {
+        self.exits.len()
+    }
+
     /// Whether control may have been led to this end.
     pub(super) fn has_exits(&self, target: Target) -> bool {
         self.exits.iter().any(|exit| exit.target == target)

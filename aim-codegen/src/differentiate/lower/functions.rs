@@ -65,8 +65,14 @@ impl Translation<'_> {
         let mut frame = Frame::new(function.captured.clone(), function.scope.clone());
         // Where a closure was made it sees the variables as they are now, and may change them.
         let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
-        let named = home.map_or(&[][..], |home| &home.named);
-        for &variable in named {
+        // Of those that are left by now it has what it had.
+        let is_there = |variable: &usize| {
+            let [then, now] =
+                [&function.captured, self.frame.variables()].map(|all| all.get(*variable).map(|(name, _)| name));
+            now.is_some() && then == now
+        };
+        let named: Vec<usize> = home.map_or(&[][..], |home| &home.named).iter().copied().filter(is_there).collect();
+        for &variable in &named {
             frame.assign(variable, self.frame.value(variable).clone());
             frame.lend(variable);
         }
@@ -101,8 +107,8 @@ impl Translation<'_> {
         let value = self.frame.result(self.algebra, end);
         let inner = core::mem::replace(&mut self.frame, outer);
         match value {
-            // Nothing comes out of it; the compiler says so.
-            Some((Value::Never, _)) => Value::Unknown,
+            // Nothing comes out of it.
+            Some((Value::Never, _)) => Value::Never,
             Some((value, changed)) => {
                 let mut changed = changed.into_iter();
                 for (&variable, changed) in named.iter().zip(changed.by_ref()) {
@@ -132,7 +138,10 @@ impl Translation<'_> {
         arguments: Vec<Value>,
         expected: &Expected,
     ) -> Value {
-        if arguments.iter().any(Value::is_unknown) || self.items.is_faulty(function) {
+        if let Some(without) = Value::without(&arguments) {
+            return without;
+        }
+        if self.items.is_faulty(function) {
             return Value::Unknown;
         }
         // What is known decides how deep it goes.

@@ -267,10 +267,16 @@ impl Translation<'_> {
     fn assignment(&mut self, assign: &syn::ExprAssign) -> Value {
         let expected = match strip(&assign.right) {
             // What these are worth depends on the type of the place.
-            Expr::Call(_) | Expr::MethodCall(_) => match self.type_of_place(&assign.left) {
-                Some(expected) => expected,
-                None => return Value::Unknown,
-            },
+            Expr::Call(_) | Expr::MethodCall(_) => {
+                // It is looked at before it is assigned: what that changes is changed then.
+                self.frame.begin_branch(Condition::Known(true));
+                let expected = self.type_of_place(&assign.left);
+                self.frame.end_branch();
+                match expected {
+                    Some(expected) => expected,
+                    None => return Value::Unknown,
+                }
+            }
             _ => Expected::Any,
         };
         match self.expression_as(&assign.right, &expected) {
@@ -304,9 +310,11 @@ impl Translation<'_> {
         }
         let Some(operator) = operators::assigned(&binary.op) else {
             let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
-            if left.is_unknown() || right.is_unknown() {
-                return Value::Unknown;
+            let operands = [left, right];
+            if let Some(without) = Value::without(&operands) {
+                return without;
             }
+            let [left, right] = operands;
             return match self.own_operator(&binary.op, &left, &right) {
                 Some(Ok(function)) => self.inline(&binary.op, &function, vec![left, right]),
                 Some(Err(text)) => self.refuse(&binary.op, text),
@@ -320,8 +328,8 @@ impl Translation<'_> {
         let right = self.expression(&binary.right);
         let Some(place) = self.place(&binary.left) else { return Value::Unknown };
         let left = self.read(&place);
-        if left.is_unknown() || right.is_unknown() {
-            return Value::Unknown;
+        if let Some(without) = Value::without(&[left.clone(), right.clone()]) {
+            return without;
         }
         match self.own_operator(&binary.op, &left, &right) {
             Some(Ok(function)) => self.inline(&binary.op, &function, vec![Value::Reference(Rc::new(place)), right]),
@@ -355,7 +363,7 @@ impl Translation<'_> {
         }
         match self.under(&binary.op, &goes_on, |this| this.expression(&binary.right)) {
             Value::Truth(right) => Value::Truth(if is_and { left.and(right) } else { left.or(right) }),
-            // Whoever comes past it has not been there.
+            // If the right side goes elsewhere, only what the left side decides comes here.
             Value::Never if matches!(goes_on, Condition::Known(true)) => Value::Never,
             Value::Never => Value::Truth(left),
             other => self.refuse_known(&other, &binary.right, messages::not_a_condition(&other.describe())),

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use aim_symbolic::Scalar;
-use syn::{Expr, ExprMethodCall, ExprTry};
+use syn::{Expr, ExprMethodCall, ExprTry, Pat};
 
 use super::Translation;
 use super::algebra::Algebra;
@@ -43,7 +43,11 @@ impl Value {
 
     /// `Some` where the condition holds.
     pub(super) fn some_if(is_some: Condition, value: Self) -> Self {
-        if value.is_unknown() { value } else { Self::Optional(Rc::new(Optional { is_some, value })) }
+        match is_some {
+            Condition::Known(false) => Self::none(),
+            _ if value.is_unknown() => value,
+            is_some => Self::Optional(Rc::new(Optional { is_some, value })),
+        }
     }
 
     /// `Ordering::Less` and its like.
@@ -58,6 +62,18 @@ impl Order {
     /// Of two numbers.
     pub(super) fn of(a: &Algebra, x: Scalar, y: Scalar) -> Self {
         Self { less: Condition::less(a, x, y), greater: Condition::less(a, y, x) }
+    }
+}
+
+/// A function of an error, of which nothing is known, as one of nothing.
+fn of_nothing(function: &Expr) -> Expr {
+    match function {
+        Expr::Closure(closure) if closure.inputs.len() == 1 && matches!(closure.inputs[0], Pat::Wild(_)) => {
+            let mut closure = closure.clone();
+            closure.inputs.clear();
+            Expr::Closure(closure)
+        }
+        function => function.clone(),
     }
 }
 
@@ -110,7 +126,7 @@ impl Translation<'_> {
                 self.either_value(call, is_some, value, &otherwise)
             }
             ("unwrap_or_else", [otherwise]) => {
-                let function = self.function_argument(otherwise, 0)?;
+                let function = self.function_argument(&of_nothing(otherwise), 0)?;
                 if matches!(is_some, Condition::Known(true)) {
                     return Some(value.clone());
                 }
@@ -161,7 +177,7 @@ impl Translation<'_> {
             }
             ("or_else", [_]) if matches!(is_some, Condition::Known(true)) => receiver.clone(),
             ("or_else", [function]) => {
-                let function = self.function_argument(function, 0)?;
+                let function = self.function_argument(&of_nothing(function), 0)?;
                 let is_none = is_some.clone().not();
                 let other = self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
                 self.either_value(call, is_some, receiver, &other)

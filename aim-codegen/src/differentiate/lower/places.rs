@@ -118,7 +118,7 @@ impl Translation<'_> {
         place.steps.iter().try_fold(whole, |whole, step| part_of(self.algebra, &whole, step)).unwrap_or(Value::Unknown)
     }
 
-    /// `array.swap(i, j)` and `array.fill(value)`; `None` if it is another method.
+    /// A method that changes a part of its receiver, or lends it to be changed; `None` if it is another one.
     pub(super) fn changing_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let name = call.method.to_string();

@@ -79,10 +79,12 @@ const LAZY: &[&str] = &[
     "position",
 ];
 
+/// Those that leave the rest of the iterator to whoever has kept it.
+const ADVANCING: &[&str] = &["next", "nth", "any", "all", "find", "find_map", "position", "by_ref"];
+
 /// Those that go through all elements at once.
-const DRAINING: &[&str] = &[
-    "collect", "unzip", "sum", "product", "fold", "for_each", "reduce", "min_by", "max_by", "last", "count", "extend",
-];
+const DRAINING: &[&str] =
+    &["collect", "unzip", "sum", "product", "fold", "for_each", "reduce", "min_by", "max_by", "last", "count"];
 
 /// Those of which each element is asked for where one of theirs is.
 const PASSING: &[&str] = &["copied", "cloned", "enumerate", "map", "filter", "filter_map", "flat_map", "skip", "chain"];
@@ -154,6 +156,13 @@ impl Translation<'_> {
         call: &ExprMethodCall,
         expected: &Expected,
     ) -> Option<Value> {
+        let name = call.method.to_string();
+        if ADVANCING.contains(&name.as_str())
+            && matches!(receiver, Value::Sequence(_) | Value::Filtered(_))
+            && is_place(&call.receiver)
+        {
+            return Some(self.refuse(&call.method, messages::iterator_kept(&name)));
+        }
         if let Some(value) = self.filtering_method(receiver, call) {
             return Some(value);
         }
@@ -162,7 +171,6 @@ impl Translation<'_> {
         }
         let is_array = matches!(receiver, Value::Array(_));
         let items = receiver.clone().items()?;
-        let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         // Of an array these can only be methods of a trait.
         let is_of_iterators = name == "count" || METHODS.contains(&name.as_str());
@@ -173,9 +181,6 @@ impl Translation<'_> {
             return Some(value);
         }
         Some(match (name.as_str(), arguments.as_slice()) {
-            ("next" | "any" | "all" | "nth", _) if !is_array && is_place(&call.receiver) => {
-                self.refuse(&call.method, messages::iterator_kept(&name))
-            }
             ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Sequence(items),
             ("clone" | "as_slice" | "as_ref" | "into" | "to_owned" | "to_vec", []) => receiver.clone(),
             // How many there are is the same.

@@ -106,10 +106,11 @@ impl Translation<'_> {
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
             Stmt::Expr(expression, None) => self.expression_as(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
+                let exits = self.frame.exits();
                 self.frame.begin_branch(Condition::Known(true));
                 let value = self.expression(expression);
                 let assigned = self.frame.end_branch();
-                let has_effect = !assigned.is_empty();
+                let has_effect = !assigned.is_empty() || self.frame.exits() > exits;
                 self.frame.take(assigned);
                 match &value {
                     Value::Tuple(parts) if parts.is_empty() => value,
@@ -156,11 +157,12 @@ impl Translation<'_> {
     /// Whether what a macro is given changes a variable. What of it is not understood does not matter.
     fn has_effect(&mut self, call: &syn::Macro) -> bool {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
-        let errors = self.report.count();
+        let (errors, faults) = (self.report.count(), self.items.faults());
         self.frame.begin_branch(Condition::Known(true));
         written.iter().for_each(|part| _ = self.expression(part));
         let changed = self.frame.end_branch();
         self.report.forget(errors);
+        self.items.forget_faults(faults);
         !changed.is_empty()
     }
 

@@ -916,4 +916,29 @@ same! {
             Circle(x).scaled(y) + Square { side: y }.scaled(x) + Circle::unit() + Square::unit() + sum(polar) + sum(Circle(y).into())
         }
     }
+    what_goes_elsewhere {
+        #[derive(Clone, Copy, PartialEq)]
+        struct P { x: f64, y: f64 }
+        struct Q(f64);
+        impl PartialEq<Q> for P { fn eq(&self, other: &Q) -> bool { self.x == other.0 } }
+        fn pair(a: &[f64; 3], i: usize) -> Option<f64> { Some(a.get(i)? + a.get(i + 1)?) }
+        fn root(x: f64) -> Result<f64, String> { if x < 0.0 { Err(String::new()) } else { Ok(x.sqrt()) } }
+        fn positive(x: f64) -> Option<f64> { (x > 0.0).then_some(x) }
+        fn checked(x: f64) -> Option<f64> { positive(x)?; Some(2.0 * x) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let a = [x, y, 2.0];
+            let mut total = 0.0;
+            for k in 0..3 { total += if k == 1 { continue } else { x }; }
+            let none = if x > 0.0 { [1, 2].iter().find_map(|n| if *n > 5 { Some(y) } else { None }).unwrap_or(x) } else { y };
+            let mut n = 0.0;
+            let taken: f64 = a.iter().take_while(|v| { n += 1.0; **v > 0.0 }).sum();
+            let g = { let a = x; let b = a + a; let _ = b; |b: f64| b * b };
+            let at = a.get((x as i32 + 1) as usize).copied().unwrap_or(7.0);
+            let found = [x, 9.0].into_iter().find(|v| *v > 1.0).unwrap_or_else(|| panic!("one is"));
+            let equal = |truth: bool| if truth { 1.0 } else { 0.0 };
+            let (p, q) = (P { x, y }, P { x, y: 0.5 });
+            (0..3).filter_map(|i| pair(&a, i)).sum::<f64>() + total + none + taken + n + g(y) + found + at
+                + root(x).unwrap_or_else(|_| 0.25) + checked(y).unwrap_or(0.0) + equal(p == q) + 2.0 * equal(p == Q(1.0))
+        }
+    }
 }

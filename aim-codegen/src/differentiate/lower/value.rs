@@ -199,6 +199,14 @@ impl Value {
         !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Sequence(_) | Self::Filtered(_))
     }
 
+    /// The value of what is made of these where one of them is not there; `None` where all are.
+    pub(super) fn without(parts: &[Self]) -> Option<Self> {
+        if parts.iter().any(Self::is_never) {
+            return Some(Self::Never);
+        }
+        parts.iter().any(Self::is_unknown).then_some(Self::Unknown)
+    }
+
     pub(crate) fn is_never(&self) -> bool {
         matches!(self, Self::Never)
     }

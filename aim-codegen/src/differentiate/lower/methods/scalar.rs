@@ -120,7 +120,6 @@ functions! {
     clamp(n: Integer, low: Integer, high: Integer) = n.max(low).min(high);
     signum(n: Integer) = if n < 0 { -1 } else if n > 0 { 1 } else { 0 };
     abs_diff(n: Integer, m: Integer) = (n - m).abs();
-    saturating_sub(n: Integer, m: Integer) = if n < m { 0 } else { n - m };
     rem_euclid(n: Integer, m: Integer) = {
         let rest = n % m;
         if rest < 0 { rest + m.abs() } else { rest }
