@@ -284,7 +284,7 @@ impl Items {
         self.enums.iter().find(|(known, _)| known == name).map(|(_, enumeration)| enumeration)
     }
 
-    /// Whether a struct or an enum has this full name.
+    /// True if a struct or an enum has this full name.
     pub(super) fn defines(&self, name: &str) -> bool {
         self.structure(name).is_some() || self.enumeration(name).is_some()
     }
@@ -334,7 +334,7 @@ impl Items {
         Some(made)
     }
 
-    /// How many functions errors were reported of.
+    /// The number of functions that errors were reported of.
     pub(super) fn faults(&self) -> usize {
         self.faulty.borrow().len()
     }

@@ -2,9 +2,9 @@
 
 use syn::{Expr, ExprMethodCall};
 
+use super::Translation;
 use super::condition::Condition;
 use super::value::Value;
-use super::{Translation, operators};
 use crate::differentiate::messages;
 
 /// Their names, for messages.
@@ -65,12 +65,7 @@ impl Translation<'_> {
             }
             ("contains", [element]) => {
                 let element = self.expression(element);
-                let equal = |this: &mut Self, item: &Value| match operators::binary(
-                    this.algebra,
-                    &syn::parse_quote!(==),
-                    item,
-                    &element,
-                ) {
+                let equal = |this: &mut Self, item: &Value| match this.equal(&call.method, item, &element) {
                     Some(Value::Truth(condition)) => Some(condition),
                     _ => None,
                 };
@@ -83,16 +78,14 @@ impl Translation<'_> {
             // Of what is partitioned so, as many as fulfil it.
             ("partition_point", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                let mut count = self.algebra.integer(0);
+                let mut all = Vec::with_capacity(items.len());
                 for item in items {
                     let Value::Truth(holds) = self.inline(&call.method, &function, vec![item.clone()]) else {
                         return Some(Value::Unknown);
                     };
-                    let [none, one] = [0, 1].map(|count| self.algebra.integer(count));
-                    let term = self.either_value(call, &holds, &one, &none);
-                    count = operators::binary(self.algebra, &syn::parse_quote!(+), &count, &term)?;
+                    all.push(holds);
                 }
-                count
+                self.counted(call, all.iter())?
             }
             _ => return None,
         })

@@ -8,7 +8,6 @@ use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
 use super::algebra::Algebra;
-use super::condition::Condition;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::map::Quaternion;
@@ -59,11 +58,7 @@ impl Translation<'_> {
         let is_drained = core::mem::take(&mut self.is_drained);
         self.is_drained =
             matches!(strip(&call.receiver), Expr::MethodCall(_)) && sequences::drains(&call.method, is_drained);
-        self.frame.begin_branch(Condition::Known(true));
-        let receiver = self.expression(&call.receiver);
-        let assigned = self.frame.end_branch();
-        let has_effect = !assigned.is_empty();
-        self.frame.take(assigned);
+        let (receiver, has_effect) = self.tracked(|this| this.expression(&call.receiver));
         self.is_drained = false;
         if receiver.is_unknown() {
             call.args.iter().for_each(|argument| _ = self.expression(argument));

@@ -98,7 +98,17 @@ impl Translation<'_> {
         }
     }
 
-    /// What is done only where a condition holds: what that makes of variables counts there alone.
+    /// Does something, and tells whether it assigns to variables.
+    pub(super) fn tracked<T>(&mut self, act: impl FnOnce(&mut Self) -> T) -> (T, bool) {
+        self.frame.begin_branch(Condition::Known(true));
+        let made = act(self);
+        let assigned = self.frame.end_branch();
+        let assigns = !assigned.is_empty();
+        self.frame.take(assigned);
+        (made, assigns)
+    }
+
+    /// Does something only where a condition holds: what that makes of variables counts there alone.
     pub(super) fn under<T>(
         &mut self,
         place: &impl ToTokens,
@@ -269,7 +279,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether a guard holds where its pattern matches.
+    /// The condition that a pattern matches and its guard holds; `None` after an error.
     pub(super) fn guarded(&mut self, matched: Condition, guard: Option<&Expr>) -> Option<Condition> {
         match (matched, guard) {
             (matched @ Condition::Known(false), _) | (matched, None) => Some(matched),
@@ -280,7 +290,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether a value matches one of several patterns. What they bind has the values of the first that matches.
+    /// The condition that a value matches one of several patterns. What they bind has the values of the first that matches.
     fn any_of(&mut self, or: &syn::PatOr, value: &Value) -> Option<Condition> {
         let depth = self.frame.depth();
         let mut cases = Vec::new();

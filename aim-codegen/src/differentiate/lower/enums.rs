@@ -3,6 +3,7 @@
 
 use std::rc::Rc;
 
+use quote::ToTokens;
 use syn::parse::{ParseStream, Parser};
 use syn::{BinOp, Expr, Member, Pat, Token};
 
@@ -56,7 +57,7 @@ impl Translation<'_> {
         Value::Struct(Rc::new(Struct { name: ty.to_owned(), fields: all }))
     }
 
-    /// What the types of a variant's fields say.
+    /// The types of a variant's fields, as far as they are known.
     pub(super) fn expected_fields(&mut self, ty: &str, tag: usize) -> Vec<(String, Expected)> {
         let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(ty) else { return Vec::new() };
         let fields = variants.get(tag).map_or(&[][..], |variant| &variant.fields);
@@ -65,7 +66,7 @@ impl Translation<'_> {
         })
     }
 
-    /// Whether a value is of this variant, and its fields match the patterns in it; `None` after an error.
+    /// The condition that a value is of this variant, and its fields match the patterns in it; `None` after an error.
     pub(super) fn matches_variant(
         &mut self,
         pattern: &Pat,
@@ -114,7 +115,8 @@ impl Translation<'_> {
         }
     }
 
-    fn equal(&mut self, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
+    /// The condition that two values are equal; `None` where they cannot be compared.
+    pub(super) fn equal(&mut self, operator: &impl ToTokens, left: &Value, right: &Value) -> Option<Value> {
         if let Value::Struct(of) = left {
             let several = self.functions(Some(&of.name), "eq");
             if let Some(own) = self.function_for(&several, &[left.clone(), right.clone()]) {
@@ -159,7 +161,7 @@ impl Translation<'_> {
     }
 
     /// The variants are the same, and what that has.
-    fn equal_variants(&mut self, operator: &BinOp, x: &Struct, y: &Struct) -> Option<Value> {
+    fn equal_variants(&mut self, operator: &impl ToTokens, x: &Struct, y: &Struct) -> Option<Value> {
         let variants = &self.items.enumeration(&x.name)?.variants;
         let (Value::Integer(tag), Value::Integer(other)) = (x.field(TAG)?, y.field(TAG)?) else { return None };
         let mut all = Condition::equal(self.algebra, *tag, *other);

@@ -14,7 +14,7 @@ use crate::differentiate::messages;
 /// The condition that an element is there, and the element.
 type Maybe = (Condition, Value);
 
-/// What can be done with those that are left, for messages.
+/// The methods of those that are left, for messages.
 const METHODS: &[&str] = &[
     "copied",
     "cloned",
@@ -250,19 +250,26 @@ impl Translation<'_> {
                     self.total(call, terms, expected)
                 })
             }
-            ("count", []) => {
-                let [none, one] = [0, 1].map(|count| self.algebra.integer(count));
-                let counts: Vec<Value> =
-                    items.iter().map(|(is_there, _)| self.either_value(call, is_there, &one, &none)).collect();
-                let sum = |sum: Value, count| operators::binary(self.algebra, &syn::parse_quote!(+), &sum, &count);
-                counts.into_iter().try_fold(none, sum)
-            }
+            ("count", []) => self.counted(call, items.iter().map(|(is_there, _)| is_there)),
             _ => None,
         };
         value.unwrap_or_else(|| self.refuse(&call.method, messages::filter_unknown(&name, METHODS)))
     }
 
-    /// What a function makes of those that are there.
+    /// The number of conditions that hold.
+    pub(super) fn counted<'c>(
+        &mut self,
+        call: &ExprMethodCall,
+        mut conditions: impl Iterator<Item = &'c Condition>,
+    ) -> Option<Value> {
+        let [none, one] = [0, 1].map(|count| self.algebra.integer(count));
+        conditions.try_fold(none.clone(), |sum, holds| {
+            let term = self.either_value(call, holds, &one, &none);
+            operators::binary(self.algebra, &syn::parse_quote!(+), &sum, &term)
+        })
+    }
+
+    /// Those that are there, each as a function makes it.
     fn map_those(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Maybe>) -> Option<Vec<Maybe>> {
         let function = self.function_argument(function, 1)?;
         let map = |(is_there, item): Maybe| {

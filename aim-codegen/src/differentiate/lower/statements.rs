@@ -107,11 +107,8 @@ impl Translation<'_> {
             Stmt::Expr(expression, None) => self.expression_as(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
                 let exits = self.frame.exits();
-                self.frame.begin_branch(Condition::Known(true));
-                let value = self.expression(expression);
-                let assigned = self.frame.end_branch();
-                let has_effect = !assigned.is_empty() || self.frame.exits() > exits;
-                self.frame.take(assigned);
+                let (value, assigns) = self.tracked(|this| this.expression(expression));
+                let has_effect = assigns || self.frame.exits() > exits;
                 match &value {
                     Value::Tuple(parts) if parts.is_empty() => value,
                     Value::Never => value,
