@@ -266,10 +266,6 @@ messages! {
         "of no elements there is no {name} here",
         "say its type, as in `{name}::<f64>()`";
 
-    iterator_kept(name: &str) =>
-        "what `{name}` leaves of this iterator is not followed",
-        "make the iterator where it is used, as in `values.iter().{name}(…)`, or index the array";
-
     not_an_ordering(kind: &str) =>
         "this comparison is {kind}",
         "compare two numbers by `partial_cmp` or `total_cmp`";
@@ -343,11 +339,6 @@ messages! {
         "give what it refers to another value, as in `*x = …`, or take turns by an index into an array of two";
 
     not_a_list() => "what is collected here is no `Vec`", "collect a `Vec`: `.collect::<Vec<_>>()`";
-
-    filter_unknown(name: &str, known: &[&str])
-        where known = known.join("`, `") =>
-        "`{name}` is not understood of an iterator that leaves out elements by their values",
-        "what goes on from here: `{known}`, and `for`";
 
     power_unknown() =>
         "the exponent of `powi` is not known here",

@@ -55,7 +55,7 @@ fn loops(x: f32, points: [Vec3; 3], count: usize) -> f32 {
         sum += points[i].z * x;
     }
     let _ = points.iter().map(|p| sum += p.x);
-    points.iter().filter(|p| p.x > x).enumerate().map(|(i, p)| i as f32 * p.y).sum::<f32>() + sum
+    points.iter().filter(|p| p.x > x).step_by(2).map(|p| p.y).sum::<f32>() + sum
 }
 
 #[differentiate(wrt(x))]

@@ -1,91 +1,166 @@
-//! Methods of arrays, lists and slices that no iterator has.
+//! Methods of arrays, slices and lists that leave them as they are.
 
 use syn::{Expr, ExprMethodCall};
 
-use super::Translation;
 use super::condition::Condition;
-use super::value::Value;
+use super::expected::Expected;
+use super::value::{Element, Value};
+use super::{Translation, iterators, lists};
 use crate::differentiate::messages;
 
 /// Their names, for messages.
-pub(super) const METHODS: &[&str] =
-    &["get", "split_at", "split_first", "split_last", "concat", "contains", "partition_point"];
+const METHODS: &[&str] = &[
+    "iter",
+    "iter_mut",
+    "into_iter",
+    "map",
+    "len",
+    "is_empty",
+    "first",
+    "last",
+    "get",
+    "contains",
+    "windows",
+    "chunks",
+    "chunks_exact",
+    "split_at",
+    "split_first",
+    "split_last",
+    "concat",
+    "partition_point",
+    "swap",
+];
 
 impl Translation<'_> {
-    /// A method of an array of these elements that no iterator has; `None` if it is another one.
-    pub(super) fn array_method(&mut self, items: &[Value], call: &ExprMethodCall) -> Option<Value> {
+    /// A method of an array or an iterator; `None` if it is none of theirs.
+    pub(super) fn sequence_method(
+        &mut self,
+        receiver: &Value,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let items = match receiver {
+            Value::Iterator(items) => return Some(self.iterator_method(items, call, expected)),
+            Value::Array(_) | Value::List(_) => receiver.clone().items()?,
+            _ => return None,
+        };
+        let errors = self.report.count();
+        let value = match receiver {
+            Value::Array(values) => self.array_method(values, call),
+            _ => None,
+        };
+        if let Some(value) = value.or_else(|| self.list_query(receiver, items, call)) {
+            return Some(value);
+        }
+        if self.report.count() > errors {
+            return Some(Value::Unknown);
+        }
+        let name = call.method.to_string();
+        let known: Vec<&str> = METHODS.iter().copied().chain(lists::methods()).collect();
+        // Of an array these can only be methods of a trait.
+        Some(if iterators::has_method(&call.method) && !known.contains(&&*name) {
+            self.refuse(&call.method, messages::trait_method(&name))
+        } else {
+            self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), &known))
+        })
+    }
+
+    /// A method of an array or a list; `None` if it is another one, or after an error.
+    fn list_query(&mut self, receiver: &Value, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         Some(match (name.as_str(), arguments.as_slice()) {
-            ("split_at", [place]) => {
-                let value = self.expression(place);
-                let known = self.algebra.known_index(&value);
-                match known.filter(|place| *place <= items.len()) {
-                    Some(place) => {
-                        let (before, after) = items.split_at(place);
-                        Value::Tuple(vec![Value::Array(before.to_vec()), Value::Array(after.to_vec())])
-                    }
-                    None if known.is_some() => self.refuse(*place, messages::index_outside("this array")),
-                    None => self.refuse_known(&value, *place, messages::index_unknown()),
-                }
+            ("iter" | "into_iter", []) => Value::Iterator(items),
+            ("clone" | "as_slice" | "as_ref" | "into" | "to_owned" | "to_vec", []) => receiver.clone(),
+            ("len", []) => self.counted(&items)?,
+            ("is_empty", []) => {
+                let any = items.into_iter().map(|item| item.is_there).fold(Condition::Known(false), Condition::or);
+                Value::Truth(any.not())
             }
+            ("first", []) => self.first(call, items),
+            ("last", []) => self.first(call, items.into_iter().rev().collect()),
             ("get", [place]) => {
-                let place = self.expression(place);
-                match (&place, self.algebra.known_integer(&place)) {
-                    (_, Some(known)) => {
-                        let item = usize::try_from(known).ok().and_then(|known| items.get(known));
-                        item.map_or_else(Value::none, |item| Value::some(item.clone()))
-                    }
-                    (Value::Integer(index), None) => {
-                        let [before, count] =
-                            [-1, i64::try_from(items.len()).ok()?].map(|end| self.algebra.integer(end));
-                        let (Value::Integer(before), Value::Integer(count)) = (before, count) else { return None };
-                        let is_some = Condition::less(self.algebra, *index, count);
-                        let is_some = is_some.and(Condition::less(self.algebra, before, *index));
-                        match Value::Array(items.to_vec()).chosen(self.algebra, *index) {
-                            Some(item) => Value::some_if(is_some, item),
-                            None if items.is_empty() => Value::none(),
-                            None => self.refuse(&call.args, messages::no_such_choice("this array")),
-                        }
-                    }
-                    _ => self.refuse_known(&place, &call.args, messages::index_unknown()),
+                let value = self.expression(place);
+                let Value::Integer(index) = value else {
+                    return Some(self.refuse_known(&value, *place, messages::index_unknown()));
+                };
+                let Value::Integer(count) = self.counted(&items)? else { return None };
+                let zero = self.algebra.number(0.0);
+                let is_some = Condition::less(self.algebra, index, zero).not();
+                let is_some = is_some.and(Condition::less(self.algebra, index, count));
+                if matches!(is_some, Condition::Known(false)) {
+                    return Some(Value::none());
                 }
-            }
-            ("split_first" | "split_last", []) => {
-                let split = if name == "split_first" { items.split_first() } else { items.split_last() };
-                let pair = split.map(|(one, rest)| Value::Tuple(vec![one.clone(), Value::Array(rest.to_vec())]));
-                pair.map_or_else(Value::none, Value::some)
-            }
-            ("concat", []) => {
-                let parts: Option<Vec<Vec<Value>>> = items.iter().map(|item| item.clone().items()).collect();
-                match parts {
-                    Some(parts) => Value::Array(parts.concat()),
-                    None => self.refuse(&call.method, messages::not_iterable("an element of it")),
+                match receiver.chosen(self.algebra, index) {
+                    Some(item) => Value::some_if(is_some, item),
+                    None => self.refuse(*place, messages::no_such_choice(&receiver.describe())),
                 }
             }
             ("contains", [element]) => {
                 let element = self.expression(element);
-                let equal = |this: &mut Self, item: &Value| match this.equal(&call.method, item, &element) {
-                    Some(Value::Truth(condition)) => Some(condition),
-                    _ => None,
-                };
-                let equal: Option<Vec<Condition>> = items.iter().map(|item| equal(self, item)).collect();
-                match equal {
-                    Some(equal) => Value::Truth(equal.into_iter().fold(Condition::Known(false), Condition::or)),
-                    None => self.refuse_known(&element, &call.args, messages::not_a_condition(&element.describe())),
+                let mut contains = Condition::Known(false);
+                for Element { is_there, value } in items {
+                    match self.equal(&call.method, &value, &element) {
+                        Some(Value::Truth(equal)) => contains = contains.or(is_there.and(equal)),
+                        _ => {
+                            let text = messages::not_a_condition(&element.describe());
+                            return Some(self.refuse_known(&element, &call.args, text));
+                        }
+                    }
+                }
+                Value::Truth(contains)
+            }
+            _ => return None,
+        })
+    }
+
+    /// A method of an array of these elements; `None` if it is another one, or after an error.
+    fn array_method(&mut self, values: &[Value], call: &ExprMethodCall) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let parts =
+            |parts: &mut dyn Iterator<Item = &[Value]>| Value::iterator(parts.map(|part| Value::Array(part.to_vec())));
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("map", [function]) => {
+                let mapped = self.mapped(call, function, values.iter().cloned().map(Element::new).collect())?;
+                Value::Array(mapped.into_iter().map(|item| item.value).collect())
+            }
+            // How many there are is the same.
+            ("try_into", []) => Value::some(Value::Array(values.to_vec())),
+            ("windows" | "chunks" | "chunks_exact", [count]) => match (self.known_count(count)?, name.as_str()) {
+                (0, _) => self.refuse(*count, messages::index_outside("a loop")),
+                (count, "windows") => parts(&mut values.windows(count)),
+                (count, "chunks") => parts(&mut values.chunks(count)),
+                (count, _) => parts(&mut values.chunks_exact(count)),
+            },
+            ("split_at", [place]) => {
+                let known = self.known_count(place)?;
+                match values.split_at_checked(known) {
+                    Some((before, after)) => {
+                        Value::Tuple(vec![Value::Array(before.to_vec()), Value::Array(after.to_vec())])
+                    }
+                    None => self.refuse(*place, messages::index_outside("this array")),
+                }
+            }
+            ("split_first" | "split_last", []) => {
+                let split = if name == "split_first" { values.split_first() } else { values.split_last() };
+                let pair = split.map(|(one, rest)| Value::Tuple(vec![one.clone(), Value::Array(rest.to_vec())]));
+                pair.map_or_else(Value::none, Value::some)
+            }
+            ("concat", []) => {
+                let parts: Option<Vec<Vec<Element>>> = values.iter().map(|value| value.clone().items()).collect();
+                match parts {
+                    Some(parts) => Value::list(parts.concat()),
+                    None => self.refuse(&call.method, messages::not_iterable("an element of it")),
                 }
             }
             // Of what is partitioned so, as many as fulfil it.
             ("partition_point", [function]) => {
-                let function = self.function_argument(function, 1)?;
-                let mut all = Vec::with_capacity(items.len());
-                for item in items {
-                    let Value::Truth(holds) = self.inline(&call.method, &function, vec![item.clone()]) else {
-                        return Some(Value::Unknown);
-                    };
-                    all.push(holds);
-                }
-                self.counted(call, all.iter())?
+                let items: Vec<Element> = values.iter().cloned().map(Element::new).collect();
+                let asked = self.asked(call, function, &items, None)?;
+                let items: Vec<Element> =
+                    items.into_iter().zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect();
+                self.counted(&items)?
             }
             _ => return None,
         })

@@ -14,7 +14,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
-use super::{Translation, sequences, square, strip};
+use super::{Translation, iterators, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -56,8 +56,11 @@ impl Translation<'_> {
             return value;
         }
         let is_drained = core::mem::take(&mut self.is_drained);
-        self.is_drained =
-            matches!(strip(&call.receiver), Expr::MethodCall(_)) && sequences::drains(&call.method, is_drained);
+        // The first `None` ends what becomes an option.
+        let may_end = call.method == "collect" && matches!(self.expected_of_call(call, expected), Expected::Optional);
+        self.is_drained = matches!(strip(&call.receiver), Expr::MethodCall(_))
+            && iterators::drains(&call.method, is_drained)
+            && !may_end;
         let (receiver, has_effect) = self.tracked(|this| this.expression(&call.receiver));
         self.is_drained = false;
         if receiver.is_unknown() {
@@ -70,7 +73,7 @@ impl Translation<'_> {
                 return self.inline(&call.method, &function, vec![receiver]);
             }
         }
-        let value = if is_drained || !sequences::is_lazy(&receiver, &call.method) {
+        let value = if is_drained || !iterators::is_lazy(&receiver, &call.method) {
             self.sequence_method(&receiver, call, expected)
         } else {
             self.without_effect(call, |this| this.sequence_method(&receiver, call, expected))
@@ -367,16 +370,13 @@ impl Translation<'_> {
             }
             ("swap", [one, other], _) if is_of("mem") => return self.exchanged(&call.func, one, other),
             ("zip", [one, other], _) if is_of("iter") => {
-                let one = self.expression(one);
-                return self.zipped(one, other);
+                let zipped = self.iterated(one).and_then(|items| self.zipped(items, other));
+                return zipped.unwrap_or(Value::Unknown);
             }
-            ("once", [value], _) if is_of("iter") => return Value::Sequence(vec![self.expression(value)]),
+            ("once", [value], _) if is_of("iter") => return Value::iterator([self.expression(value)]),
             ("repeat_n", [value, count], _) if is_of("iter") => {
-                let (value, count) = (self.expression(value), self.expression(count));
-                return match self.algebra.known_index(&count) {
-                    Some(count) => Value::Sequence(vec![value; count]),
-                    None => self.refuse_known(&count, &call.args, messages::index_unknown()),
-                };
+                let (value, count) = (self.expression(value), self.known_count(count));
+                return count.map_or(Value::Unknown, |count| Value::iterator(vec![value; count]));
             }
             _ => {}
         }

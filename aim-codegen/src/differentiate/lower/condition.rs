@@ -75,6 +75,16 @@ impl Condition {
         }
     }
 
+    /// `then` where the condition holds, else `otherwise`.
+    pub(crate) fn either(condition: &Self, then: &Self, otherwise: &Self) -> Self {
+        if let (Self::Known(x), Self::Known(y)) = (then, otherwise)
+            && x == y
+        {
+            return then.clone();
+        }
+        condition.clone().and(then.clone()).or(condition.clone().not().and(otherwise.clone()))
+    }
+
     pub(crate) fn select(&self, a: &mut Algebra, then: Scalar, otherwise: Scalar) -> Scalar {
         if then == otherwise {
             return then;

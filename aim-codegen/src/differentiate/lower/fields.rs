@@ -6,8 +6,9 @@ use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
+use super::iterators::ranks;
 use super::value::Value;
-use super::{Translation, square, strip};
+use super::{Translation, lists, square, strip};
 use crate::differentiate::messages;
 
 /// A field as written.
@@ -66,6 +67,10 @@ impl Value {
     pub(super) fn element(&self, a: &mut Algebra, place: usize) -> Option<Self> {
         match self {
             Self::Array(values) => values.get(place).cloned(),
+            Self::List(items) if place < items.len() => match a.whole(place) {
+                Self::Integer(place) => lists::ranked(a, items, place),
+                _ => None,
+            },
             Self::Planar(v) if place < 2 => Some(Self::Scalar(a.component(*v, place))),
             Self::Vector(v) if place < 3 => Some(Self::Scalar(a.component(*v, place))),
             Self::Four(parts) => parts.get(place).map(|&x| Self::Scalar(x)),
@@ -81,6 +86,9 @@ impl Value {
     /// The element at a place that arguments choose; `None` if there are none, or of several kinds. Where there is no such place,
     /// and the function panics, it is the first or the last.
     pub(super) fn chosen(&self, a: &mut Algebra, place: Scalar) -> Option<Self> {
+        if let Self::List(items) = self {
+            return lists::ranked(a, items, place);
+        }
         let mut elements = self.elements(a).into_iter().enumerate().rev();
         let (_, last) = elements.next()?;
         elements.try_fold(last, |chosen, (index, element)| {
@@ -138,30 +146,33 @@ impl Translation<'_> {
         value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
     }
 
-    /// `array[start..end]`
+    /// `array[start..end]`. Where there is no such place, and the function panics, it is what there is of it.
     fn slice(&mut self, base: &Value, range: &syn::ExprRange) -> Value {
-        let Value::Array(values) = base else {
+        let (Value::Array(_) | Value::List(_), Some(items)) = (base, base.clone().items()) else {
             return self.refuse_known(base, range, messages::index_outside(&base.describe()));
         };
-        let bound = |this: &mut Self, end: &Option<Box<Expr>>, otherwise: usize| match end {
-            None => Some(otherwise),
-            Some(end) => {
-                let value = this.expression(end);
-                let known = this.algebra.known_index(&value);
-                if known.is_none() {
-                    this.refuse_known(&value, end, messages::index_unknown());
-                }
-                known
-            }
+        let bound = |this: &mut Self, end: &Option<Box<Expr>>| match end {
+            None => Some(None),
+            Some(end) => this.count(end).map(Some),
         };
-        let (Some(start), Some(end)) = (bound(self, &range.start, 0), bound(self, &range.end, values.len())) else {
+        let (Some(start), Some(end)) = (bound(self, &range.start), bound(self, &range.end)) else {
             return Value::Unknown;
         };
-        let end =
-            if matches!(range.limits, syn::RangeLimits::Closed(_)) && range.end.is_some() { end + 1 } else { end };
-        match values.get(start..end) {
-            Some(part) => Value::Array(part.to_vec()),
-            None => self.refuse(&range.to_token_stream(), messages::index_outside(&base.describe())),
+        let is_closed = matches!(range.limits, syn::RangeLimits::Closed(_));
+        let a = &mut *self.algebra;
+        let known = [start, end].map(|bound| bound.and_then(|bound| a.known_index(&Value::Integer(bound))));
+        let end_known = known[1].map_or(items.len(), |end| end + usize::from(is_closed));
+        if end_known > items.len() || known[0].is_some_and(|start| start > end_known) {
+            return self.refuse(&range.to_token_stream(), messages::index_outside(&base.describe()));
         }
+        let ranks = ranks(a, &items);
+        Value::list(items.into_iter().zip(ranks).map(|(item, rank)| {
+            let is_behind = start.map_or(Condition::Known(true), |start| Condition::at_most(a, start, rank));
+            let is_before = end.map_or(Condition::Known(true), |end| match is_closed {
+                true => Condition::at_most(a, rank, end),
+                false => Condition::less(a, rank, end),
+            });
+            item.where_too(is_behind.and(is_before))
+        }))
     }
 }

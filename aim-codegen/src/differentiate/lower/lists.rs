@@ -1,12 +1,16 @@
-//! `Vec`: whoever reads a function sees an array, as the length is known at each place. What makes a list, makes it longer or
-//! shorter, and sorts it.
+//! `Vec`: whoever reads a function sees the elements that there may be, each with the condition that it is there. What makes a
+//! list, makes it longer or shorter, and sorts it.
 
 use std::rc::Rc;
 
+use aim_symbolic::Scalar;
 use quote::quote;
 use syn::{Expr, ExprMethodCall};
 
-use super::value::{Callable, Value};
+use super::algebra::Algebra;
+use super::condition::Condition;
+use super::iterators::ranks;
+use super::value::{Callable, Element, Value};
 use super::{Translation, is_place};
 use crate::differentiate::messages;
 
@@ -14,8 +18,11 @@ use crate::differentiate::messages;
 const CHANGING: &[(&str, usize)] = &[
     ("push", 1),
     ("pop", 0),
+    ("insert", 2),
+    ("remove", 1),
     ("clear", 0),
     ("truncate", 1),
+    ("retain", 1),
     ("extend", 1),
     ("extend_from_slice", 1),
     ("copy_from_slice", 1),
@@ -38,6 +45,66 @@ pub(super) fn methods() -> impl Iterator<Item = &'static str> {
     CHANGING.iter().map(|(name, _)| *name)
 }
 
+impl Element {
+    /// `self` where the condition holds, else `otherwise`; `None` where they are of two kinds.
+    pub(super) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Option<Self> {
+        let is_there = Condition::either(condition, &self.is_there, &otherwise.is_there);
+        // Of what is not there nothing is selected.
+        let value = match (&self.is_there, &otherwise.is_there) {
+            (Condition::Known(false), _) => otherwise.value.clone(),
+            (_, Condition::Known(false)) => self.value.clone(),
+            _ => self.value.select(a, condition, &otherwise.value)?,
+        };
+        Some(Self { is_there, value })
+    }
+}
+
+impl Value {
+    /// A list of those that are there.
+    pub(super) fn list(items: impl IntoIterator<Item = Element>) -> Self {
+        let is_there = |item: &Element| !matches!(item.is_there, Condition::Known(false));
+        let items: Vec<Element> = items.into_iter().filter(is_there).collect();
+        if items.iter().all(|item| matches!(item.is_there, Condition::Known(true))) {
+            return Self::Array(items.into_iter().map(|item| item.value).collect());
+        }
+        Self::List(items)
+    }
+}
+
+/// One of two lists, by a condition; `None` where some of their elements are of two kinds.
+pub(super) fn select(
+    a: &mut Algebra,
+    condition: &Condition,
+    then: &[Element],
+    otherwise: &[Element],
+) -> Option<Vec<Element>> {
+    let nothing = Element { is_there: Condition::Known(false), value: Value::Never };
+    let items = (0..then.len().max(otherwise.len())).map(|place| {
+        let [then, otherwise] = [then, otherwise].map(|items| items.get(place).unwrap_or(&nothing));
+        then.select(a, condition, otherwise)
+    });
+    items.collect()
+}
+
+/// The element that so many others come before; `None` if there are none, or of several kinds.
+pub(super) fn ranked(a: &mut Algebra, items: &[Element], index: Scalar) -> Option<Value> {
+    let ranks = ranks(a, items);
+    items.iter().zip(ranks).rev().try_fold(Value::Never, |found, (item, rank)| {
+        let is_here = item.is_there.clone().and(Condition::equal(a, rank, index));
+        item.value.select(a, &is_here, &found)
+    })
+}
+
+/// The list with another value where so many others come before.
+pub(super) fn with_ranked(a: &mut Algebra, items: &[Element], index: Scalar, value: &Value) -> Option<Value> {
+    let ranks = ranks(a, items);
+    let items = items.iter().zip(ranks).map(|(item, rank)| {
+        let is_here = item.is_there.clone().and(Condition::equal(a, rank, index));
+        Some(Element { is_there: item.is_there.clone(), value: value.select(a, &is_here, &item.value)? })
+    });
+    Some(Value::list(items.collect::<Option<Vec<Element>>>()?))
+}
+
 impl Translation<'_> {
     /// `vec![…]`
     pub(super) fn list(&mut self, list: &syn::Macro) -> Value {
@@ -55,89 +122,128 @@ impl Translation<'_> {
             return None;
         }
         let place = self.place(&call.receiver)?;
-        let Value::Array(mut values) = self.read(&place) else { return None };
-        let result = self.changed(call, &name, call.args.first(), &mut values);
-        if result.is_unknown() {
-            return Some(result);
-        }
-        let written = self.write(&call.method, &place, Value::Array(values));
+        let list @ (Value::Array(_) | Value::List(_)) = self.read(&place) else { return None };
+        let mut items = list.items()?;
+        // What is missing was reported.
+        let Some(result) = self.changed(call, &name, &mut items).filter(|result| !result.is_unknown()) else {
+            return Some(Value::Unknown);
+        };
+        let written = self.write(&call.method, &place, Value::list(items));
         Some(if written.is_unknown() { written } else { result })
     }
 
-    /// What a method returns that changes these values.
-    fn changed(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        argument: Option<&Expr>,
-        values: &mut Vec<Value>,
-    ) -> Value {
-        match (name, argument) {
-            ("pop", None) => return values.pop().map_or_else(Value::none, Value::some),
-            ("clear", None) => values.clear(),
-            ("reverse", None) => values.reverse(),
-            (_, None) => {
-                let Value::Function(compare) = self.closure(&syn::parse_quote!(|a, b| a.cmp(b))) else {
-                    return Value::Unknown;
+    /// What a method returns that changes these; `None` after an error.
+    fn changed(&mut self, call: &ExprMethodCall, name: &str, items: &mut Vec<Element>) -> Option<Value> {
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        match (name, arguments.as_slice()) {
+            ("pop", []) => {
+                let last = self.first(call, items.iter().rev().cloned().collect());
+                let mut is_after = Condition::Known(false);
+                for item in items.iter_mut().rev() {
+                    let was_there = item.is_there.clone();
+                    item.is_there = was_there.clone().and(is_after.clone());
+                    is_after = is_after.or(was_there);
+                }
+                return Some(last);
+            }
+            ("clear", []) => items.clear(),
+            ("reverse", []) => items.reverse(),
+            ("sort" | "sort_unstable", []) => {
+                let Value::Function(compare) = self.closure(&syn::parse_quote!(|a, b| a.cmp(b))) else { return None };
+                return self.sorted(call, &compare, items);
+            }
+            ("sort_by" | "sort_unstable_by", [compare]) => {
+                let compare = self.function_argument(compare, 2)?;
+                return self.sorted(call, &compare, items);
+            }
+            ("retain", [function]) => {
+                let asked = self.asked(call, function, items, None)?;
+                *items = items.drain(..).zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect();
+            }
+            ("truncate", [length]) => {
+                let Value::Integer(length) = self.expression(length) else { return None };
+                let ranks = ranks(self.algebra, items);
+                for (item, rank) in items.iter_mut().zip(ranks) {
+                    item.is_there = item.is_there.clone().and(Condition::less(self.algebra, rank, length));
+                }
+            }
+            ("extend" | "extend_from_slice", [others]) => items.extend(self.iterated(others)?),
+            // Of another length it panics.
+            ("copy_from_slice" | "clone_from_slice", [others]) => *items = self.iterated(others)?,
+            ("insert", [place, value]) => {
+                let (place, value) = (self.count(place)?, self.expression(value));
+                let mut ranks = ranks(self.algebra, items).into_iter();
+                let mut inserted = Vec::with_capacity(2 * items.len() + 1);
+                // It stands before the one that so many come before, or behind all.
+                let mut here = |a: &mut Algebra, is_there: Condition| {
+                    let is_there = is_there.and(Condition::equal(a, ranks.next()?, place));
+                    Some(Element { is_there, value: value.clone() })
                 };
-                return self.sorted(call, &compare, values);
+                for item in items.drain(..) {
+                    inserted.push(here(self.algebra, item.is_there.clone())?);
+                    inserted.push(item);
+                }
+                inserted.push(here(self.algebra, Condition::Known(true))?);
+                *items = inserted;
             }
-            ("sort_by" | "sort_unstable_by", Some(compare)) => {
-                let Some(compare) = self.function_argument(compare, 2) else { return Value::Unknown };
-                return self.sorted(call, &compare, values);
+            ("remove", [place]) => {
+                let index = self.count(place)?;
+                let Some(removed) = ranked(self.algebra, items, index) else {
+                    return Some(self.refuse(*place, messages::index_outside("this array")));
+                };
+                let ranks = ranks(self.algebra, items);
+                let left = items.drain(..).zip(ranks);
+                *items = left
+                    .map(|(item, rank)| item.where_too(Condition::equal(self.algebra, rank, index).not()))
+                    .collect();
+                return Some(removed);
             }
-            (name, Some(argument)) => {
-                let value = self.expression(argument);
+            ("rotate_left" | "rotate_right", [count]) => {
+                let count = self.known_count(count)?;
+                if items.iter().any(|item| !matches!(item.is_there, Condition::Known(true))) || count > items.len() {
+                    return Some(self.refuse(&call.args, messages::index_outside("this array")));
+                }
+                if name == "rotate_left" { items.rotate_left(count) } else { items.rotate_right(count) }
+            }
+            (_, [value]) => {
+                let value = self.expression(value);
                 if value.is_unknown() {
-                    return value;
+                    return Some(value);
                 }
-                match name {
-                    "push" => values.push(value),
-                    "fill" => values.fill(value),
-                    "truncate" | "rotate_left" | "rotate_right" => match (self.algebra.known_index(&value), name) {
-                        (Some(length), "truncate") => values.truncate(length),
-                        (Some(count), _) if count > values.len() => {
-                            return self.refuse(argument, messages::index_outside("this array"));
-                        }
-                        (Some(count), "rotate_left") => values.rotate_left(count),
-                        (Some(count), _) => values.rotate_right(count),
-                        (None, _) => return self.refuse(argument, messages::index_unknown()),
-                    },
-                    _ => {
-                        let kind = value.describe();
-                        match value.items() {
-                            // Of another length it panics.
-                            Some(others) if name.ends_with("_from_slice") && name != "extend_from_slice" => {
-                                *values = others;
-                            }
-                            Some(others) => values.extend(others),
-                            None => return self.refuse(argument, messages::not_iterable(&kind)),
-                        }
-                    }
+                if name == "push" {
+                    items.push(Element::new(value));
+                } else {
+                    items.iter_mut().for_each(|item| item.value = value.clone());
                 }
             }
+            _ => return None,
         }
-        Value::nothing()
+        Some(Value::nothing())
     }
 
-    /// Brings values in order: neighbours that are not are exchanged, so that equal ones stay as they are.
-    fn sorted(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, values: &mut [Value]) -> Value {
-        if values.len() > LONGEST_SORTED {
-            return self.refuse(&call.method, messages::sorted_too_long(LONGEST_SORTED));
+    /// Brings elements in order: neighbours that are not are exchanged, so that equal ones stay as they are. Those that are not
+    /// there come last; `None` after an error.
+    fn sorted(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, items: &mut [Element]) -> Option<Value> {
+        if items.len() > LONGEST_SORTED {
+            return Some(self.refuse(&call.method, messages::sorted_too_long(LONGEST_SORTED)));
         }
-        for end in (1..values.len()).rev() {
+        for end in (1..items.len()).rev() {
             for first in 0..end {
-                let [one, other] = [values[first].clone(), values[first + 1].clone()];
-                let order = match self.inline(&call.method, compare, vec![one.clone(), other.clone()]) {
+                let [one, other] = [items[first].clone(), items[first + 1].clone()];
+                let order = match self.inline(&call.method, compare, vec![one.value.clone(), other.value.clone()]) {
                     Value::Ordering(order) => order,
                     order => {
-                        return self.refuse_known(&order, &call.method, messages::not_an_ordering(&order.describe()));
+                        let text = messages::not_an_ordering(&order.describe());
+                        return Some(self.refuse_known(&order, &call.method, text));
                     }
                 };
-                values[first] = self.either_value(call, &order.greater, &other, &one);
-                values[first + 1] = self.either_value(call, &order.greater, &one, &other);
+                let is_gap = one.is_there.clone().not();
+                let is_wrong = other.is_there.clone().and(is_gap.or(order.greater.clone()));
+                items[first] = other.select(self.algebra, &is_wrong, &one)?;
+                items[first + 1] = one.select(self.algebra, &is_wrong, &other)?;
             }
         }
-        if values.iter().any(Value::is_unknown) { Value::Unknown } else { Value::nothing() }
+        let is_unknown = items.iter().any(|item| item.value.is_unknown());
+        Some(if is_unknown { Value::Unknown } else { Value::nothing() })
     }
 }

@@ -15,7 +15,8 @@ impl Expected {
     pub(super) fn fits(&self, value: &Value) -> bool {
         match (self, value) {
             (Self::Any | Self::Other, _)
-            | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Sequence(_)) => true,
+            | (_, Value::Unknown | Value::Never | Value::Function(_) | Value::Iterator(_)) => true,
+            (Self::Array(element, _), Value::List(items)) => items.iter().all(|item| element.fits(&item.value)),
             (Self::Array(element, length), Value::Array(values)) => {
                 length.is_none_or(|length| length == values.len()) && values.iter().all(|value| element.fits(value))
             }

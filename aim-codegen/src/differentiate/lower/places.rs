@@ -12,7 +12,7 @@ use super::expected::Expected;
 use super::map::{Affine, Map, Quaternion};
 use super::place_types::type_of;
 use super::value::{Place, Step, Struct, Value};
-use super::{Translation, is_place, square, strip};
+use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
 impl Translation<'_> {
@@ -95,14 +95,14 @@ impl Translation<'_> {
         self.place(target).map_or(Value::Unknown, |place| Value::Reference(Rc::new(place)))
     }
 
-    /// References to the elements of an array that is changed; `None` if it is none.
-    pub(super) fn references(&mut self, target: &Place) -> Option<Vec<Value>> {
+    /// An iterator over references to the elements of an array that is changed; `None` if it is none.
+    pub(super) fn references(&mut self, target: &Place) -> Option<Value> {
         let Value::Array(values) = self.read(target) else { return None };
         let references = (0..values.len()).map(|index| {
             let steps = target.steps.iter().cloned().chain([Step::Index(index)]).collect();
             Value::Reference(Rc::new(Place { variable: target.variable, steps }))
         });
-        Some(references.collect())
+        Some(Value::iterator(references))
     }
 
     /// The value itself, of a reference that of its place.
@@ -128,7 +128,7 @@ impl Translation<'_> {
         match (name.as_str(), arguments.as_slice()) {
             ("iter_mut", []) => {
                 let place = self.place(&call.receiver)?;
-                self.references(&place).map(Value::Sequence)
+                self.references(&place)
             }
             ("swap", [one, other]) => {
                 let Value::Array(_) = self.place(&call.receiver).map(|place| self.read(&place))? else { return None };
@@ -274,6 +274,15 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
 
 /// `whole` with one of its parts replaced.
 fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option<Value> {
+    if let Value::List(items) = whole {
+        let index = match step {
+            Step::Index(index) => a.whole(*index),
+            Step::Chosen(index) => Value::Integer(*index),
+            Step::Field(_) => return None,
+        };
+        let Value::Integer(index) = index else { return None };
+        return lists::with_ranked(a, items, index, &part);
+    }
     if let Step::Chosen(chosen) = step {
         let mut changed = whole.clone();
         for index in 0..whole.elements(a).len() {

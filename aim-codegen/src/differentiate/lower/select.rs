@@ -5,8 +5,8 @@ use std::rc::Rc;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map};
-use super::square;
 use super::value::{Optional, Order, Struct, Value};
+use super::{lists, square};
 
 impl Struct {
     /// The same struct with other values in its fields.
@@ -14,11 +14,6 @@ impl Struct {
         let fields = self.fields.iter().zip(values).map(|((name, _), value)| (name.clone(), value)).collect();
         Rc::new(Self { name: self.name.clone(), fields })
     }
-}
-
-/// `then` where the condition holds, else `otherwise`.
-fn either(condition: &Condition, then: &Condition, otherwise: &Condition) -> Condition {
-    condition.clone().and(then.clone()).or(condition.clone().not().and(otherwise.clone()))
 }
 
 impl Value {
@@ -33,12 +28,14 @@ impl Value {
         Some(match (self, otherwise) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
             (Self::Never, value) | (value, Self::Never) => value.clone(),
+            _ if matches!(condition, Condition::Known(true)) => self.clone(),
+            _ if matches!(condition, Condition::Known(false)) => otherwise.clone(),
             (Self::Integer(x), Self::Integer(y)) => Self::Integer(condition.select(a, *x, *y)),
             (Self::Scalar(x), Self::Scalar(y)) => Self::Scalar(condition.select(a, *x, *y)),
             (Self::Planar(v), Self::Planar(w)) => Self::Planar(condition.select_vector(a, *v, *w)),
             (Self::Vector(v), Self::Vector(w)) => Self::Vector(condition.select_vector(a, *v, *w)),
             (Self::Four(x), Self::Four(y)) => Self::Four(core::array::from_fn(|k| condition.select(a, x[k], y[k]))),
-            (Self::Truth(x), Self::Truth(y)) => Self::Truth(either(condition, x, y)),
+            (Self::Truth(x), Self::Truth(y)) => Self::Truth(Condition::either(condition, x, y)),
             (Self::Quaternion(q), Self::Quaternion(r)) => Self::Quaternion(q.select(a, condition, r)),
             (Self::Matrix(m), Self::Matrix(n)) => Self::Matrix(Map::select(a, condition, m, n)),
             (Self::Homogeneous(m), Self::Homogeneous(n)) => {
@@ -60,16 +57,20 @@ impl Value {
                 translation: condition.select_vector(a, m.translation, n.translation),
             }),
             (Self::Optional(x), Self::Optional(y)) => {
-                let is_some = either(condition, &x.is_some, &y.is_some);
+                let is_some = Condition::either(condition, &x.is_some, &y.is_some);
                 // Of what is not there nothing is selected.
                 Self::Optional(Rc::new(Optional { is_some, value: x.value.select(a, condition, &y.value)? }))
             }
             (Self::Ordering(x), Self::Ordering(y)) => Self::Ordering(Rc::new(Order {
-                less: either(condition, &x.less, &y.less),
-                greater: either(condition, &x.greater, &y.greater),
+                less: Condition::either(condition, &x.less, &y.less),
+                greater: Condition::either(condition, &x.greater, &y.greater),
             })),
             (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),
-            (Self::Array(x), Self::Array(y)) => Self::Array(each(a, x, y)?),
+            (Self::Array(x), Self::Array(y)) if x.len() == y.len() => Self::Array(each(a, x, y)?),
+            (Self::Array(_) | Self::List(_), Self::Array(_) | Self::List(_)) => {
+                Self::list(lists::select(a, condition, &self.clone().items()?, &otherwise.clone().items()?)?)
+            }
+            (Self::Iterator(x), Self::Iterator(y)) => Self::Iterator(lists::select(a, condition, x, y)?),
             (Self::Struct(x), Self::Struct(y)) if x.name == y.name => {
                 let [then, otherwise] =
                     [x, y].map(|of| of.fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>());

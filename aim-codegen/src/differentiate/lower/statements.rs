@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::Value;
+use super::value::{Element, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
@@ -252,33 +252,32 @@ impl Translation<'_> {
         }
         let kind = over.describe();
         let items = match over {
-            Value::Reference(place) => self.references(&place).map(Value::Sequence).and_then(Value::maybe_items),
-            over => over.maybe_items(),
+            Value::Reference(place) => self.references(&place).and_then(Value::items),
+            over => over.items(),
         };
         let Some(items) = items else {
             return self.refuse(&e.expr, messages::not_iterable(&kind));
         };
         let label = e.label.as_ref().map(|label| &label.name);
-        self.each(&e.for_token, label, items, |this, (is_there, item)| {
-            let round = |this: &mut Self| {
-                this.bind(&e.pat, item);
-                this.block(&e.body)
-            };
-            this.branch(&e.for_token, Some(is_there), round, |_| Value::nothing())
+        self.each(&e.for_token, label, items, |this, item| {
+            this.bind(&e.pat, item);
+            this.block(&e.body)
         })
     }
 
-    /// Runs a round with each.
-    pub(super) fn each<T>(
+    /// Runs a round with each of the elements that are there.
+    pub(super) fn each(
         &mut self,
         token: &impl ToTokens,
         label: Option<&Lifetime>,
-        items: Vec<T>,
-        mut round: impl FnMut(&mut Self, T) -> Value,
+        items: Vec<Element>,
+        mut round: impl FnMut(&mut Self, Value) -> Value,
     ) -> Value {
         let mut items = items.into_iter();
         self.rounds(token, label, |this| match items.next() {
-            Some(item) => Round::Of(round(this, item)),
+            Some(Element { is_there, value }) => {
+                Round::Of(this.branch(token, Some(is_there), |this| round(this, value), |_| Value::nothing()))
+            }
             None => Round::Over,
         })
     }

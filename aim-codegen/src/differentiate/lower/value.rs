@@ -29,6 +29,7 @@ pub(crate) enum Value {
     Homogeneous(Affine),
     Affine(Affine),
     Tuple(Vec<Self>),
+    /// An array, a slice, or a list whose length is known.
     Array(Vec<Self>),
     Struct(Rc<Struct>),
     Optional(Rc<Optional>),
@@ -36,14 +37,21 @@ pub(crate) enum Value {
     Function(Rc<Callable>),
     /// `&mut` of a place.
     Reference(Rc<Place>),
+    /// A list whose length arguments decide.
+    List(Vec<Element>),
     /// What an iterator goes over.
-    Sequence(Vec<Self>),
-    /// The same of one that leaves some out: each with the condition that it is there.
-    Filtered(Vec<(Condition, Self)>),
+    Iterator(Vec<Element>),
     /// Of an expression that control does not come out of.
     Never,
     /// What an error was reported for: nothing more is said about it.
     Unknown,
+}
+
+/// An element that is there where a condition holds.
+#[derive(Clone, Debug)]
+pub(crate) struct Element {
+    pub(crate) is_there: Condition,
+    pub(crate) value: Value,
 }
 
 /// Columns of as many numbers.
@@ -183,8 +191,8 @@ impl Value {
             Self::Ordering(_) => "an ordering".into(),
             Self::Function(_) => "a function".into(),
             Self::Reference(_) => "a reference that changes what it refers to".into(),
-            Self::Sequence(values) => format!("an iterator over {}", values.len()),
-            Self::Filtered(_) => "an iterator that leaves some elements out".into(),
+            Self::List(_) => "a list whose length arguments decide".into(),
+            Self::Iterator(_) => "an iterator".into(),
             Self::Never | Self::Unknown => "an expression".into(),
         }
     }
@@ -196,7 +204,7 @@ impl Value {
 
     /// Whether a variable can have this value in one branch and another one in another.
     pub(super) fn is_selectable(&self) -> bool {
-        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Sequence(_) | Self::Filtered(_))
+        !matches!(self, Self::Function(_) | Self::Reference(_))
     }
 
     /// The value of what is made of these where one of them is not there; `None` where all are.

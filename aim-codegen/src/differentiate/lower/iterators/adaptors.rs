@@ -1,0 +1,243 @@
+//! Iterators that are made of others.
+
+use std::rc::Rc;
+
+use syn::{Expr, ExprMethodCall, ExprRange};
+
+use super::super::condition::Condition;
+use super::super::value::{Callable, Element, Optional, Place, Value};
+use super::super::{Translation, strip};
+use super::{all_there, ranks};
+use crate::differentiate::messages;
+
+/// What a function says of an element.
+pub(in crate::differentiate::lower) struct Asked {
+    /// Whether it is asked.
+    is_asked: Condition,
+    /// What it says, where it is.
+    pub(in crate::differentiate::lower) holds: Condition,
+}
+
+/// Whether those behind an element are asked about after this was said of it.
+fn goes_on_after(is_there: &Condition, said: &Condition, until: Option<bool>) -> Condition {
+    match until {
+        None => Condition::Known(true),
+        Some(true) => is_there.clone().and(said.clone()).not(),
+        Some(false) => is_there.clone().not().or(said.clone()),
+    }
+}
+
+impl Translation<'_> {
+    /// The iterator that a method makes of one over these; `None` after an error.
+    pub(super) fn adapted(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("rev", []) => Value::Iterator(items.into_iter().rev().collect()),
+            ("enumerate", []) => {
+                let ranks = ranks(self.algebra, &items);
+                let numbered = items.into_iter().zip(ranks).map(|(Element { is_there, value }, rank)| Element {
+                    is_there,
+                    value: Value::Tuple(vec![Value::Integer(rank), value]),
+                });
+                Value::Iterator(numbered.collect())
+            }
+            ("zip", [other]) => self.zipped(items, other)?,
+            ("chain", [other]) => Value::Iterator(items.into_iter().chain(self.iterated(other)?).collect()),
+            ("skip" | "take", [count]) => {
+                let count = self.count(count)?;
+                let ranks = ranks(self.algebra, &items);
+                Value::iterator_of(items.into_iter().zip(ranks).map(|(Element { is_there, value }, rank)| {
+                    let is_before = Condition::less(self.algebra, rank, count);
+                    Element { is_there: is_there.and(if name == "take" { is_before } else { is_before.not() }), value }
+                }))
+            }
+            ("step_by", [count]) => match (self.known_count(count)?, all_there(items)) {
+                (0, _) => self.refuse(*count, messages::index_outside("a loop")),
+                (count, Ok(values)) => Value::iterator(values.into_iter().step_by(count)),
+                (_, Err(_)) => {
+                    let kind = "an iterator that leaves elements out by their values";
+                    self.refuse(&call.method, messages::unknown_method(&name, kind, &[]))
+                }
+            },
+            ("map", [function]) => Value::Iterator(self.mapped(call, function, items)?),
+            ("flatten", []) => self.flattened(call, items)?,
+            ("flat_map", [function]) => {
+                let mapped = self.mapped(call, function, items)?;
+                self.flattened(call, mapped)?
+            }
+            ("filter", [function]) => {
+                let asked = self.asked(call, function, &items, None)?;
+                Value::iterator_of(items.into_iter().zip(asked).map(|(item, asked)| item.where_too(asked.holds)))
+            }
+            ("take_while" | "skip_while", [function]) => {
+                let asked = self.asked(call, function, &items, Some(false))?;
+                Value::iterator_of(items.into_iter().zip(asked).map(|(item, Asked { is_asked, holds })| {
+                    let is_before = is_asked.and(holds);
+                    item.where_too(if name == "take_while" { is_before } else { is_before.not() })
+                }))
+            }
+            ("filter_map" | "map_while", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                let make = |this: &mut Self, item| this.inline(&call.method, &function, vec![item]);
+                Value::iterator_of(self.those_made(call, items, (name == "map_while").then_some(false), make)?)
+            }
+            ("scan", [start, function]) => {
+                let start = self.expression(start);
+                let function = self.function_argument(function, 2)?;
+                let function = Rc::new(Callable { changed: vec![true, false], ..(*function).clone() });
+                let variable = self.frame.depth();
+                // It has no name outside of the function.
+                self.frame.declare(String::new(), start);
+                let state = Value::Reference(Rc::new(Place { variable, steps: Vec::new() }));
+                let made = self.those_made(call, items, Some(false), |this, item| {
+                    this.inline(&call.method, &function, vec![state.clone(), item])
+                });
+                self.frame.leave(variable);
+                Value::iterator_of(made?)
+            }
+            // `iter`, `copied` and the like.
+            _ => Value::Iterator(items),
+        })
+    }
+
+    /// Those that are there, each as a function makes it; `None` after an error.
+    pub(in crate::differentiate::lower) fn mapped(
+        &mut self,
+        call: &ExprMethodCall,
+        function: &Expr,
+        items: Vec<Element>,
+    ) -> Option<Vec<Element>> {
+        let function = self.function_argument(function, 1)?;
+        let map = |Element { is_there, value }: Element| {
+            let value = self.under(call, &is_there, |this| this.inline(&call.method, &function, vec![value]));
+            (!value.is_unknown()).then_some(Element { is_there, value })
+        };
+        items.into_iter().map(map).collect()
+    }
+
+    /// What a function says of each of the elements. One of which it says what it is asked `until` is the last that it is asked
+    /// about. `None` after an error.
+    pub(in crate::differentiate::lower) fn asked(
+        &mut self,
+        call: &ExprMethodCall,
+        function: &Expr,
+        items: &[Element],
+        until: Option<bool>,
+    ) -> Option<Vec<Asked>> {
+        let function = self.function_argument(function, 1)?;
+        let mut goes_on = Condition::Known(true);
+        let ask = |Element { is_there, value }: &Element| {
+            let is_asked = is_there.clone().and(goes_on.clone());
+            if matches!(is_asked, Condition::Known(false)) {
+                return Some(Asked { holds: is_asked.clone(), is_asked });
+            }
+            match self.under(call, &is_asked, |this| this.inline(&call.method, &function, vec![value.clone()])) {
+                Value::Truth(holds) => {
+                    goes_on = goes_on.clone().and(goes_on_after(is_there, &holds, until));
+                    Some(Asked { is_asked, holds })
+                }
+                other => {
+                    self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
+                    None
+                }
+            }
+        };
+        items.iter().map(ask).collect()
+    }
+
+    /// What a function makes of each of the elements, where it makes something of them. One of which it makes something, or
+    /// nothing, as `until` says, is the last that it is asked about. `None` after an error.
+    pub(super) fn those_made(
+        &mut self,
+        call: &ExprMethodCall,
+        items: Vec<Element>,
+        until: Option<bool>,
+        mut make: impl FnMut(&mut Self, Value) -> Value,
+    ) -> Option<Vec<Element>> {
+        let mut made = Vec::with_capacity(items.len());
+        let mut goes_on = Condition::Known(true);
+        for Element { is_there, value } in items {
+            let is_asked = is_there.clone().and(goes_on.clone());
+            if matches!(is_asked, Condition::Known(false)) {
+                made.push(Element { is_there: is_asked, value: Value::Never });
+                continue;
+            }
+            match self.under(call, &is_asked, |this| make(this, value)) {
+                Value::Optional(optional) => {
+                    let Optional { is_some, value } = &*optional;
+                    goes_on = goes_on.and(goes_on_after(&is_there, is_some, until));
+                    made.push(Element { is_there: is_asked.and(is_some.clone()), value: value.clone() });
+                }
+                other => {
+                    self.refuse_known(&other, &call.args, messages::not_an_option(&other.describe()));
+                    return None;
+                }
+            }
+        }
+        Some(made)
+    }
+
+    /// The elements of the elements; `None` after an error.
+    fn flattened(&mut self, call: &ExprMethodCall, items: Vec<Element>) -> Option<Value> {
+        let mut all = Vec::new();
+        for Element { is_there, value } in items {
+            let value = self.referenced(value);
+            let kind = value.describe();
+            let Some(inner) = value.items() else {
+                return Some(self.refuse(&call.method, messages::not_iterable(&kind)));
+            };
+            all.extend(inner.into_iter().map(|item| item.where_too(is_there.clone())));
+        }
+        Some(Value::iterator_of(all))
+    }
+
+    /// Pairs of these and what another iterator goes over; `None` after an error.
+    pub(in crate::differentiate::lower) fn zipped(&mut self, items: Vec<Element>, other: &Expr) -> Option<Value> {
+        let others = match strip(other) {
+            // As many numbers as are asked for.
+            Expr::Range(ExprRange { start: Some(start), end: None, .. }) => {
+                let first = self.expression(start);
+                let Some(first) = self.algebra.known_integer(&first) else {
+                    return Some(self.refuse_known(&first, start, messages::rounds_unknown()));
+                };
+                (first..).zip(&items).map(|(number, _)| Element::new(self.algebra.integer(number))).collect()
+            }
+            _ => self.iterated(other)?,
+        };
+        let pair = |one: Value, other: Value| Value::Tuple(vec![one, other]);
+        Some(match (all_there(items), all_there(others)) {
+            (Ok(ones), Ok(others)) => {
+                Value::iterator(ones.into_iter().zip(others).map(|(one, other)| pair(one, other)))
+            }
+            (Err(items), Ok(others)) => self.partners(other, items, &Value::Array(others), pair)?,
+            (Err(items), Err(others)) => self.partners(other, items, &Value::List(others), pair)?,
+            (Ok(ones), Err(items)) => {
+                self.partners(other, items, &Value::Array(ones), |other, one| pair(one, other))?
+            }
+        })
+    }
+
+    /// Pairs of elements that may not be there, and as many of a list; `None` after an error.
+    fn partners(
+        &mut self,
+        place: &Expr,
+        items: Vec<Element>,
+        others: &Value,
+        pair: impl Fn(Value, Value) -> Value,
+    ) -> Option<Value> {
+        let Value::Integer(count) = self.counted(&others.clone().items()?)? else { return None };
+        let ranks = ranks(self.algebra, &items);
+        let mut pairs = Vec::with_capacity(items.len());
+        for (Element { is_there, value }, rank) in items.into_iter().zip(ranks) {
+            let is_there = is_there.and(Condition::less(self.algebra, rank, count));
+            if matches!(is_there, Condition::Known(false)) {
+                continue;
+            }
+            let other = others.chosen(self.algebra, rank);
+            let other = other.unwrap_or_else(|| self.refuse(place, messages::no_such_choice(&others.describe())));
+            pairs.push(Element { is_there, value: pair(value, other) });
+        }
+        Some(Value::Iterator(pairs))
+    }
+}

@@ -1,0 +1,249 @@
+//! What becomes of the elements of an iterator.
+
+use std::rc::Rc;
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::{Expr, ExprClosure, ExprMethodCall};
+
+use super::super::condition::Condition;
+use super::super::expected::Expected;
+use super::super::functions::each_word;
+use super::super::place_types::neutral;
+use super::super::value::{Callable, Element, Value};
+use super::super::{Translation, operators, strip};
+use super::ranks;
+use crate::differentiate::messages;
+
+impl Translation<'_> {
+    /// What a method makes of elements at once; `None` after an error.
+    pub(super) fn consumed(
+        &mut self,
+        items: Vec<Element>,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("collect", []) => self.collected(call, items, expected),
+            ("unzip", []) => {
+                let [mut ones, mut others] = [Vec::new(), Vec::new()];
+                for Element { is_there, value } in items {
+                    let Value::Tuple(parts) = value else { return None };
+                    let [one, other] = <[Value; 2]>::try_from(parts).ok()?;
+                    ones.push(Element { is_there: is_there.clone(), value: one });
+                    others.push(Element { is_there, value: other });
+                }
+                Value::Tuple(vec![Value::list(ones), Value::list(others)])
+            }
+            ("partition", [function]) => {
+                let asked = self.asked(call, function, &items, None)?;
+                let [ones, others] = [true, false].map(|is_one| {
+                    let those = items.iter().cloned().zip(asked.iter().map(|asked| asked.holds.clone()));
+                    those.map(move |(item, holds)| item.where_too(if is_one { holds } else { holds.not() }))
+                });
+                Value::Tuple(vec![Value::list(ones), Value::list(others)])
+            }
+            ("for_each", [function]) => self.for_each(call, function, items)?,
+            ("fold", [start, function]) => {
+                let start = self.expression_as(start, expected);
+                let function = self.function_argument(function, 2)?;
+                items.into_iter().fold(start, |folded, Element { is_there, value }| {
+                    let next = self.under(call, &is_there, |this| {
+                        this.inline(&call.method, &function, vec![folded.clone(), value])
+                    });
+                    self.either_value(call, &is_there, &next, &folded)
+                })
+            }
+            ("reduce", [function]) => {
+                let function = self.function_argument(function, 2)?;
+                self.reduced(call, items, |this, one, other| this.inline(&call.method, &function, vec![one, other]))
+            }
+            ("min_by" | "max_by", [function]) => {
+                let function = self.function_argument(function, 2)?;
+                self.reduced(call, items, |this, best, item| this.better(call, &function, best, item))
+            }
+            ("last", []) => self.reduced(call, items, |_, _, item| item),
+            ("len" | "count", []) => self.counted(&items)?,
+            ("sum" | "product", []) => self.total(call, items, expected),
+            _ => return None,
+        })
+    }
+
+    /// What a method looks for, and for each element whether it ends the search; `None` after an error.
+    pub(super) fn found(&mut self, items: &[Element], call: &ExprMethodCall) -> Option<(Value, Vec<Condition>)> {
+        let name = call.method.to_string();
+        let mut values: Vec<Value> = items.iter().map(|item| item.value.clone()).collect();
+        let ends: Vec<Condition> = match (name.as_str(), call.args.first()) {
+            ("nth", Some(index)) => {
+                let index = self.count(index)?;
+                let ranks = ranks(self.algebra, items);
+                ranks.iter().map(|&rank| Condition::equal(self.algebra, rank, index)).collect()
+            }
+            ("find_map", Some(function)) => {
+                let function = self.function_argument(function, 1)?;
+                let make = |this: &mut Self, item| this.inline(&call.method, &function, vec![item]);
+                let made = self.those_made(call, items.to_vec(), Some(true), make)?;
+                values = made.iter().map(|item| item.value.clone()).collect();
+                made.into_iter().map(|item| item.is_there).collect()
+            }
+            (_, Some(function)) => {
+                let asked = self.asked(call, function, items, Some(name != "all"))?.into_iter();
+                asked.map(|asked| if name == "all" { asked.holds.not() } else { asked.holds }).collect()
+            }
+            (_, None) => vec![Condition::Known(true); items.len()],
+        };
+        let ends = items.iter().zip(ends).map(|(item, ends)| item.is_there.clone().and(ends)).collect::<Vec<_>>();
+        let any = || ends.iter().cloned().fold(Condition::Known(false), Condition::or);
+        let found = match name.as_str() {
+            "any" => Value::Truth(any()),
+            "all" => Value::Truth(any().not()),
+            _ => {
+                if name == "position" {
+                    values = ranks(self.algebra, items).into_iter().map(Value::Integer).collect();
+                }
+                let found = values.into_iter().zip(ends.iter().cloned());
+                let found = found.map(|(value, is_there)| Element { is_there, value }).collect();
+                self.first(call, found)
+            }
+        };
+        Some((found, ends))
+    }
+
+    /// The type in `collect::<…>()` and the like; or what is expected where none is written.
+    pub(in crate::differentiate::lower) fn expected_of_call(
+        &mut self,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Expected {
+        match call.turbofish.as_ref().and_then(|of| of.args.first()) {
+            Some(syn::GenericArgument::Type(ty)) => self.expected(ty),
+            _ => expected.clone(),
+        }
+    }
+
+    /// What `collect` makes of these: a list, or an option of one, which is there where all of them are.
+    fn collected(&mut self, call: &ExprMethodCall, items: Vec<Element>, expected: &Expected) -> Value {
+        if items.iter().any(|item| item.value.is_unknown()) {
+            return Value::Unknown;
+        }
+        match self.expected_of_call(call, expected) {
+            Expected::Any | Expected::Array(..) => Value::list(items),
+            Expected::Optional => {
+                let mut is_some = Condition::Known(true);
+                let mut inner = Vec::with_capacity(items.len());
+                for Element { is_there, value } in items {
+                    let Value::Optional(optional) = value else { return Value::Unknown };
+                    is_some = is_some.and(is_there.clone().not().or(optional.is_some.clone()));
+                    inner.push(Element { is_there, value: optional.value.clone() });
+                }
+                Value::some_if(is_some, Value::list(inner))
+            }
+            _ => self.refuse(&call.method, messages::not_a_list()),
+        }
+    }
+
+    /// Calls a function with each; `None` after an error. A closure that is written there is the body of a loop, so that it may
+    /// change variables.
+    fn for_each(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Element>) -> Option<Value> {
+        match strip(function) {
+            Expr::Closure(ExprClosure { capture: None, inputs, body, .. })
+                if inputs.len() == 1 && !has_word(body.to_token_stream(), "return") =>
+            {
+                Some(self.each(&call.method, None, items, |this, item| {
+                    this.bind(&inputs[0], item);
+                    this.expression(body)
+                }))
+            }
+            function => self.mapped(call, function, items).map(|_| Value::nothing()),
+        }
+    }
+
+    /// An option of what is left of those that are there, joined two by two.
+    fn reduced(
+        &mut self,
+        call: &ExprMethodCall,
+        items: Vec<Element>,
+        mut join: impl FnMut(&mut Self, Value, Value) -> Value,
+    ) -> Value {
+        let reduced = items.into_iter().reduce(|left, item| {
+            let both = left.is_there.clone().and(item.is_there.clone());
+            let joined = self.under(call, &both, |this| join(this, left.value.clone(), item.value.clone()));
+            let joined = self.either_value(call, &left.is_there, &joined, &item.value);
+            Element {
+                value: self.either_value(call, &item.is_there, &joined, &left.value),
+                is_there: left.is_there.or(item.is_there),
+            }
+        });
+        reduced.map_or_else(Value::none, |left| Value::some_if(left.is_there, left.value))
+    }
+
+    /// The first of those that are there.
+    pub(in crate::differentiate::lower) fn first(&mut self, call: &ExprMethodCall, items: Vec<Element>) -> Value {
+        let items = items.into_iter().filter(|item| !matches!(item.is_there, Condition::Known(false)));
+        self.reduced(call, items.collect(), |_, first, _| first)
+    }
+
+    /// The one of two that a comparison prefers: of equal ones `min_by` takes the first, `max_by` the last.
+    fn better(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, best: Value, item: Value) -> Value {
+        let order = match self.inline(&call.method, compare, vec![best.clone(), item.clone()]) {
+            Value::Ordering(order) => order,
+            other => return self.refuse_known(&other, &call.method, messages::not_an_ordering(&other.describe())),
+        };
+        let stays = if call.method == "min_by" { order.greater.clone().not() } else { order.greater.clone() };
+        self.either_value(call, &stays, &best, &item)
+    }
+
+    /// The number of those that are there.
+    pub(in crate::differentiate::lower) fn counted(&mut self, items: &[Element]) -> Option<Value> {
+        ranks(self.algebra, items).last().map(|count| Value::Integer(*count))
+    }
+
+    /// The sum or the product of all; of none, what its type has for that.
+    fn total(&mut self, call: &ExprMethodCall, items: Vec<Element>, expected: &Expected) -> Value {
+        let name = call.method.to_string();
+        let expected = self.expected_of_call(call, expected);
+        if items.iter().any(|item| item.value.is_unknown()) {
+            return Value::Unknown;
+        }
+        let of_items = items.first().and_then(|first| self.type_name(&first.value));
+        let ty = expected.name().map(str::to_owned).or_else(|| of_items.clone());
+        if let Some(ty) = ty.filter(|ty| self.items.defines(ty)) {
+            // As the struct says, by `Sum` or `Product`.
+            return match self.functions(Some(&ty), &name).as_slice() {
+                [only] => self.inline(&call.method, only, vec![Value::Iterator(items)]),
+                [] => self.refuse(&call.method, messages::unknown_method(&name, &format!("`{ty}`"), &[])),
+                _ => self.refuse(&call.method, messages::several_functions(&name)),
+            };
+        }
+        let neutral = of_items.as_deref().or(expected.name()).and_then(|ty| neutral(self.algebra, ty, name == "sum"));
+        let operator: syn::BinOp = if name == "sum" { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
+        let mut total: Option<Value> = None;
+        for Element { is_there, value } in items {
+            let term = match (&is_there, &neutral) {
+                (Condition::Known(true), _) => value,
+                (is_there, Some(neutral)) => self.either_value(call, is_there, &value, neutral),
+                (_, None) => self.refuse(&call.method, messages::empty_sum(&name)),
+            };
+            let next = match &total {
+                None => term,
+                Some(total) => operators::binary(self.algebra, &operator, total, &term).unwrap_or_else(|| {
+                    self.refuse(&call.method, messages::no_operation(&operator, &total.describe(), &term.describe()))
+                }),
+            };
+            if next.is_unknown() {
+                return Value::Unknown;
+            }
+            total = Some(next);
+        }
+        total.or(neutral).unwrap_or_else(|| self.refuse(&call.method, messages::empty_sum(&name)))
+    }
+}
+
+/// Whether a word stands among these tokens.
+fn has_word(tokens: TokenStream, word: &str) -> bool {
+    let mut has = false;
+    each_word(tokens, &mut |found| has |= found == word);
+    has
+}

@@ -1,0 +1,248 @@
+//! Branches, loops, ways out and what they make of variables.
+
+use super::same;
+
+same! {
+    assignments_in_branches {
+        pub fn f(mut x: f64, y: f64) -> f64 {
+            let (mut a, mut b) = (1.0, y);
+            if x > 0.0 {
+                a = x;
+                if y > x { let mut c = a; c *= y; b += c; } else { (a, b) = (b, a); }
+                x *= 2.0;
+            } else if y < -1.0 {
+                b -= 3.0;
+            }
+            let late;
+            if b > 1.0 { late = b; } else { late = -a; }
+            x + 10.0 * a + 100.0 * b + 1000.0 * late
+        }
+    }
+    early_returns {
+        pub fn f(x: f64, y: f64) -> f64 {
+            if x < -2.0 { return y; }
+            let mut sum = x;
+            if y > 0.5 {
+                sum += 1.0;
+                if x > 1.5 { return sum * y; }
+                sum *= 3.0;
+            } else if x > 3.0 {
+                return if y < 0.0 { -1.0 } else { return 7.0 };
+            }
+            let kept = if sum > 2.0 { sum } else if y == 0.0 { return 5.0 } else { 2.0 };
+            if kept > 4.0 { kept } else { kept - x }
+        }
+    }
+    loops_with_ways_out {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let table = [0.5, -1.0, 2.0, 4.0];
+            let mut sum = 0.0;
+            for (i, t) in table.iter().enumerate() {
+                if *t < y { continue; }
+                sum += t * x;
+                if sum > 3.0 && i > 0 { break; }
+                if sum < -6.0 { return sum; }
+                sum += 0.125 * i as f64;
+            }
+            let mut rounds = 0;
+            'outer: for i in 0..3 {
+                for j in (i..3).rev() {
+                    rounds += 1;
+                    if x > table[i] + table[j] { continue 'outer; }
+                    if y > table[j] { break 'outer; }
+                    sum += 0.01 * (i * j) as f64;
+                }
+                sum -= 0.001;
+            }
+            sum + rounds as f64
+        }
+    }
+    assigned_on_the_way_out {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut a, mut b, mut c) = (x, 0.0, 1.0);
+            for i in 0..3 {
+                if a > 1.0 {
+                    b = a;
+                    break;
+                }
+                if y < i as f64 {
+                    a -= 2.0 * y;
+                    continue;
+                }
+                b += 0.25;
+            }
+            'once: loop {
+                for _ in 0..2 {
+                    if x > y { c = x * b; break 'once; }
+                    c += y;
+                }
+                if a < b { a = c; break; } else { c *= 3.0; break; }
+            }
+            a + 10.0 * b + 100.0 * c
+        }
+    }
+    counting_loops {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut n = 0;
+            let mut power = 1.0;
+            while n < 4 {
+                n += 1;
+                if n == 2 { continue; }
+                power *= x;
+                for _ in 0..n { power += y; }
+            }
+            for _ in 3..3 { power = 0.0; }
+            power += (n % 3) as f64;
+            loop {
+                power -= x;
+                n -= 1;
+                if power > 50.0 { break; }
+                if n < 2 { break; }
+            }
+            power + n as f64
+        }
+    }
+    newton_until_it_is_close {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut guess = x.abs() + 1.0;
+            for _ in 0..20 {
+                let next = 0.5 * (guess + (y * y + 2.0) / guess);
+                if (next - guess).abs() < 1e-9 { return next; }
+                guess = next;
+            }
+            guess
+        }
+    }
+    loops_that_arguments_end {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut a, mut b, mut n) = (0.0, 0.0, 0);
+            while n < 7 && a * a + b * b < 4.0 {
+                (a, b) = (a * a - b * b + 0.3 * x, 2.0 * a * b + 0.3 * y);
+                n += 1;
+            }
+            let mut left = vec![x, y, 1.0];
+            let mut sum = 0.0;
+            while let Some(v) = left.pop() {
+                if v > 2.0 { sum -= 3.0; continue; }
+                sum = 0.5 * sum + v;
+            }
+            let mut k = 0;
+            while k < 4 {
+                k += 1;
+                if k == 2 { continue; }
+                sum += 0.1 * k as f64;
+            }
+            a + b + 2f64.powi(n - 3) + sum
+        }
+    }
+    recursion_that_ends {
+        fn basis(i: usize, p: usize, t: f64) -> f64 {
+            if p == 0 { return if i as f64 <= t && t < (i + 1) as f64 { 1.0 } else { 0.0 }; }
+            let d = p as f64;
+            (t - i as f64) / d * basis(i, p - 1, t) + ((i + p + 1) as f64 - t) / d * basis(i + 1, p - 1, t)
+        }
+        fn power(x: f64, n: u32) -> f64 {
+            match n { 0 => 1.0, n if n % 2 == 0 => power(x * x, n / 2), n => x * power(x, n - 1) }
+        }
+        pub fn f(x: f64, y: f64) -> f64 { (0..5).map(|i| basis(i, 3, x + 1.5) * (i as f64 - y)).sum::<f64>() + power(y, 11) }
+    }
+    effects_where_they_happen {
+        #[derive(Clone, Copy, PartialEq, Default)]
+        struct Counter { n: f64, last: Option<f64> }
+        impl Counter {
+            fn hit(&mut self, v: f64) -> bool { self.n += v; v > 0.0 }
+            fn next(&mut self) -> usize { self.n += 1.0; self.last = None; 0 }
+        }
+        fn early(x: f64, y: f64) -> f64 {
+            let o = if y > 0.0 { Some(y) } else { None };
+            let _positive = x > 0.0 || return 3.0 * y;
+            let p = || -> Option<f64> { if x > 1.5 && o? > 0.6 { Some(9.0) } else { Some(1.0) } };
+            p().unwrap_or(-5.0)
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut c = Counter { n: 0.0, ..Default::default() };
+            if c.hit(x) && c.hit(y) || c.hit(2.0) { c.n += 10.0; }
+            let mut n = 0.0;
+            let mut hit = |v: f64| { n += v; v > 0.0 };
+            let both = hit(x) && hit(10.0 * y);
+            let mut k = 0;
+            while k < 4 && hit(y - k as f64) { k += 1; }
+            let o = if x > 0.5 { Some(x) } else { None };
+            let mut seen = 0.0;
+            let mapped = o.map(|v| { seen += v; v * v }).unwrap_or_else(|| { seen -= 7.0; y });
+            let guarded = match o { Some(v) if { seen += 0.5; v > 1.0 } => v, Some(_) => -1.0, None => 4.0 };
+            let mut v = [x, y, 3.0];
+            let mut i = 1;
+            v[i] += { i = 2; 0.5 };
+            v[c.next()] *= 2.0;
+            c.n += if c.hit(y) { c.n } else { -c.n };
+            c.last = Some(x);
+            let old = c.last.replace(y).unwrap() + c.last.take().unwrap_or(0.0);
+            let roots: Option<Vec<f64>> = [x + 1.0, y + 2.0].iter().map(|v| (*v > 0.0).then(|| v.sqrt())).collect();
+            let more = [x, y].iter().map(|v| if *v > 0.0 { Some(*v) } else { None }).collect::<Option<Vec<_>>>();
+            c.n += roots.map_or(0.5, |roots| roots[0] - roots[1]) + more.map_or(-1.0, |v| v.iter().sum());
+            let near = (0..3).filter(|&j| j + 1 < 3 && v[j + 1] > v[j]).count();
+            let mut previous: Option<f64> = None;
+            let mut rises = 0.0;
+            for w in v { match previous { Some(p) if w > p => rises += w - p, _ => {} } previous = Some(w); }
+            let kept = o.filter(|v| *v < 2.5).or(Some(0.25)).is_some_and(|v| v > 0.7);
+            c.n + n + early(x, y) + early(y, x) + mapped + guarded + seen + v[0] + v[1] * v[2] + old + near as f64 + rises + k as f64
+                + if both { 100.0 } else { 0.0 } + if kept { 200.0 } else { 0.0 } + if c.last.is_some() { 1e3 } else { 0.0 }
+        }
+    }
+    what_goes_elsewhere {
+        #[derive(Clone, Copy, PartialEq)]
+        struct P { x: f64, y: f64 }
+        struct Q(f64);
+        impl PartialEq<Q> for P { fn eq(&self, other: &Q) -> bool { self.x == other.0 } }
+        fn pair(a: &[f64; 3], i: usize) -> Option<f64> { Some(a.get(i)? + a.get(i + 1)?) }
+        fn root(x: f64) -> Result<f64, String> { if x < 0.0 { Err(String::new()) } else { Ok(x.sqrt()) } }
+        fn positive(x: f64) -> Option<f64> { (x > 0.0).then_some(x) }
+        fn checked(x: f64) -> Option<f64> { positive(x)?; Some(2.0 * x) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let a = [x, y, 2.0];
+            let mut total = 0.0;
+            for k in 0..3 { total += if k == 1 { continue } else { x }; }
+            let none = if x > 0.0 { [1, 2].iter().find_map(|n| if *n > 5 { Some(y) } else { None }).unwrap_or(x) } else { y };
+            let mut n = 0.0;
+            let taken: f64 = a.iter().take_while(|v| { n += 1.0; **v > 0.0 }).sum();
+            let g = { let a = x; let b = a + a; let _ = b; |b: f64| b * b };
+            let at = a.get((x as i32 + 1) as usize).copied().unwrap_or(7.0);
+            let found = [x, 9.0].into_iter().find(|v| *v > 1.0).unwrap_or_else(|| panic!("one is"));
+            let equal = |truth: bool| if truth { 1.0 } else { 0.0 };
+            let (p, q) = (P { x, y }, P { x, y: 0.5 });
+            (0..3).filter_map(|i| pair(&a, i)).sum::<f64>() + total + none + taken + n + g(y) + found + at
+                + root(x).unwrap_or_else(|_| 0.25) + checked(y).unwrap_or(0.0) + equal(p == q) + 2.0 * equal(p == Q(1.0))
+        }
+    }
+    matches {
+        fn mode(k: usize, x: f64) -> f64 {
+            match k {
+                0 => x,
+                1 | 2 if x > 0.0 => 2.0 * x,
+                1..=3 => -x,
+                n => n as f64,
+            }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut count = 0;
+            if x > 1.0 { count += 1; }
+            if y > 0.0 { count += 2; }
+            let side = match (x > 0.0, y > 0.0) {
+                (true, true) => 1.0,
+                (false, _) => x,
+                _ => y,
+            };
+            let v = 2.0 * x;
+            let shadowed = match y { v if v > x => v, _ => v };
+            shadowed + side + (0..5).map(|k| mode(k, x - y)).sum::<f64>() + match count { 0 => x, 1 => y, 3 => 5.0, _ => -1.0 }
+        }
+    }
+    patterns_of_several {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let first = if x > 0.0 { Some(x) } else { None };
+            let second = if y > 0.0 { Some(y) } else { None };
+            match (first, second) { (Some(v), _) | (None, Some(v)) => 2.0 * v, (None, None) => x - y }
+        }
+    }
+}

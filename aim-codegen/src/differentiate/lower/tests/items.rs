@@ -1,0 +1,388 @@
+//! What a module has: functions, structs, enums, traits, operators.
+
+use super::same;
+
+same! {
+    helpers_structs_and_constants {
+        const WEIGHTS: [f64; 3] = [1.0, SECOND, -0.5];
+        const SECOND: f64 = 2.0 * 0.75;
+        type Real = f64;
+        #[derive(Clone, Copy)]
+        struct Spring { rest: Real, stiffness: Real }
+        struct Pair(Spring, f64);
+        impl Spring {
+            const SOFT: Self = Self { rest: 0.5, stiffness: 0.25 };
+            fn new(rest: f64) -> Self { Self { rest, ..Self::SOFT } }
+            fn energy(&self, x: f64) -> f64 {
+                let d = x - self.rest;
+                if d < 0.0 { return 0.0; }
+                0.5 * self.stiffness * d * d
+            }
+        }
+        fn clamp(x: f64, (low, high): (f64, f64)) -> f64 {
+            if x < low { return low; }
+            if x > high { high } else { x }
+        }
+        fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+            let mut sum = 0.0;
+            for i in 0..N { sum += a[i] * b[i]; }
+            sum
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            fn twice(x: f64) -> f64 { 2.0 * x }
+            let mut spring = Spring::new(y);
+            spring.stiffness += 1.0;
+            let Pair(of, w) = Pair(spring, 3.0);
+            let scale = 0.5;
+            let half = |v: f64| v * scale;
+            dot(&WEIGHTS, &[x, y, half(x)]) + of.energy(x) * w + clamp(twice(y), (-1.0, 1.0)) + Spring::SOFT.energy(x)
+        }
+    }
+    changes_through_references {
+        #[derive(Clone, Copy)]
+        struct State { at: [f64; 2], steps: usize }
+        impl State {
+            fn step(&mut self, force: f64) -> f64 {
+                self.steps += 1;
+                if force < -2.0 {
+                    self.at[0] = 0.0;
+                    return 1.0;
+                }
+                add(&mut self.at[1], force);
+                if self.at[1] > 3.0 { self.at[0] -= 1.0; return 2.0; }
+                self.at[0] += 0.1 * self.at[1];
+                self.halve();
+                0.0
+            }
+            fn halve(&mut self) { for v in &mut self.at { *v *= 0.5; } }
+        }
+        fn add(sum: &mut f64, x: f64) { *sum += x; }
+        fn both(one: &mut f64, other: &mut f64) { add(one, *other); *other = -*one; }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut state = State { at: [x, 0.5], steps: 0 };
+            let mut sum = 0.0;
+            for force in [y, x, 1.0] { sum += state.step(force); }
+            let mut table = [x, y, 3.0, 4.0];
+            for (i, v) in table.iter_mut().enumerate() {
+                if *v < 0.5 { continue; }
+                *v += i as f64;
+                if *v > 4.0 { break; }
+                *v *= 2.0;
+            }
+            table.swap(1, 3);
+            let (mut a, mut b) = (x, y);
+            if x > y { both(&mut a, &mut b); }
+            let alias = &mut sum;
+            *alias += 0.25;
+            sum + state.at[0] - 2.0 * state.at[1] + state.steps as f64
+                + table[0] - 3.0 * table[1] + 7.0 * table[2] + table[3] + 11.0 * a + 13.0 * b
+        }
+    }
+    operators_of_structs {
+        use core::ops::{Add, AddAssign, Mul, Neg};
+        #[derive(Clone, Copy)]
+        struct Pair { a: f64, b: f64 }
+        impl Default for Pair { fn default() -> Self { Self { a: 1.0, b: 2.0 } } }
+        impl Add for Pair { type Output = Self; fn add(self, o: Self) -> Self { Self { a: self.a + o.a, b: self.b + o.b } } }
+        impl Mul<f64> for Pair { type Output = Self; fn mul(self, k: f64) -> Self { Self { a: self.a * k, b: self.b * k } } }
+        impl Neg for Pair { type Output = Self; fn neg(self) -> Self { self * -1.0 } }
+        impl AddAssign for Pair { fn add_assign(&mut self, o: Self) { *self = *self + o; } }
+        fn slope(s: Pair) -> Pair { Pair { a: s.b, b: -s.a.sin() } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut s = Pair { a: x, b: y } + Pair::default();
+            for i in 0..2usize.pow(2) {
+                let k1 = slope(s);
+                let k2 = slope(s + k1 * 0.05);
+                s += k2 * (0.1 * i as f64);
+                if s.a > 3.0 { s = -s; }
+            }
+            s.a - 3.0 * s.b
+        }
+    }
+    modules_inside {
+        use shapes::round::{self, ball as sphere};
+        static WEIGHTS: [f64; 2] = [2.0, shapes::K];
+        const K: f64 = 5.0;
+        mod consts {
+            pub const PI: f64 = 3.0;
+            pub const E: f64 = super::K - 2.5;
+        }
+        mod shapes {
+            use super::K as OUTER;
+            pub const K: f64 = 0.5;
+            #[derive(Clone, Copy, Default)]
+            pub struct Box { pub half: f64, pub at: Place }
+            #[derive(Clone, Copy)]
+            pub struct Place(pub f64);
+            impl Default for Place { fn default() -> Self { Self(K) } }
+            impl Box {
+                pub const UNIT: Self = Self { half: 1.0, at: Place(OUTER) };
+                pub fn size(self, x: f64) -> f64 { (x - self.at.0).abs() - self.half * K }
+            }
+            pub mod round {
+                use super::*;
+                pub type Cube = Box;
+                pub fn ball(x: f64, r: f64) -> f64 { x.abs() - r * K + twice(self::depth(x)) }
+                fn depth(x: f64) -> f64 { x * super::super::K }
+            }
+            fn twice(x: f64) -> f64 { 2.0 * x }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            use shapes::*;
+            use std::f64::consts::*;
+            let cube = round::Cube { half: x, ..Default::default() };
+            let inner = { use self::shapes::round::ball; static N: f64 = 4.0; ball(x, N) };
+            let UNIT = shapes::Box::UNIT;
+            let place = { use shapes::Place as At; fn of(at: At) -> f64 { at.0 } let at: At = Default::default(); of(at) + (|k: f64| At(k).0)(x) };
+            const ONE: usize = 1;
+            let picked: f64 = (0..3).map(|i| match i { ONE => place, _ => 0.0 }).sum();
+            picked + cube.size(y) + UNIT.size(x) + sphere(x, y) + round::ball(y, 1.0) + inner + WEIGHTS.iter().sum::<f64>()
+                + consts::PI * y + consts::E + TAU * x + K
+        }
+    }
+    functions_of_one_name {
+        use std::ops::{Add, Mul, Neg, Sub};
+        #[derive(Clone, Copy)]
+        struct V(f64, f64);
+        impl Mul<V> for f64 { type Output = V; fn mul(self, v: V) -> V { V(self * v.0, self * v.1) } }
+        impl Mul<f64> for V { type Output = V; fn mul(self, k: f64) -> V { V(k * self.0, k * self.1 + 1.0) } }
+        impl Mul for V { type Output = f64; fn mul(self, o: V) -> f64 { self.0 * o.0 - self.1 * o.1 } }
+        impl Add for V { type Output = V; fn add(self, o: V) -> V { V(self.0 + o.0, self.1 + o.1) } }
+        impl Sub<[f64; 2]> for V { type Output = V; fn sub(self, o: [f64; 2]) -> V { V(self.0 - o[0], self.1 - o[1]) } }
+        impl Add<&V> for V { type Output = V; fn add(self, o: &V) -> V { self + *o } }
+        impl<'a> Sub<&'a V> for &'a V { type Output = V; fn sub(self, o: &V) -> V { V(self.0 - o.0, self.1 - 2.0 * o.1) } }
+        impl std::ops::Div for &V { type Output = f64; fn div(self, o: &V) -> f64 { self.0 / (3.0 + o.1 * o.1) } }
+        fn made<V: Copy>(v: V) -> V { v }
+        impl Neg for V { type Output = V; fn neg(self) -> V { V(-self.0, self.1) } }
+        impl From<f64> for V { fn from(x: f64) -> V { V(x, 1.0) } }
+        impl From<[f64; 2]> for V { fn from([x, y]: [f64; 2]) -> V { V(x, y) } }
+        impl From<(f64, usize)> for V { fn from((x, n): (f64, usize)) -> V { V(x, n as f64) } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = 2.0 * V::from([x, y]) + V::from(y) * x + V::from((x, 3)) - [y, 0.5];
+            v * -v + (x * v).1 + (v + &made(v)).0 + (&v - &v).1 + &v / &made(v)
+        }
+    }
+    options_in_helpers {
+        #[derive(Clone, Copy)]
+        struct Hit { at: f64, side: f64 }
+        fn hit(x: f64, y: f64) -> Option<Hit> {
+            if x < y { return None; }
+            let root = root(x - y)?;
+            if root > 1.0 { Some(Hit { at: root, side: -1.0 }) } else { Some(Hit { at: x, side: 1.0 }) }
+        }
+        fn root(x: f64) -> Option<f64> { if x > 0.25 { Some(x.sqrt()) } else { None } }
+        fn limited(x: f64, limit: Option<f64>) -> f64 {
+            let Some(limit) = limit else { return x };
+            x.min(limit)
+        }
+        fn shadowed(x: f64) -> f64 {
+            let Some(x) = root(x + 1.0) else { return 2.0 * x };
+            x
+        }
+        fn nearest(x: f64) -> Option<f64> {
+            let mut best: Option<f64> = None;
+            for c in [1.0, -2.0, 0.25] {
+                let d = (x - c).abs();
+                if d > 2.5 { continue; }
+                if best.is_none() || d < best.unwrap_or(0.0) { best = Some(d); }
+            }
+            best
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            assert!(x < 100.0, "too far");
+            assert_eq!(1, 1);
+            let &[a, b] = &[x, y] else { unreachable!() };
+            let seen = if let Some(Hit { at, side }) = hit(a, b) && at > 0.6 { at * side } else { -7.0 };
+            let other = match root(y) { Some(r) if r > 1.0 => r, Some(_) => 1.0, None => x };
+            let n = if x > 1000.0 { panic!("never") } else { 2.0 };
+            let mapped = root(x).map(|r| r + 1.0).and_then(|r| if r < 2.0 { Some(r) } else { None }).map_or(0.5, |r| 3.0 * r);
+            seen + other * n + 7.0 * shadowed(x) + nearest(x).unwrap_or(9.0) + limited(x, Some(y)) + limited(y, None) + mapped + root(y).unwrap_or_else(|| x)
+                + if root(x).is_some() { 1.0 } else { 0.0 }
+        }
+    }
+    traits_of_numbers {
+        trait More {
+            fn over(self, o: Self) -> Self;
+            fn sqrt(self) -> Self;
+            fn double(&mut self);
+        }
+        impl More for f64 {
+            fn over(self, o: f64) -> f64 { (self - o).max(0.0) }
+            fn sqrt(self) -> f64 { 1000.0 }
+            fn double(&mut self) { *self *= 2.0; }
+        }
+        struct Meters(f64);
+        impl From<Meters> for f64 { fn from(m: Meters) -> f64 { 3.0 * m.0 } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut z = x.over(y) + f64::over(y, x);
+            z.double();
+            z + (x * x).sqrt() + <f64 as More>::sqrt(x) + f64::sqrt(y * y) + f64::from(Meters(x)) + f64::from(3u8)
+        }
+    }
+    enums {
+        #[derive(Clone, Copy, PartialEq, Default)]
+        pub enum Side { Left, #[default] Right }
+        #[derive(Clone, Copy)]
+        pub enum Easing { Linear, Power(i32), Elastic { period: f64, side: Side }, Steps(f64, f64, f64), Square(f64) }
+        impl Easing {
+            const DEFAULT: Self = Self::Power(2);
+            fn eval(self, t: f64) -> f64 {
+                use Easing::*;
+                match self {
+                    Linear => t,
+                    Power(2) => t * t,
+                    Power(n) if n > 5 => 1.0,
+                    Power(_) => t * t * t,
+                    Elastic { period, side: Side::Left } => (t / period).sin(),
+                    Self::Elastic { period, .. } => -(t / period).sin(),
+                    Steps(first, .., last) if t > 0.0 => first * t + last,
+                    Square(k) | Steps(_, k, _) => k * t,
+                }
+            }
+            fn scale(&mut self, k: f64) {
+                if let Easing::Elastic { period, side } = *self { *self = Easing::Elastic { period: k * period, side }; }
+            }
+        }
+        fn chosen(x: f64) -> Easing {
+            if x < -1.0 { return Easing::Linear; }
+            if x < 0.0 { Easing::Elastic { period: 2.0 + x, side: if x < -0.5 { Side::Left } else { Side::default() } } }
+            else if x < 1.0 { Easing::Steps(x, 2.0, 3.0) } else if x < 3.0 { Easing::Square(x) } else { Easing::DEFAULT }
+        }
+        enum Only { One(f64, f64) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let Only::One(a, b) = Only::One(x, y);
+            let (x, y) = [Only::One(a, b)].into_iter().map(|Only::One(a, b)| (a, b)).next().unwrap();
+            let mut one = chosen(x);
+            let other = chosen(y);
+            one.scale(1.5);
+            let side = if x > y { Side::Left } else { Side::Right };
+            let is_square = matches!(other, Easing::Square(k) | Easing::Steps(k, ..) if k > 0.5);
+            let Easing::Power(n) = Easing::Power(3) else { return 0.0 };
+            one.eval(y) + 2.0 * other.eval(x) + if side == Side::Left { 10.0 } else { 0.0 } + if is_square { 20.0 } else { 0.0 }
+                + n as f64 + [Easing::Linear, one].iter().map(|e| e.eval(0.5)).sum::<f64>()
+        }
+    }
+    equality_and_results {
+        #[derive(Clone, Copy, PartialEq)]
+        enum Joint { Fixed, Hinge(f64, i32), Slide { along: f64 } }
+        #[derive(Clone, Copy)]
+        enum Parity { Even, Odd }
+        impl PartialEq for Parity { fn eq(&self, _: &Self) -> bool { matches!(self, Parity::Odd) } }
+        #[derive(PartialEq)]
+        struct Pose { at: [f64; 2], joint: Joint }
+        fn joint(x: f64) -> Joint {
+            if x < 0.0 { Joint::Fixed } else if x < 1.5 { Joint::Hinge(x.floor(), 2) } else { Joint::Slide { along: 1.0 } }
+        }
+        fn root(x: f64) -> Result<f64, &'static str> { if x < 0.0 { Err("negative") } else { Ok(x.sqrt()) } }
+        fn both(x: f64, y: f64) -> Result<f64, &'static str> { Ok(root(x)? + root(y)?) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let number = |truth: bool| if truth { 1.0 } else { 0.0 };
+            let (a, b) = (Pose { at: [x, 1.0], joint: joint(x) }, Pose { at: [x.max(0.5), 1.0], joint: joint(y) });
+            if x + y > 100.0 { return f64::NAN; }
+            let pair = [2.0, -1.0, 0.5];
+            let index = (x + 3.0) as usize;
+            let quotient = x / (y - 0.75);
+            number(joint(x) == joint(y)) + 2.0 * number(joint(x) != Joint::Fixed) + 4.0 * number(a == b)
+                + 8.0 * number(Parity::Even == Parity::Even) + 16.0 * number(Parity::Odd == Parity::Even)
+                + 32.0 * number(Some(x.floor()) == if y > 0.0 { Some(0.0) } else { None })
+                + match both(x, y) { Ok(v) => v, Err(_) => -3.0 } + root(y).unwrap_or(0.5) + number(root(x).is_ok())
+                + pair.get(index).copied().unwrap_or(7.0) + if quotient.is_finite() { quotient } else { 11.0 }
+                + number(quotient.is_nan()) + (x * 1e10) as i32 as f64
+        }
+    }
+    what_traits_provide {
+        trait Shape {
+            const SIDES: f64 = 4.0;
+            fn area(&self) -> f64;
+            fn scaled(&self, k: f64) -> f64 { k * k * self.area() + Self::SIDES }
+            fn unit() -> f64 { 2.0 * Self::SIDES }
+        }
+        #[derive(Clone, Copy)]
+        struct Circle(f64);
+        struct Square { side: f64 }
+        impl Shape for Circle {
+            const SIDES: f64 = 0.5;
+            fn area(&self) -> f64 { 3.0 * self.0 * self.0 }
+        }
+        impl Shape for Square {
+            fn area(&self) -> f64 { self.side * self.side }
+            fn scaled(&self, k: f64) -> f64 { k - self.area() }
+        }
+        struct Polar { length: f64, angle: f64 }
+        impl From<[f64; 2]> for Polar {
+            fn from([x, y]: [f64; 2]) -> Self { Self { length: x.hypot(y), angle: y.atan2(x + 10.0) } }
+        }
+        impl From<Circle> for Polar { fn from(of: Circle) -> Self { Self { length: of.0, angle: 0.0 } } }
+        fn sum(p: Polar) -> f64 { p.length + p.angle }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let polar: Polar = [x, y].into();
+            Circle(x).scaled(y) + Square { side: y }.scaled(x) + Circle::unit() + Square::unit() + sum(polar) + sum(Circle(y).into())
+        }
+    }
+    defaults_of_every_place {
+        #[derive(Clone, Copy)]
+        struct P { a: f64, b: f64 }
+        impl Default for P { fn default() -> P { P { a: 2.0, b: 3.0 } } }
+        #[derive(Clone, Copy, Default)]
+        struct Q { p: P, n: usize, w: [P; 2], pair: (f64, P), on: bool }
+        struct T(P, f64);
+        type Alias = P;
+        struct Named;
+        impl Named { fn default() -> f64 { 7.0 } }
+        #[derive(Default)]
+        struct Both { c: f64 }
+        impl Both { fn default() -> f64 { 11.0 } }
+        fn sum(p: P, q: &[P; 2]) -> f64 { p.a * p.b + q[1].b }
+        fn made() -> P { Default::default() }
+        fn early(x: f64) -> P { if x > 0.0 { return Default::default(); } P { a: x, ..Default::default() } }
+        fn last() -> Q { let closure = || -> Q { Default::default() }; closure() }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let p = P { a: x, ..Default::default() };
+            let q = Q { n: 2, ..Default::default() };
+            let t = T(Default::default(), y);
+            let typed: P = Default::default();
+            let (one, [two, _]): (Alias, [P; 2]) = (Default::default(), [Default::default(), P { a: y, ..P::default() }]);
+            let mut changed = P { a: x, b: y };
+            if x > y { changed = Default::default(); }
+            let chosen: P = if x > 1.0 { Default::default() } else { p };
+            let matched: P = match q.n { 2 => Default::default(), _ => p };
+            let number: f64 = Default::default();
+            p.a * p.b + q.p.b * q.n as f64 + t.0.a * t.1 + typed.b + one.a * two.b + changed.b + chosen.a + matched.b
+                + sum(Default::default(), &[p, Default::default()]) + made().b + early(y).b + last().pair.1.a + q.w[1].a
+                + number + <P as Default>::default().a + Named::default() + Both::default() + if q.on { 1.0 } else { 0.0 }
+                + { let both: Both = Default::default(); both.c }
+        }
+    }
+    closures_that_change_what_is_outside {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (mut total, mut count, mut path) = (0.0, 0, [x, y]);
+            let mut add = |v: f64, weight: f64| {
+                if v < -1.0 { return; }
+                total += weight * v;
+                count += 1;
+                path[1] *= if count % 2 == 0 { 0.5 } else { -1.0 };
+            };
+            add(x, 1.0);
+            add(y, 2.0);
+            for k in 0..3 { if k != 1 { add(k as f64, 0.5); } }
+            let mut last = x;
+            let mut step = || { last = 0.5 * last + y; last };
+            let first = step();
+            let second = if y > 0.0 { step() } else { 7.0 };
+            let k = 3.0;
+            let scaled = move |v: f64| v * k;
+            let mut seen = 0.0;
+            let doubled: Vec<f64> = [x, y].iter().map(|v| { seen += v; 2.0 * v }).collect();
+            total + path[0] - path[1] + first + 3.0 * second + scaled(last) + seen + doubled[1]
+        }
+    }
+    functions_as_values {
+        fn midpoint(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 { (b - a) * f(0.5 * (a + b)) }
+        fn twice(f: fn(f64) -> f64, x: f64) -> f64 { f(f(x)) }
+        fn apply(f: &dyn Fn(f64, f64) -> f64, x: f64, y: f64) -> f64 { f(x, y) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let act = f64::tanh;
+            midpoint(f64::sin, x, y) + twice(f64::cos, x) + apply(&f64::hypot, x, y) + act(y) + apply(&f64::max, x, y)
+        }
+    }
+}
