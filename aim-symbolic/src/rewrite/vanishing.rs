@@ -420,7 +420,10 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     if let Some((a, b)) = parts(g, s) {
         *left = left.checked_sub(1)?;
         let (a, b) = (orders(g, a, bases, left)?, orders(g, b, bases, left)?);
-        return Some(a.into_iter().zip(b).map(|(a, b)| a.min(b)).collect());
+        // What one branch alone divides by may be no number where the other is taken.
+        let is_choice = matches!(g.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
+        let least = |(a, b): (i32, i32)| if is_choice && a.min(b) < 0 && a.max(b) >= 0 { 0 } else { a.min(b) };
+        return Some(a.into_iter().zip(b).map(least).collect());
     }
     if g.constant_of(s) == Some(0.0) {
         return Some(vec![ORDER_OF_ZERO; bases.len()]);

@@ -135,3 +135,34 @@ fn what_overflows_in_the_branch_not_taken_stays_there() {
     });
     assert_eq!(sizes[2] - sizes[1], 2 * (sizes[1] - sizes[0]), "{sizes:?}");
 }
+
+/// What one branch divides by has no value where the other is taken.
+#[test]
+fn what_has_no_value_in_the_branch_not_taken_stays_there() {
+    type Divisor = fn(&mut Graph, Scalar) -> Scalar;
+    let divisors: [Divisor; 3] = [
+        |g, x| g.sqrt(x),
+        |g, x| g.call(Function::Ln, x),
+        |g, x| {
+            let root = g.sqrt(x);
+            g.mul(x, root)
+        },
+    ];
+    for divisor in divisors {
+        // z = x where y < 0, else x / d(y)
+        let mut g = Graph::new();
+        let [x, y] = ["x", "y"].map(|name| g.input(name));
+        let (zero, one, two) = (g.constant(0.0), g.constant(1.0), g.constant(2.0));
+        let below = divisor(&mut g, y);
+        let quotient = g.div(x, below);
+        for otherwise in [x, zero] {
+            let z = g.select_less(y, zero, otherwise, quotient);
+            let (above, sum) = (g.add(z, one), g.add(z, two));
+            let ratio = g.div(above, sum);
+            let f = g.call(Function::Ln, ratio);
+            // d ln((z + 1) / (z + 2)) = dz (1/(z + 1) − 1/(z + 2)); z′ is 1 of x.
+            let slope = if otherwise == x { 1.0 / 1.5 - 1.0 / 2.5 } else { 0.0 };
+            assert_near(&at(&g, f, &[x.into()], &[0.5, -1.0]), &[slope]);
+        }
+    }
+}
