@@ -43,9 +43,17 @@ pub(super) struct Constant {
     pub(super) value: Expr,
 }
 
+/// A generic parameter that is no lifetime.
+pub(super) struct Parameter {
+    pub(super) name: String,
+    /// Whether it is a length, else a type.
+    pub(super) is_length: bool,
+}
+
 /// A struct, with the types of its fields as its module names them.
 pub(super) struct Structure {
     pub(super) scope: Rc<Scope>,
+    pub(super) parameters: Vec<Parameter>,
     pub(super) fields: Vec<(Member, syn::Type)>,
     /// Whether `Default` is derived.
     pub(super) has_default: bool,
@@ -54,6 +62,7 @@ pub(super) struct Structure {
 /// An enum, with the types of its variants' fields as its module names them.
 pub(super) struct Enumeration {
     pub(super) scope: Rc<Scope>,
+    pub(super) parameters: Vec<Parameter>,
     pub(super) variants: Vec<Variant>,
     /// The number of the one that is the default, where `Default` is derived.
     pub(super) default: Option<usize>,
@@ -176,12 +185,14 @@ impl Items {
                     let alias = Alias { scope: scope.clone(), ty: (*item.ty).clone() };
                     self.aliases.push((full(&item.ident), alias));
                 }
-                Item::Struct(item) if item.generics.params.is_empty() => {
+                Item::Struct(item) => {
+                    let (scope, parameters) = (inside(scope, &item.generics), parameters(&item.generics));
                     let has_default = derives_default(&item.attrs);
-                    let structure = Structure { scope: scope.clone(), fields: fields(&item.fields), has_default };
+                    let structure = Structure { scope, parameters, fields: fields(&item.fields), has_default };
                     self.structs.push((full(&item.ident), structure));
                 }
-                Item::Enum(item) if item.generics.params.is_empty() => {
+                Item::Enum(item) => {
+                    let (scope, parameters) = (inside(scope, &item.generics), parameters(&item.generics));
                     let variants = item.variants.iter();
                     let is_default =
                         |variant: &syn::Variant| variant.attrs.iter().any(|of| of.path().is_ident("default"));
@@ -189,13 +200,13 @@ impl Items {
                     let variants = variants
                         .map(|variant| Variant { name: variant.ident.to_string(), fields: fields(&variant.fields) })
                         .collect();
-                    self.enums.push((full(&item.ident), Enumeration { scope: scope.clone(), variants, default }));
+                    self.enums.push((full(&item.ident), Enumeration { scope, parameters, variants, default }));
                 }
                 Item::Impl(item) => self.add_impl(scope, item),
                 Item::Trait(item) if item.generics.params.is_empty() => {
                     self.traits.push((full(&item.ident), scope.clone(), item.clone()));
                 }
-                Item::Struct(_) | Item::Enum(_) | Item::Type(_) => {
+                Item::Type(_) => {
                     self.others.extend(name_of_item(item).map(|name| (name, GENERIC)));
                 }
                 _ => {}
@@ -210,11 +221,15 @@ impl Items {
             ty => (false, ty),
         };
         let syn::Type::Path(path) = ty else { return };
-        if path.qself.is_some() || path.path.segments.iter().any(|segment| !segment.arguments.is_none()) {
+        if path.qself.is_some() {
             return;
         }
         let ty = self.resolved(scope, &segments(&path.path));
-        let scope = Rc::new(Scope { module: scope.module.clone(), self_type: Some(ty.clone()), ..Scope::default() });
+        let is_generic = path.path.segments.iter().any(|segment| !segment.arguments.is_none());
+        let self_written = is_generic.then(|| Rc::new(syn::Type::Path(path.clone())));
+        let scope =
+            Scope { module: scope.module.clone(), self_type: Some(ty.clone()), self_written, ..Scope::default() };
+        let scope = inside(&Rc::new(scope), &item.generics);
         let known_as = if by_reference { format!("&{ty}") } else { ty };
         let of_trait = item.trait_.as_ref().and_then(|(path, _)| path.segments.last());
         if let Some((path, _)) = &item.trait_ {
@@ -406,6 +421,28 @@ fn fields(fields: &Fields) -> Vec<(Member, syn::Type)> {
     named.collect()
 }
 
+fn parameters(generics: &syn::Generics) -> Vec<Parameter> {
+    let parameters = generics.params.iter().filter_map(|parameter| match parameter {
+        GenericParam::Const(parameter) => Some(Parameter { name: parameter.ident.to_string(), is_length: true }),
+        GenericParam::Type(parameter) => Some(Parameter { name: parameter.ident.to_string(), is_length: false }),
+        _ => None,
+    });
+    parameters.collect()
+}
+
+/// The scope inside of an item with these generic parameters.
+fn inside(scope: &Rc<Scope>, generics: &syn::Generics) -> Rc<Scope> {
+    let parameters = parameters(generics);
+    if parameters.is_empty() {
+        return scope.clone();
+    }
+    let mut scope = (**scope).clone();
+    for Parameter { name, is_length } in parameters {
+        if is_length { scope.lengths.push(name) } else { scope.generics.push(name) }
+    }
+    Rc::new(scope)
+}
+
 /// A function with a name.
 pub(super) fn callable(
     signature: &Signature,
@@ -415,26 +452,20 @@ pub(super) fn callable(
 ) -> Callable {
     let parameters = signature.inputs.iter().map(|input| match input {
         FnArg::Typed(typed) => ((*typed.pat).clone(), Some((*typed.ty).clone())),
-        FnArg::Receiver(receiver) => (pattern_of_self(receiver), None),
-    });
-    let (mut lengths, mut types) = (Vec::new(), Vec::new());
-    for parameter in &signature.generics.params {
-        match parameter {
-            GenericParam::Const(parameter) => lengths.push(parameter.ident.to_string()),
-            GenericParam::Type(parameter) => types.push(parameter.ident.to_string()),
-            _ => {}
+        FnArg::Receiver(receiver) => {
+            (pattern_of_self(receiver), scope.self_written.as_ref().map(|written| (**written).clone()))
         }
-    }
+    });
+    let parameters: Vec<_> = parameters.collect();
     let name = match &scope.self_type {
         Some(of) => format!("{of}::{}", signature.ident),
         None => signature.ident.to_string(),
     };
-    let scope = if types.is_empty() { scope } else { Rc::new(Scope { generics: types, ..(*scope).clone() }) };
+    let scope = inside(&scope, &signature.generics);
     Callable {
         name: Some(name),
-        parameters: parameters.collect(),
+        parameters,
         changed: signature.inputs.iter().map(is_changed).collect(),
-        lengths,
         result: match &signature.output {
             syn::ReturnType::Type(_, ty) => Some((**ty).clone()),
             syn::ReturnType::Default => None,

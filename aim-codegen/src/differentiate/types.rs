@@ -1,11 +1,11 @@
 //! Types of arguments and results, recognised by the last segment of their paths; how their values are taken apart and
 //! put together in emitted code.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::{Ident, Member};
 
-use super::items::{Alias, Enumeration, Items, Structure};
+use super::items::{Alias, Enumeration, Items, Parameter, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
 use super::{lower, messages};
@@ -103,6 +103,42 @@ fn unknown(written: &syn::Type) -> Fault {
     (tokens, text)
 }
 
+/// What the generic parameters of a struct or an enum stand for.
+type Given = Vec<(String, TokenStream)>;
+
+/// The arguments of a type, by its parameters; `None` where there are not as many.
+fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, items: &Items) -> Option<Given> {
+    let written = lower::arguments(path);
+    let given = parameters.iter().zip(&written).map(|(parameter, written)| {
+        let length = match (parameter.is_length, syn::parse2(quote!(#written))) {
+            (true, Ok(length)) => lower::length(&length, items, scope).map(Literal::usize_unsuffixed),
+            _ => None,
+        };
+        (parameter.name.clone(), length.map_or_else(|| quote!(#written), |length| quote!(#length)))
+    });
+    (parameters.len() == written.len()).then(|| given.collect())
+}
+
+/// Tokens with what stands for parameters in their place.
+fn with(tokens: TokenStream, given: &Given) -> TokenStream {
+    if given.is_empty() {
+        return tokens;
+    }
+    let replaced = tokens.into_iter().map(|token| match &token {
+        TokenTree::Ident(word) => match given.iter().find(|(name, _)| word == name) {
+            Some((_, instead)) => instead.clone(),
+            None => token.into(),
+        },
+        TokenTree::Group(group) => {
+            let mut inner = proc_macro2::Group::new(group.delimiter(), with(group.stream(), given));
+            inner.set_span(group.span());
+            TokenTree::Group(inner).into()
+        }
+        _ => token.into(),
+    });
+    replaced.collect()
+}
+
 impl Type {
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
@@ -126,10 +162,9 @@ impl Type {
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }
             }
             syn::Type::Path(path) if path.qself.is_none() => {
-                match path.path.segments.last() {
-                    Some(last) if last.arguments.is_none() => {}
-                    Some(last) if last.ident == "Option" => return Self::of_option(scope, written, last, items),
-                    _ => return Err(unknown()),
+                let Some(last) = path.path.segments.last() else { return Err(unknown()) };
+                if last.ident == "Option" && !last.arguments.is_none() {
+                    return Self::of_option(scope, written, last, items);
                 }
                 let meaning = match &scope.self_type {
                     Some(of) if path.path.is_ident("Self") => Meaning::Own(of.clone()),
@@ -137,21 +172,29 @@ impl Type {
                 };
                 // Seen from the module that is read.
                 let seen = |name: &str| match syn::parse_str::<syn::Type>(name) {
-                    Ok(ty) if !scope.module.is_empty() => quote!(#ty),
+                    Ok(ty) if !scope.module.is_empty() => {
+                        let arguments = &last.arguments;
+                        quote!(#ty #arguments)
+                    }
                     _ => quote!(#written),
                 };
                 if let Meaning::Own(name) = &meaning {
-                    if let Some(Alias { scope, ty }) = items.alias(name) {
+                    if let Some(Alias { scope, ty }) = items.alias(name).filter(|_| last.arguments.is_none()) {
                         return Ok(Self { tokens: seen(name), ..Self::parse_in(scope, ty, items)? });
                     }
                     if let Some(structure) = items.structure(name) {
-                        let read = items.once(name, || Self::of_struct(seen(name), name, structure, items));
+                        let given = given(&structure.parameters, &path.path, scope, items).ok_or_else(unknown)?;
+                        let read = items.once(name, || Self::of_struct(seen(name), name, structure, &given, items));
                         return read.ok_or_else(unknown)?;
                     }
                     if let Some(enumeration) = items.enumeration(name) {
-                        let read = items.once(name, || Self::of_enum(seen(name), name, enumeration, items));
+                        let given = given(&enumeration.parameters, &path.path, scope, items).ok_or_else(unknown)?;
+                        let read = items.once(name, || Self::of_enum(seen(name), name, enumeration, &given, items));
                         return read.ok_or_else(unknown)?;
                     }
+                    return Err(unknown());
+                }
+                if !last.arguments.is_none() {
                     return Err(unknown());
                 }
                 let name = meaning.into_type();
@@ -207,28 +250,34 @@ impl Type {
     }
 
     /// A struct of the module. Fields of other types may be there, but not read.
-    fn of_struct(tokens: TokenStream, name: &str, structure: &Structure, items: &Items) -> Result<Self, Fault> {
-        let fields = Self::of_fields(&structure.scope, &structure.fields, items);
+    fn of_struct(
+        tokens: TokenStream,
+        name: &str,
+        structure: &Structure,
+        given: &Given,
+        items: &Items,
+    ) -> Result<Self, Fault> {
+        let fields = Self::of_fields(&structure.scope, &structure.fields, given, items);
         let precision = fields.iter().find_map(|(_, ty)| ty.precision);
         let whole = fields.len() == structure.fields.len();
         Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
     }
 
     /// The types of the fields that are understood.
-    fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], items: &Items) -> Vec<(Member, Self)> {
+    fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], given: &Given, items: &Items) -> Vec<(Member, Self)> {
         let known = declared.iter().filter_map(|(member, ty)| {
-            let ty = Self::parse_in(scope, ty, items).ok().filter(|ty| !ty.borrowed)?;
+            let ty = syn::parse2(with(quote!(#ty), given)).ok()?;
+            let ty = Self::parse_in(scope, &ty, items).ok().filter(|ty| !ty.borrowed)?;
             Some((member.clone(), ty))
         });
         known.collect()
     }
 
     /// An enum of the module.
-    fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, items: &Items) -> Result<Self, Fault> {
-        let variants = of
-            .variants
-            .iter()
-            .map(|variant| (format_ident!("{}", variant.name), Self::of_fields(&of.scope, &variant.fields, items)));
+    fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
+        let variants = of.variants.iter().map(|variant| {
+            (format_ident!("{}", variant.name), Self::of_fields(&of.scope, &variant.fields, given, items))
+        });
         let variants: Vec<_> = variants.collect();
         let precision = variants.iter().flat_map(|(_, fields)| fields).find_map(|(_, ty)| ty.precision);
         Self::of_parts(tokens, Shape::Enum(name.to_owned(), variants), precision)
@@ -349,7 +398,7 @@ impl Type {
             }
             // The number of its variant, then those of all fields, of which those of other variants are 0.
             Shape::Enum(_, variants) => {
-                let ty = &self.tokens;
+                let ty = self.path();
                 let names = variants.iter().map(|(name, _)| name);
                 let tags = (0_u32..).map(|tag| Literal::f64_unsuffixed(tag.into()));
                 let arms = names.zip(tags).map(|(name, tag)| quote!(#ty::#name { .. } => #tag,));
@@ -413,6 +462,13 @@ impl Type {
         }
     }
 
+    /// Its path, by which values are made: the compiler knows the arguments.
+    fn path(&self) -> TokenStream {
+        let Ok(mut path) = syn::parse2::<syn::Path>(self.tokens.clone()) else { return self.tokens.clone() };
+        path.segments.iter_mut().for_each(|segment| segment.arguments = syn::PathArguments::None);
+        quote!(#path)
+    }
+
     /// A value of this type from its numbers.
     pub(super) fn build(&self, components: &[TokenStream]) -> TokenStream {
         let mut from = components.iter();
@@ -421,7 +477,6 @@ impl Type {
 
     /// A value of this type from its leaves.
     pub(super) fn assemble(&self, leaf: &mut dyn FnMut(&Self) -> TokenStream) -> TokenStream {
-        let ty = &self.tokens;
         match &self.shape {
             Shape::Array(element, length) => {
                 let parts: Vec<TokenStream> = (0..*length).map(|_| element.assemble(leaf)).collect();
@@ -436,6 +491,7 @@ impl Type {
                 quote!((#(#parts,)*))
             }
             Shape::Struct(_, fields, _) => {
+                let ty = self.path();
                 let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.assemble(leaf)).collect();
                 let members = fields.iter().map(|(member, _)| member);
                 quote!(#ty { #(#members: #values),* })

@@ -296,10 +296,12 @@ impl Translation<'_> {
         }
         let is_default = text == "default" && several.iter().all(|function| function.of_trait.is_some());
         if is_default && call.args.is_empty() {
-            let of = if ty == "Default" { expected.clone() } else { Expected::Named(ty.to_owned()) };
+            let of = if ty == "Default" { expected.clone() } else { self.type_called(path, ty, expected) };
             return self.default_value(&path.path, &of);
         }
         if !several.is_empty() {
+            let of = self.type_called(path, ty, expected);
+            several = several.iter().map(|function| self.specialised(function, &of)).collect();
             return self.one_of(&path.path, &several, None, &call.args);
         }
         if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
@@ -310,6 +312,18 @@ impl Translation<'_> {
             // It is where it is.
             ("Box" | "Rc" | "Arc", "new") if call.args.len() == 1 => self.expression(&call.args[0]),
             _ => self.call_of_glam(call, path, name, (ty, text)),
+        }
+    }
+
+    /// The type that a path to a function begins with, with the arguments that are written there, or of what is expected.
+    fn type_called(&mut self, path: &syn::ExprPath, name: &str, expected: &Expected) -> Expected {
+        let mut ty = path.path.clone();
+        ty.segments.pop();
+        ty.segments.pop_punct();
+        match self.expected(&syn::Type::Path(syn::TypePath { attrs: Vec::new(), qself: None, path: ty })) {
+            Expected::Generic(name, known) if !known.is_empty() => Expected::Generic(name, known),
+            _ if expected.name() == Some(name) => expected.clone(),
+            _ => Expected::Named(name.to_owned()),
         }
     }
 

@@ -16,10 +16,11 @@ impl Translation<'_> {
     /// What a type has by default; of a struct what its own `Default` says, or what is derived. `None` where neither is seen.
     pub(super) fn default_of(&mut self, place: &impl ToTokens, of: &Expected) -> Option<Value> {
         match of {
-            Expected::Named(name) => {
+            Expected::Named(name) | Expected::Generic(name, _) => {
                 let own: Vec<_> = self.items.functions(Some(name), "default").cloned().collect();
                 let mut own = own.into_iter().filter(|function| function.of_trait.as_deref() == Some("Default"));
                 if let Some(function) = own.next() {
+                    let function = self.specialised(&function, of);
                     return own.next().is_none().then(|| self.inline(place, &function, Vec::new()));
                 }
                 if let Some(structure) = self.items.structure(name) {
@@ -28,7 +29,10 @@ impl Translation<'_> {
                     }
                     let scope = structure.scope.clone();
                     let fields = structure.fields.iter().map(|(member, ty)| {
-                        let ty = self.within(scope.clone(), |this| this.expected(ty));
+                        let ty = self.within(scope.clone(), |this| {
+                            this.declare_arguments(structure, of);
+                            this.expected(ty)
+                        });
                         Some((name_of(member), self.default_of(place, &ty)?))
                     });
                     let fields = fields.collect::<Option<_>>()?;

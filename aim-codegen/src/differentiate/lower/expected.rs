@@ -1,11 +1,15 @@
 //! [`Expected`]: what the type of a place says of the value that comes to stand there. Expressions whose meaning depends on
 //! it are few: `Default::default()`, sums of nothing, `array::from_fn`.
 
+use super::value::Value;
+
 /// A type, as far as it is known.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Expected {
     /// The full name of a struct, or the name of another type.
     Named(String),
+    /// The full name of a generic struct or enum, and what is known of its arguments: lengths and types.
+    Generic(String, Vec<Value>),
     /// Elements, and how many.
     Array(Box<Self>, Option<usize>),
     Tuple(Vec<Self>),
@@ -30,7 +34,7 @@ impl Expected {
     /// The name, where it has one.
     pub(super) fn name(&self) -> Option<&str> {
         match self {
-            Self::Named(name) => Some(name),
+            Self::Named(name) | Self::Generic(name, _) => Some(name),
             _ => None,
         }
     }

@@ -31,7 +31,6 @@ impl Translation<'_> {
             name: None,
             parameters: parameters.collect(),
             changed: vec![false; closure.inputs.len()],
-            lengths: Vec::new(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
             home: closure.capture.is_none().then(|| self.home(closure)),
@@ -91,7 +90,7 @@ impl Translation<'_> {
         let outer = core::mem::replace(&mut self.frame, frame);
         for ((pattern, ty), (value, changed)) in function.parameters.iter().zip(values) {
             if let Some(ty) = ty {
-                self.bind_lengths(&function.lengths, ty, &value);
+                self.bind_generics(ty, &value);
             }
             self.bind(pattern, value);
             if changed {
@@ -145,7 +144,10 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         // What is known decides how deep it goes.
-        let around = self.calls.iter().filter(|known| Rc::ptr_eq(known, function)).count();
+        let is_it = |known: &&Rc<Callable>| {
+            Rc::ptr_eq(known, function) || function.name.is_some() && known.name == function.name
+        };
+        let around = self.calls.iter().filter(is_it).count();
         self.rounds_run += usize::from(around > 0);
         if around == DEEPEST || self.rounds_run > MOST_ROUNDS {
             let name = function.name.as_deref().unwrap_or("a closure");
@@ -164,26 +166,6 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         if self.is_too_large() { self.refuse_too_large(place) } else { value }
-    }
-
-    /// The generic lengths that the type of a parameter names, by its argument.
-    fn bind_lengths(&mut self, lengths: &[String], ty: &syn::Type, value: &Value) {
-        match (ty, value) {
-            (syn::Type::Reference(reference), _) => self.bind_lengths(lengths, &reference.elem, value),
-            (syn::Type::Array(array), Value::Array(values)) => {
-                if let Expr::Path(path) = &array.len
-                    && let Some(name) = path.path.get_ident()
-                    && lengths.iter().any(|known| name == known)
-                {
-                    let length = self.algebra.whole(values.len());
-                    self.frame.declare(name.to_string(), length);
-                }
-                if let Some(first) = values.first() {
-                    self.bind_lengths(lengths, &array.elem, first);
-                }
-            }
-            _ => {}
-        }
     }
 
     /// The function that an argument stands for, to be called with so many arguments itself.

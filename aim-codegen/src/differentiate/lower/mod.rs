@@ -13,6 +13,7 @@ mod expected;
 mod fields;
 mod frame;
 mod functions;
+mod generics;
 mod iterators;
 mod lists;
 mod map;
@@ -43,6 +44,7 @@ pub(super) use self::condition::Condition;
 pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
 use self::frame::Frame;
+pub(super) use self::generics::arguments;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::is_mathematical;
 pub(super) use self::square::columns;
@@ -258,7 +260,7 @@ impl Translation<'_> {
         match (&*self.frame.scope, path) {
             (Scope { self_type: Some(known), .. }, [name]) if name == "Self" => known.clone(),
             // A generic parameter hides what the module calls so.
-            (scope, [name, ..]) if scope.generics.contains(name) => String::new(),
+            (scope, [name, ..]) if scope.generics.contains(name) => self.generic(name).unwrap_or_default(),
             (scope, path) => self.items.resolved(scope, path),
         }
     }

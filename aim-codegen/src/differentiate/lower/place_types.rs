@@ -5,7 +5,7 @@ use syn::Expr;
 use super::Translation;
 use super::algebra::Algebra;
 use super::expected::Expected;
-use super::value::{Scope, Value};
+use super::value::Value;
 use crate::differentiate::items::Alias;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Precision, Shape};
@@ -23,7 +23,7 @@ impl Expected {
             (Self::Tuple(parts), Value::Tuple(values)) => {
                 parts.len() == values.len() && parts.iter().zip(values).all(|(part, value)| part.fits(value))
             }
-            (Self::Named(name), Value::Struct(of)) => *name == of.name,
+            (Self::Named(name) | Self::Generic(name, _), Value::Struct(of)) => *name == of.name,
             (Self::Optional, value) => matches!(value, Value::Optional(_)),
             (Self::Named(name), Value::Integer(_)) => types::is_integer(name),
             (Self::Named(name), Value::Truth(_)) => name == "bool",
@@ -79,19 +79,22 @@ impl Translation<'_> {
             syn::Type::Tuple(tuple) => Expected::Tuple(tuple.elems.iter().map(|part| self.expected(part)).collect()),
             syn::Type::Path(path) if path.qself.is_none() => {
                 let scope = self.frame.scope.clone();
-                let Scope { self_type, generics, .. } = &*scope;
                 let path = &path.path;
-                if path.is_ident("Self") {
-                    return self_type.clone().map_or(Expected::Any, Expected::Named);
+                match (&scope.self_written, &scope.self_type) {
+                    _ if !path.is_ident("Self") => {}
+                    (Some(written), _) => return self.expected(written),
+                    (None, Some(known)) => return Expected::Named(known.clone()),
+                    (None, None) => return Expected::Any,
                 }
-                if path.get_ident().is_some_and(|name| generics.iter().any(|generic| name == generic)) {
-                    return Expected::Any;
+                if let Some(name) = path.get_ident().filter(|name| scope.generics.iter().any(|of| *name == of)) {
+                    return self.generic(&name.to_string()).map_or(Expected::Any, Expected::Named);
                 }
                 match path.segments.last() {
                     Some(last) if last.ident == "Option" || last.ident == "Result" => return Expected::Optional,
                     Some(last) if OTHERS.iter().any(|name| last.ident == name) => return Expected::Other,
                     Some(last) if last.arguments.is_none() => {}
-                    _ => return Expected::Any,
+                    Some(last) => return self.expected_generic(path, last),
+                    None => return Expected::Any,
                 }
                 match self.items.meaning(&scope, &segments(path)) {
                     Meaning::Own(name) => match self.items.alias(&name) {
@@ -111,7 +114,7 @@ impl Translation<'_> {
     }
 
     /// The length of an array; nothing is said of one that is not known.
-    fn known_length(&mut self, length: &Expr) -> Option<usize> {
+    pub(super) fn known_length(&mut self, length: &Expr) -> Option<usize> {
         let errors = self.report.count();
         let value = self.expression(length);
         self.report.forget(errors);

@@ -36,7 +36,11 @@ impl Translation<'_> {
         let mut value = Value::nothing();
         let mut faulty = false;
         for statement in &block.stmts {
-            value = self.statement(statement, expected);
+            value = match statement {
+                // What is the value at the end is of the type of that.
+                Stmt::Local(local) if is_name(&local.pat, block.stmts.last()) => self.local(local, expected),
+                statement => self.statement(statement, expected),
+            };
             faulty |= matches!(value, Value::Unknown);
             // What follows is not reached.
             if value.is_never() {
@@ -99,7 +103,7 @@ impl Translation<'_> {
 
     fn statement(&mut self, statement: &Stmt, expected: &Expected) -> Value {
         match statement {
-            Stmt::Local(local) => self.local(local),
+            Stmt::Local(local) => self.local(local, &Expected::Any),
             Stmt::Item(Item::Const(_) | Item::Use(_) | Item::Fn(_)) => Value::nothing(),
             Stmt::Item(Item::Static(item)) if is_unchanged(item) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
@@ -120,10 +124,10 @@ impl Translation<'_> {
     }
 
     /// `let`
-    fn local(&mut self, local: &syn::Local) -> Value {
+    fn local(&mut self, local: &syn::Local, otherwise: &Expected) -> Value {
         let expected = match &local.pat {
             Pat::Type(typed) => self.expected(&typed.ty),
-            _ => Expected::Any,
+            _ => otherwise.clone(),
         };
         // It is assigned before it is read, or the compiler says so.
         let value = local.init.as_ref().map_or(Value::Unknown, |init| self.expression_as(&init.expr, &expected));
@@ -402,6 +406,14 @@ impl Translation<'_> {
 
     fn loop_of(&self, label: Option<&Lifetime>) -> Option<usize> {
         self.frame.find_loop(label.map(|label| label.ident.to_string()).as_deref())
+    }
+}
+
+/// Whether a pattern is the name that a block ends with.
+fn is_name(pattern: &Pat, last: Option<&Stmt>) -> bool {
+    match (pattern, last) {
+        (Pat::Ident(name), Some(Stmt::Expr(Expr::Path(path), None))) => path.path.is_ident(&name.ident),
+        _ => false,
     }
 }
 

@@ -37,6 +37,8 @@ pub(crate) enum Value {
     Function(Rc<Callable>),
     /// `&mut` of a place.
     Reference(Rc<Place>),
+    /// The type that a generic parameter stands for, by name.
+    Type(String),
     /// A list whose length arguments decide.
     List(Vec<Element>),
     /// What an iterator goes over.
@@ -87,16 +89,25 @@ impl Struct {
 }
 
 /// Where something is written: what the paths there mean.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Scope {
     /// The module, by its full name.
     pub(crate) module: String,
     /// What `Self` is.
     pub(crate) self_type: Option<String>,
-    /// Types that are not known: generic parameters.
+    /// The same as written, where that has generic arguments.
+    pub(crate) self_written: Option<Rc<syn::Type>>,
+    /// Generic parameters that are types, and those that are lengths.
     pub(crate) generics: Vec<String>,
+    pub(crate) lengths: Vec<String>,
     /// What blocks around it import: names and paths.
     pub(crate) imports: Vec<(String, Vec<String>)>,
+}
+
+impl core::fmt::Debug for Scope {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Scope").field("module", &self.module).finish_non_exhaustive()
+    }
 }
 
 /// Which run of a function it is: the same one, or another.
@@ -125,8 +136,6 @@ pub(crate) struct Callable {
     pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
     /// Which of them are `&mut`.
     pub(crate) changed: Vec<bool>,
-    /// The generic parameters that are lengths of arrays.
-    pub(crate) lengths: Vec<String>,
     pub(crate) body: Expr,
     /// The variables that it sees of where it is made.
     pub(crate) captured: Vec<(String, Value)>,
@@ -190,6 +199,7 @@ impl Value {
             Self::Optional(_) => "an option".into(),
             Self::Ordering(_) => "an ordering".into(),
             Self::Function(_) => "a function".into(),
+            Self::Type(_) => "a type".into(),
             Self::Reference(_) => "a reference that changes what it refers to".into(),
             Self::List(_) => "a list whose length arguments decide".into(),
             Self::Iterator(_) => "an iterator".into(),
@@ -204,7 +214,7 @@ impl Value {
 
     /// Whether a variable can have this value in one branch and another one in another.
     pub(super) fn is_selectable(&self) -> bool {
-        !matches!(self, Self::Function(_) | Self::Reference(_))
+        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_))
     }
 
     /// The value of what is made of these where one of them is not there; `None` where all are.

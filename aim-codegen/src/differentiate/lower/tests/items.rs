@@ -385,4 +385,70 @@ same! {
             midpoint(f64::sin, x, y) + twice(f64::cos, x) + apply(&f64::hypot, x, y) + act(y) + apply(&f64::max, x, y)
         }
     }
+    generic_structs {
+        use std::ops::{Add, Mul};
+        #[derive(Clone, Copy, PartialEq)]
+        pub struct Matrix<const R: usize, const C: usize> { data: [[f64; C]; R] }
+        impl<const R: usize, const C: usize> Matrix<R, C> {
+            const fn new(data: [[f64; C]; R]) -> Self { Self { data } }
+            fn zeros() -> Self { Self { data: [[0.0; C]; R] } }
+            fn transpose(&self) -> Matrix<C, R> {
+                let mut out = Matrix::<C, R>::zeros();
+                for r in 0..R { for c in 0..C { out.data[c][r] = self.data[r][c]; } }
+                out
+            }
+            fn size(&self) -> usize { R * 10 + C }
+            fn like(&self) -> Self { Self::zeros() }
+        }
+        impl<const R: usize, const K: usize, const C: usize> Mul<Matrix<K, C>> for Matrix<R, K> {
+            type Output = Matrix<R, C>;
+            fn mul(self, rhs: Matrix<K, C>) -> Matrix<R, C> {
+                let mut out = Matrix::zeros();
+                for r in 0..R { for c in 0..C { for k in 0..K { out.data[r][c] += self.data[r][k] * rhs.data[k][c]; } } }
+                out
+            }
+        }
+        impl<const R: usize, const C: usize> Add for Matrix<R, C> {
+            type Output = Self;
+            fn add(mut self, rhs: Self) -> Self {
+                for (row, other) in self.data.iter_mut().zip(&rhs.data) { for (a, b) in row.iter_mut().zip(other) { *a += b; } }
+                self
+            }
+        }
+        const Q: Matrix<2, 3> = Matrix::new([[1.0, 0.5, -1.0], [0.0, 0.1, 2.0]]);
+        trait Field: Copy + Add<Output = Self> + Mul<Output = Self> { const ZERO: Self; fn from_f64(value: f64) -> Self; }
+        impl Field for f64 { const ZERO: f64 = 0.0; fn from_f64(value: f64) -> f64 { value } }
+        #[derive(Clone, Copy)]
+        struct Pair { a: f64, b: f64 }
+        impl Add for Pair { type Output = Self; fn add(self, o: Self) -> Self { Pair { a: self.a + o.a, b: self.b + o.b } } }
+        impl Mul for Pair { type Output = Self; fn mul(self, o: Self) -> Self { Pair { a: self.a * o.a - self.b * o.b, b: self.a * o.b + self.b * o.a } } }
+        impl Field for Pair { const ZERO: Pair = Pair { a: 0.0, b: 0.0 }; fn from_f64(value: f64) -> Pair { Pair { a: value, b: 0.0 } } }
+        struct Polynomial<T, const N: usize> { coefficients: [T; N] }
+        fn horner<T: Field>(coefficients: &[T], x: T) -> T { coefficients.iter().rev().fold(T::ZERO, |sum, &c| sum * x + c) }
+        impl<T: Field, const N: usize> Polynomial<T, N> {
+            fn at(&self, x: T) -> T { horner(&self.coefficients, x) + T::from_f64(N as f64) }
+        }
+        struct Nest<'a> { shares: &'a [f64], power: f64 }
+        impl Nest<'_> { fn index(&self, prices: impl IntoIterator<Item = f64>) -> f64 { prices.into_iter().zip(self.shares).map(|(p, s)| s * p * self.power).sum() } }
+        const FOOD: Nest<'static> = Nest { shares: &[0.5, 0.3], power: 2.0 };
+        #[derive(Clone, Copy, Default)]
+        struct Queue<T, const N: usize> where T: Copy { items: [T; 2], last: T }
+        enum Either<A, B> { One(A), Other(B) }
+        fn of<const N: usize, T>(either: Either<T, [f64; N]>, read: impl Fn(T) -> f64) -> f64 {
+            match either { Either::One(one) => read(one), Either::Other(all) => all.iter().sum::<f64>() * N as f64 }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let a = Matrix::new([[x, y], [1.0, x]]);
+            let product = a * Q + a.transpose() * Q;
+            let one: Matrix<1, 3> = Matrix::zeros();
+            let sized = (product.size() + one.size() + product.transpose().like().size()) as f64;
+            let p = Polynomial { coefficients: [x, 1.0, y] };
+            let c = Polynomial { coefficients: [Pair { a: x, b: 1.0 }, Pair { a: y, b: x }] };
+            let at = c.at(Pair { a: y, b: 0.5 });
+            let empty: Queue<f64, 3> = Queue::default();
+            let either = if x > 0.0 { Either::One(y) } else { Either::Other([x, y, 1.0]) };
+            product.data[0][2] + 2.0 * product.data[1][1] + sized + p.at(y) + at.a * at.b + FOOD.index([x, y]) + empty.last
+                + of(either, |v| v * v) + empty.items[1]
+        }
+    }
 }

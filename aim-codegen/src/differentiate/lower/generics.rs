@@ -1,0 +1,209 @@
+//! Generic parameters: lengths and types that are known where a function is run. They are variables of its frame, of their own
+//! names, which the values of its arguments decide, or the type that it is called as a function of.
+
+use std::rc::Rc;
+
+use syn::{Expr, GenericArgument, PathArguments, Type};
+
+use super::Translation;
+use super::enums::field_of;
+use super::expected::Expected;
+use super::fields::name_of;
+use super::value::{Callable, Scope, Struct, Value};
+use crate::differentiate::items::{Enumeration, Structure};
+use crate::differentiate::names::segments;
+
+/// Generic parameters and what they stand for: a length, a type, or a value of the type.
+type Found = Vec<(String, Value)>;
+
+impl Translation<'_> {
+    /// The name of the type that a generic parameter stands for.
+    pub(super) fn generic(&self, name: &str) -> Option<String> {
+        match self.frame.find(name).map(|place| self.frame.value(place)) {
+            Some(Value::Type(ty)) => Some(ty.clone()),
+            _ => None,
+        }
+    }
+
+    /// Declares the generic parameters that the type of a parameter names, by its argument.
+    pub(super) fn bind_generics(&mut self, ty: &Type, value: &Value) {
+        let scope = self.frame.scope.clone();
+        if scope.lengths.is_empty() && scope.generics.is_empty() {
+            return;
+        }
+        let names: Vec<&String> = scope.lengths.iter().chain(&scope.generics).collect();
+        let mut found = Vec::new();
+        self.match_generics(&names, &scope, ty, value, &mut found);
+        self.declare_generics(found);
+    }
+
+    fn declare_generics(&mut self, found: Found) {
+        for (name, value) in found {
+            let value = match value {
+                Value::Type(_) => Some(value),
+                value if self.frame.scope.generics.contains(&name) => self.type_name(&value).map(Value::Type),
+                value => Some(value),
+            };
+            if let Some(value) = value {
+                self.frame.declare(name, value);
+            }
+        }
+    }
+
+    /// What these parameters stand for in a type as written, by a value of it.
+    fn match_generics(&mut self, names: &[&String], scope: &Scope, ty: &Type, value: &Value, found: &mut Found) {
+        match (ty, value) {
+            (Type::Reference(reference), _) => self.match_generics(names, scope, &reference.elem, value, found),
+            (Type::Group(group), _) => self.match_generics(names, scope, &group.elem, value, found),
+            (Type::Paren(paren), _) => self.match_generics(names, scope, &paren.elem, value, found),
+            (Type::Array(array), Value::Array(values)) => {
+                if let Expr::Path(path) = &array.len
+                    && let Some(name) =
+                        path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known))
+                {
+                    found.push(((*name).clone(), self.algebra.whole(values.len())));
+                }
+                if let Some(first) = values.first() {
+                    self.match_generics(names, scope, &array.elem, first, found);
+                }
+            }
+            (Type::Slice(slice), Value::Array(values)) => {
+                if let Some(first) = values.first() {
+                    self.match_generics(names, scope, &slice.elem, first, found);
+                }
+            }
+            (Type::Tuple(tuple), Value::Tuple(values)) => {
+                for (part, value) in tuple.elems.iter().zip(values) {
+                    self.match_generics(names, scope, part, value, found);
+                }
+            }
+            (Type::Path(path), value) if path.path.is_ident("Self") => {
+                if let Some(written) = scope.self_written.clone() {
+                    let scope = Scope { self_written: None, ..scope.clone() };
+                    self.match_generics(names, &scope, &written, value, found);
+                }
+            }
+            (Type::Path(path), value) => {
+                if let Some(name) = path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known)) {
+                    found.push(((*name).clone(), value.clone()));
+                } else if let Value::Struct(of) = value {
+                    let arguments = arguments(&path.path);
+                    if !arguments.is_empty() {
+                        let known = self.arguments_of(of);
+                        self.match_arguments(names, scope, &arguments, &known, found);
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// What the parameters of a struct or an enum stand for in a value of it, in their order.
+    fn arguments_of(&mut self, of: &Struct) -> Vec<Value> {
+        let (scope, parameters, fields): (_, _, Vec<(String, &Type)>) =
+            if let Some(Structure { scope, parameters, fields, .. }) = self.items.structure(&of.name) {
+                (scope, parameters, fields.iter().map(|(member, ty)| (name_of(member), ty)).collect())
+            } else if let Some(Enumeration { scope, parameters, variants, .. }) = self.items.enumeration(&of.name) {
+                let fields = variants.iter().flat_map(|variant| {
+                    variant.fields.iter().map(|(member, ty)| (field_of(&variant.name, member), ty))
+                });
+                (scope, parameters, fields.collect())
+            } else {
+                return Vec::new();
+            };
+        let names: Vec<&String> = parameters.iter().map(|parameter| &parameter.name).collect();
+        let mut found = Vec::new();
+        for (name, ty) in fields {
+            if let Some(value) = of.field(&name) {
+                self.match_generics(&names, scope, ty, value, &mut found);
+            }
+        }
+        let of_name = |name: &&String| found.iter().find(|(known, _)| known == *name).map(|(_, value)| value.clone());
+        names.iter().map(|name| of_name(name).unwrap_or(Value::Unknown)).collect()
+    }
+
+    /// What parameters stand for that are arguments themselves, or parts of these, by what the arguments are.
+    fn match_arguments(
+        &mut self,
+        names: &[&String],
+        scope: &Scope,
+        written: &[&GenericArgument],
+        known: &[Value],
+        found: &mut Found,
+    ) {
+        for (argument, value) in written.iter().zip(known).filter(|(_, value)| !value.is_unknown()) {
+            match argument {
+                GenericArgument::Type(ty) => self.match_generics(names, scope, ty, value, found),
+                GenericArgument::Const(Expr::Path(path)) => {
+                    self.match_generics(names, scope, &syn::parse_quote!(#path), value, found);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The meaning of a type with arguments.
+    pub(super) fn expected_generic(&mut self, path: &syn::Path, last: &syn::PathSegment) -> Expected {
+        let name = self.resolved(&segments(path));
+        let structure = self.items.structure(&name).map(|structure| &structure.parameters);
+        let enumeration = self.items.enumeration(&name).map(|enumeration| &enumeration.parameters);
+        let Some(parameters) = structure.or(enumeration) else { return Expected::Any };
+        let arguments = match &last.arguments {
+            PathArguments::AngleBracketed(_) => arguments(path),
+            _ => Vec::new(),
+        };
+        let mut known = Vec::new();
+        for (argument, parameter) in arguments.into_iter().zip(parameters) {
+            known.push(match argument {
+                GenericArgument::Const(length) if parameter.is_length => self.length_of(length),
+                // So is the name of a constant read.
+                GenericArgument::Type(Type::Path(name)) if parameter.is_length => {
+                    self.length_of(&syn::parse_quote!(#name))
+                }
+                GenericArgument::Type(ty) => {
+                    self.expected(ty).name().map_or(Value::Unknown, |name| Value::Type(name.to_owned()))
+                }
+                _ => Value::Unknown,
+            });
+        }
+        Expected::Generic(name, known)
+    }
+
+    fn length_of(&mut self, length: &Expr) -> Value {
+        match self.known_length(length) {
+            Some(length) => self.algebra.whole(length),
+            None => Value::Unknown,
+        }
+    }
+
+    /// Declares the parameters of a struct by what is known of them.
+    pub(super) fn declare_arguments(&mut self, structure: &Structure, of: &Expected) {
+        let Expected::Generic(_, known) = of else { return };
+        for (parameter, value) in structure.parameters.iter().zip(known).filter(|(_, value)| !value.is_unknown()) {
+            self.frame.declare(parameter.name.clone(), value.clone());
+        }
+    }
+
+    /// A function of a generic type with what is known of the type's parameters.
+    pub(super) fn specialised(&mut self, function: &Rc<Callable>, of: &Expected) -> Rc<Callable> {
+        let (Expected::Generic(_, known), Some(written)) = (of, &function.scope.self_written) else {
+            return function.clone();
+        };
+        let Type::Path(path) = &**written else { return function.clone() };
+        let names: Vec<&String> = function.scope.lengths.iter().chain(&function.scope.generics).collect();
+        let mut found = Vec::new();
+        self.match_arguments(&names, &function.scope, &arguments(&path.path), known, &mut found);
+        let captured = function.captured.iter().cloned().chain(found).collect();
+        Rc::new(Callable { captured, ..(**function).clone() })
+    }
+}
+
+/// The arguments of a type that are no lifetimes.
+pub(in crate::differentiate) fn arguments(path: &syn::Path) -> Vec<&GenericArgument> {
+    match path.segments.last().map(|last| &last.arguments) {
+        Some(PathArguments::AngleBracketed(of)) => {
+            of.args.iter().filter(|argument| !matches!(argument, GenericArgument::Lifetime(_))).collect()
+        }
+        _ => Vec::new(),
+    }
+}
