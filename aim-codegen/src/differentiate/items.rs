@@ -71,6 +71,8 @@ pub(super) struct Enumeration {
 /// A variant of an enum.
 pub(super) struct Variant {
     pub(super) name: String,
+    /// The number that is written for it.
+    pub(super) discriminant: Option<Expr>,
     pub(super) fields: Vec<(Member, syn::Type)>,
 }
 
@@ -198,7 +200,11 @@ impl Items {
                         |variant: &syn::Variant| variant.attrs.iter().any(|of| of.path().is_ident("default"));
                     let default = variants.clone().position(is_default).filter(|_| derives_default(&item.attrs));
                     let variants = variants
-                        .map(|variant| Variant { name: variant.ident.to_string(), fields: fields(&variant.fields) })
+                        .map(|variant| Variant {
+                            name: variant.ident.to_string(),
+                            discriminant: variant.discriminant.as_ref().map(|(_, number)| number.clone()),
+                            fields: fields(&variant.fields),
+                        })
                         .collect();
                     self.enums.push((full(&item.ident), Enumeration { scope, parameters, variants, default }));
                 }

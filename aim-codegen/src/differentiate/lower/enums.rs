@@ -57,6 +57,25 @@ impl Translation<'_> {
         Value::Struct(Rc::new(Struct { name: ty.to_owned(), fields: all }))
     }
 
+    /// The number that stands for a variant in `value as u32`.
+    pub(super) fn discriminant(&mut self, cast: &syn::ExprCast, of: &Struct) -> Value {
+        let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(&of.name) else { return Value::Unknown };
+        let Some(Value::Integer(tag)) = of.field(TAG) else { return Value::Unknown };
+        let (mut next, mut numbers) = (0, Vec::with_capacity(variants.len()));
+        for variant in variants {
+            if let Some(written) = &variant.discriminant {
+                let value = self.within(scope.clone(), |this| this.expression(written));
+                match self.algebra.known_integer(&value) {
+                    Some(known) => next = known,
+                    None => return self.refuse_known(&value, &cast.expr, messages::index_unknown()),
+                }
+            }
+            numbers.push(self.algebra.integer(next));
+            next += 1;
+        }
+        Value::Array(numbers).chosen(self.algebra, *tag).unwrap_or(Value::Unknown)
+    }
+
     /// The types of a variant's fields, as far as they are known.
     pub(super) fn expected_fields(&mut self, ty: &str, tag: usize) -> Vec<(String, Expected)> {
         let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(ty) else { return Vec::new() };

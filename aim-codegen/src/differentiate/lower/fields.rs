@@ -133,6 +133,12 @@ impl Translation<'_> {
         if base.is_unknown() || place.is_unknown() {
             return Value::Unknown;
         }
+        if let Value::Struct(of) = &base {
+            let several = self.functions(Some(&of.name), "index");
+            if let Some(own) = self.function_for(&several, &[base.clone(), place.clone()]) {
+                return self.inline(&index.index, &own, vec![base, place]);
+            }
+        }
         let Some(known) = self.algebra.known_index(&place) else {
             return match place {
                 Value::Integer(place) => {

@@ -83,8 +83,13 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame whose first variables are of the place that it is called from.
     pub(super) fn new(variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
-        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
-        Self { captured: variables.len(), variables, regions: vec![function], scope, ..Self::default() }
+        Self::under(Vec::new(), variables, scope)
+    }
+
+    /// The same of a function that is called where these conditions hold.
+    pub(super) fn under(path: Vec<Condition>, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
+        let function = Region { target: Target::Function, label: None, variables: 0, path: path.len(), journals: 0 };
+        Self { captured: variables.len(), variables, path, regions: vec![function], scope, ..Self::default() }
     }
 
     // Variables.
@@ -171,6 +176,11 @@ impl Frame {
     }
 
     // Branches.
+
+    /// The conditions that hold where control is, also those that the function is called under.
+    pub(super) fn facts(&self) -> &[Condition] {
+        &self.path
+    }
 
     /// Begins a branch that is taken where the condition holds.
     pub(super) fn begin_branch(&mut self, condition: Condition) {
@@ -279,12 +289,13 @@ impl Frame {
     }
 
     /// Ends a loop or a round: the variables are what they are at the ways out, and where there was none (`ends`), what
-    /// they are now. The place of a variable that has two kinds of values.
-    pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Result<(), usize> {
-        let Some(region) = self.regions.pop() else { return Ok(()) };
+    /// they are now. The value that a `break` brings there; `None` where that or a variable has two kinds of values.
+    pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Option<Value> {
+        let Some(region) = self.regions.pop() else { return Some(Value::nothing()) };
         let journal = self.journals.pop().unwrap_or_default();
         let exits = self.take_exits(region.target);
         let mut goes_on = ends;
+        let mut brought = if ends { Value::nothing() } else { Value::Never };
         // Of what a branch has assigned that ends in a way out, the journal does not know.
         let mut now = Assigned::new();
         for &(place, _) in journal.iter().chain(exits.iter().flat_map(|exit| &exit.assigned)) {
@@ -296,8 +307,9 @@ impl Frame {
             for (place, value) in &mut now {
                 let there = assigned_to(&exit.assigned, *place).or_else(|| assigned_to(&journal, *place));
                 let there = there.unwrap_or_else(|| self.value(*place));
-                *value = if goes_on { there.select(a, &exit.condition, value).ok_or(*place)? } else { there.clone() };
+                *value = if goes_on { there.select(a, &exit.condition, value)? } else { there.clone() };
             }
+            brought = exit.value.select(a, &exit.condition, &brought)?;
             goes_on = true;
         }
         // The enclosing journal has to know the values before.
@@ -305,7 +317,7 @@ impl Frame {
             self.variables[place].1 = before;
         }
         self.take(now);
-        Ok(())
+        Some(brought)
     }
 
     fn take_exits(&mut self, target: Target) -> Vec<Exit> {

@@ -61,7 +61,8 @@ impl Translation<'_> {
         arguments: Vec<Value>,
         expected: &Expected,
     ) -> Value {
-        let mut frame = Frame::new(function.captured.clone(), function.scope.clone());
+        let facts = self.frame.facts().to_vec();
+        let mut frame = Frame::under(facts, function.captured.clone(), function.scope.clone());
         // Where a closure was made it sees the variables as they are now, and may change them.
         let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
         // Of those that are left by now it has what it had.

@@ -3,6 +3,7 @@
 
 mod algebra;
 mod arrays;
+mod bounds;
 mod calls;
 mod choices;
 mod condition;
@@ -187,6 +188,7 @@ impl Translation<'_> {
             Some((None, _)) => self.item(&segments(&path.path)),
             None => None,
         };
+        let value = value.or_else(|| self.unit_struct(&segments(&path.path)));
         value.unwrap_or_else(|| {
             let text = match path.path.get_ident() {
                 Some(name) => {
@@ -200,6 +202,13 @@ impl Translation<'_> {
             };
             self.refuse(&path.path, text)
         })
+    }
+
+    /// A struct without fields, which is its own value.
+    fn unit_struct(&self, path: &[String]) -> Option<Value> {
+        let name = self.resolved(path);
+        let structure = self.items.structure(&name).filter(|structure| structure.fields.is_empty());
+        structure.map(|_| Value::Struct(Rc::new(Struct { name, fields: Vec::new() })))
     }
 
     /// What a type has by a name: a function or a constant.
@@ -388,6 +397,9 @@ impl Translation<'_> {
             (Value::Truth(condition), ty, _) if is_integer(ty) => {
                 let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
                 Value::Integer(condition.select(self.algebra, one, zero))
+            }
+            (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
+                self.discriminant(cast, of)
             }
             (Value::Scalar(_), ty, _) if is_integer(ty) => methods::whole(self.algebra, &value, ty),
             (Value::Integer(_), ty, _) if is_integer(ty) => self.unsupported(

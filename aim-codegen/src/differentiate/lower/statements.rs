@@ -336,7 +336,7 @@ impl Translation<'_> {
                 Round::Of(value) => (value.is_never(), matches!(value, Value::Unknown)),
             };
             let goes_on = !never || self.frame.has_exits(once);
-            if self.frame.end(self.algebra, !never).is_err() {
+            if self.frame.end(self.algebra, !never).is_none() {
                 value = self.refuse(token, messages::variable_of_two_kinds());
             }
             if matches!(done, Round::Over) {
@@ -358,10 +358,12 @@ impl Translation<'_> {
             }
         }
         let left = self.frame.has_exits(whole);
-        if self.frame.end(self.algebra, ends).is_err() {
-            return self.refuse(token, messages::variable_of_two_kinds());
+        match self.frame.end(self.algebra, ends) {
+            None => self.refuse(token, messages::variable_of_two_kinds()),
+            Some(_) if value.is_unknown() => value,
+            Some(_) if !ends && !left => Value::Never,
+            Some(brought) => brought,
         }
-        if !ends && !left && !value.is_unknown() { Value::Never } else { value }
     }
 
     /// Whether the graph has outgrown its bound.
@@ -382,14 +384,10 @@ impl Translation<'_> {
                 let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression_as(value, &expected));
                 (Some(Target::Function), value)
             }
-            Expr::Break(e) if e.expr.is_some() => {
-                return self.unsupported(
-                    &e.break_token,
-                    "`break` with a value",
-                    "assign it to a variable before the loop",
-                );
+            Expr::Break(e) => {
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression(value));
+                (self.loop_of(e.label.as_ref()).map(Target::Loop), value)
             }
-            Expr::Break(e) => (self.loop_of(e.label.as_ref()).map(Target::Loop), Value::nothing()),
             Expr::Continue(e) => (self.loop_of(e.label.as_ref()).map(Target::Round), Value::nothing()),
             _ => (None, Value::Unknown),
         };

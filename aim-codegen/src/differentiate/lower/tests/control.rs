@@ -245,4 +245,34 @@ same! {
             match (first, second) { (Some(v), _) | (None, Some(v)) => 2.0 * v, (None, None) => x - y }
         }
     }
+    loops_with_values {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut n = 0;
+            let found = loop {
+                n += 1;
+                if n as f64 > x + 2.0 { break y * n as f64; }
+                if n == 4 { break if y > 0.0 { x } else { -1.0 }; }
+            };
+            let first = 'outer: loop {
+                for i in 0..4 { if i as f64 * 0.7 > y { break 'outer Some(i as f64); } }
+                break None;
+            };
+            let always = loop { break x * y; };
+            found + 10.0 * first.unwrap_or(-2.0) + 100.0 * n as f64 + always
+        }
+    }
+    reflections {
+        fn cdf(x: f64) -> f64 {
+            if x < 0.0 { return 1.0 - cdf(-x); }
+            let t = 1.0 / (1.0 + 0.2316419 * x);
+            1.0 - 0.4 * (-0.5 * x * x).exp() * t
+        }
+        fn gamma(z: f64) -> f64 {
+            if z < 0.5 { 3.0 / ((3.0 * z).sin() * gamma(1.0 - z)) } else { (z - 0.5).exp() * z }
+        }
+        fn odd(x: f64) -> f64 {
+            match x { x if x > 0.0 => x.sqrt(), x if x >= 0.0 => 7.0, x => -odd(-x) }
+        }
+        pub fn f(x: f64, y: f64) -> f64 { cdf(x) + 2.0 * cdf(y - 0.5) + gamma(x + 0.1) + odd(y) }
+    }
 }

@@ -451,4 +451,27 @@ same! {
                 + of(either, |v| v * v) + empty.items[1]
         }
     }
+    unit_structs_numbers_of_variants_and_own_indices {
+        trait Kernel { fn at(&self, r: f64) -> f64; }
+        #[derive(Clone, Copy)]
+        struct Gauss;
+        struct Cubic;
+        impl Kernel for Gauss { fn at(&self, r: f64) -> f64 { (-r * r).exp() } }
+        impl Kernel for Cubic { fn at(&self, r: f64) -> f64 { r * r * r } }
+        fn of(kernel: &dyn Kernel, r: f64) -> f64 { kernel.at(r) + Gauss.at(0.5 * r) }
+        #[derive(Clone, Copy, PartialEq)]
+        enum Frequency { Annual = 1, SemiAnnual = BASE * 2, Quarterly = 4, Other }
+        const BASE: isize = 1;
+        struct Spline([f64; 3]);
+        impl std::ops::Index<usize> for Spline {
+            type Output = f64;
+            fn index(&self, i: usize) -> &f64 { match i { 0 => &self.0[0], 1 => &self.0[1], _ => &self.0[2] } }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let frequency = if x < 0.0 { Frequency::Annual } else if x < 1.5 { Frequency::SemiAnnual } else { Frequency::Other };
+            let n = frequency as u32 as f64 + Frequency::Quarterly as i32 as f64;
+            let s = Spline([x, y, 2.0]);
+            of(&Gauss, x) + of(&Cubic, y) + n * x + s[1] * s[if y > 0.0 { 0 } else { 2 }]
+        }
+    }
 }

@@ -1,0 +1,109 @@
+//! What the way to a branch tells of its condition: where x < 0, −x < 0 does not hold. Functions that call themselves for what is
+//! on the other side of a number end by it.
+
+use aim_symbolic::{Op, Scalar, ScalarNode};
+
+use super::algebra::Algebra;
+use super::condition::Condition;
+
+/// `x < at`, or with `above` `x > at`; or equal, unless that is `strict`.
+#[derive(Clone, Copy)]
+struct Bound {
+    x: Scalar,
+    above: bool,
+    at: f64,
+    strict: bool,
+}
+
+/// `k x + c`
+#[derive(Clone, Copy)]
+struct Linear {
+    x: Option<Scalar>,
+    k: f64,
+    c: f64,
+}
+
+impl Linear {
+    fn of(a: &Algebra, mut s: Scalar) -> Self {
+        let (mut k, mut c) = (1.0, 0.0);
+        loop {
+            if let Some(constant) = a.constant_of(s) {
+                return Self { x: None, k: 0.0, c: c + k * constant };
+            }
+            s = match a.g.scalar_node(s) {
+                ScalarNode::Op(Op::Neg(inner)) => {
+                    k = -k;
+                    inner
+                }
+                ScalarNode::Op(op @ (Op::Add(one, other) | Op::Sub(one, other))) => {
+                    let sign = if matches!(op, Op::Add(..)) { 1.0 } else { -1.0 };
+                    match (a.constant_of(one), a.constant_of(other)) {
+                        (Some(one), None) => {
+                            (k, c) = (k * sign, c + k * one);
+                            other
+                        }
+                        (None, Some(other)) => {
+                            c += k * sign * other;
+                            one
+                        }
+                        _ => return Self { x: Some(s), k, c },
+                    }
+                }
+                ScalarNode::Op(Op::Mul(one, other)) => match (a.constant_of(one), a.constant_of(other)) {
+                    (Some(factor), None) => {
+                        k *= factor;
+                        other
+                    }
+                    (None, Some(factor)) => {
+                        k *= factor;
+                        one
+                    }
+                    _ => return Self { x: Some(s), k, c },
+                },
+                _ => return Self { x: Some(s), k, c },
+            };
+        }
+    }
+}
+
+impl Bound {
+    /// What a comparison says of one number; `None` if it compares several, or is a combination.
+    fn of(a: &Algebra, condition: &Condition) -> Option<Self> {
+        match condition {
+            Condition::Less(one, other) => {
+                let (one, other) = (Linear::of(a, *one), Linear::of(a, *other));
+                let x = one.x.or(other.x)?;
+                if [one.x, other.x].into_iter().flatten().any(|of| of != x) {
+                    return None;
+                }
+                let k = one.k - other.k;
+                let at = (other.c - one.c) / k;
+                at.is_finite().then_some(Self { x, above: k < 0.0, at, strict: true })
+            }
+            Condition::Not(inner) => {
+                let bound = Self::of(a, inner)?;
+                Some(Self { above: !bound.above, strict: !bound.strict, ..bound })
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether another one holds where this one does, or does not; `None` where that depends.
+    fn decides(self, other: Self) -> Option<bool> {
+        let (here, there) = if self.above { (-self.at, -other.at) } else { (self.at, other.at) };
+        if self.x != other.x {
+            None
+        } else if self.above == other.above {
+            (here < there || here == there && (self.strict || !other.strict)).then_some(true)
+        } else {
+            (there > here || here == there && (self.strict || other.strict)).then_some(false)
+        }
+    }
+}
+
+/// The condition, known where one of these, which hold, decides it.
+pub(super) fn decided(a: &Algebra, condition: Condition, facts: &[Condition]) -> Condition {
+    let Some(bound) = Bound::of(a, &condition) else { return condition };
+    let known = facts.iter().find_map(|fact| Bound::of(a, fact)?.decides(bound));
+    known.map_or(condition, Condition::Known)
+}
