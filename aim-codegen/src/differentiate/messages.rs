@@ -98,9 +98,9 @@ messages! {
         "`{found}` is no type that can be differentiated through",
         "{help}";
 
-    slice() =>
+    slice(element: &str) =>
         "how long this is is not known here",
-        "take a reference to an array: `&[f32; 4]`; for any length, differentiate one term and sum in a function around it";
+        "take a reference to an array: `&[{element}; 4]`; for any length, differentiate one term and sum in a function around it";
 
     length_unknown() =>
         "this length is not known here",

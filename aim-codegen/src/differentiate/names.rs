@@ -46,6 +46,16 @@ pub(super) fn join(module: &str, name: &str) -> String {
     if module.is_empty() { name.to_owned() } else { format!("{module}::{name}") }
 }
 
+/// The arguments of a type that are no lifetimes.
+pub(super) fn arguments(path: &syn::Path) -> Vec<&syn::GenericArgument> {
+    match path.segments.last().map(|last| &last.arguments) {
+        Some(syn::PathArguments::AngleBracketed(of)) => {
+            of.args.iter().filter(|argument| !matches!(argument, syn::GenericArgument::Lifetime(_))).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// The segments of a path.
 pub(super) fn segments(path: &syn::Path) -> Vec<String> {
     path.segments.iter().map(|segment| segment.ident.to_string()).collect()

@@ -2,13 +2,13 @@
 //! put together in emitted code.
 
 use proc_macro2::{Literal, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 use syn::{Ident, Member};
 
 use super::items::{Alias, Enumeration, Items, Parameter, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
-use super::{lower, messages};
+use super::{lower, messages, names};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
 
@@ -108,7 +108,7 @@ type Given = Vec<(String, TokenStream)>;
 
 /// The arguments of a type, by its parameters; `None` where there are not as many.
 fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, items: &Items) -> Option<Given> {
-    let written = lower::arguments(path);
+    let written = names::arguments(path);
     let given = parameters.iter().zip(&written).map(|(parameter, written)| {
         let length = match (parameter.is_length, syn::parse2(quote!(#written))) {
             (true, Ok(length)) => lower::length(&length, items, scope).map(Literal::usize_unsuffixed),
@@ -156,7 +156,8 @@ impl Type {
                     return Err((quote!(#mutability), messages::mutable_reference()));
                 }
                 if let syn::Type::Slice(slice) = &*reference.elem {
-                    return Err((quote!(#slice), messages::slice()));
+                    let element = slice.elem.to_token_stream().to_string();
+                    return Err((quote!(#slice), messages::slice(&element)));
                 }
                 let inner = Self::parse_in(scope, &reference.elem, items)?;
                 if inner.borrowed { Err(unknown()) } else { Ok(Self { borrowed: true, ..inner }) }

@@ -139,6 +139,7 @@ mod not_understood {
     }
 
     pub struct Polynomial<const N: usize>([f32; N]);
+    pub type Row<const N: usize> = Polynomial<N>;
 
     fn rho(_loss: Loss, x: f32) -> f32 {
         x * x
@@ -156,7 +157,7 @@ mod not_understood {
 
     #[differentiate(wrt(x))]
     pub fn by_parameter(x: [f32; 3]) -> f32 {
-        Polynomial { 0: x }.0[0]
+        Row { 0: x }.0[0]
     }
 }
 

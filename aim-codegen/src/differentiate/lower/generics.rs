@@ -11,7 +11,7 @@ use super::expected::Expected;
 use super::fields::name_of;
 use super::value::{Callable, Scope, Struct, Value};
 use crate::differentiate::items::{Enumeration, Structure};
-use crate::differentiate::names::segments;
+use crate::differentiate::names::{self, segments};
 
 /// Generic parameters and what they stand for: a length, a type, or a value of the type.
 type Found = Vec<(String, Value)>;
@@ -87,7 +87,7 @@ impl Translation<'_> {
                 if let Some(name) = path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known)) {
                     found.push(((*name).clone(), value.clone()));
                 } else if let Value::Struct(of) = value {
-                    let arguments = arguments(&path.path);
+                    let arguments = names::arguments(&path.path);
                     if !arguments.is_empty() {
                         let known = self.arguments_of(of);
                         self.match_arguments(names, scope, &arguments, &known, found);
@@ -149,7 +149,7 @@ impl Translation<'_> {
         let enumeration = self.items.enumeration(&name).map(|enumeration| &enumeration.parameters);
         let Some(parameters) = structure.or(enumeration) else { return Expected::Any };
         let arguments = match &last.arguments {
-            PathArguments::AngleBracketed(_) => arguments(path),
+            PathArguments::AngleBracketed(_) => names::arguments(path),
             _ => Vec::new(),
         };
         let mut known = Vec::new();
@@ -192,18 +192,8 @@ impl Translation<'_> {
         let Type::Path(path) = &**written else { return function.clone() };
         let names: Vec<&String> = function.scope.lengths.iter().chain(&function.scope.generics).collect();
         let mut found = Vec::new();
-        self.match_arguments(&names, &function.scope, &arguments(&path.path), known, &mut found);
+        self.match_arguments(&names, &function.scope, &names::arguments(&path.path), known, &mut found);
         let captured = function.captured.iter().cloned().chain(found).collect();
         Rc::new(Callable { captured, ..(**function).clone() })
-    }
-}
-
-/// The arguments of a type that are no lifetimes.
-pub(in crate::differentiate) fn arguments(path: &syn::Path) -> Vec<&GenericArgument> {
-    match path.segments.last().map(|last| &last.arguments) {
-        Some(PathArguments::AngleBracketed(of)) => {
-            of.args.iter().filter(|argument| !matches!(argument, GenericArgument::Lifetime(_))).collect()
-        }
-        _ => Vec::new(),
     }
 }

@@ -45,7 +45,6 @@ pub(super) use self::condition::Condition;
 pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
 use self::frame::Frame;
-pub(super) use self::generics::arguments;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::is_mathematical;
 pub(super) use self::square::columns;
