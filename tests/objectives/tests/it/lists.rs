@@ -1,4 +1,4 @@
-//! Lists, iterators that leave elements out, elements that arguments choose, and enums: companions have the value of the function
+//! Lists, iterators that leave elements out, elements that arguments choose, enums, and generic structs: companions have the value of the function
 //! itself, and the derivatives of its central differences.
 
 #[aim::differentiate]
@@ -90,9 +90,64 @@ mod functions {
         add(place[0]);
         energy + steps as f64
     }
+
+    /// Outputs of so many inputs.
+    #[derive(Clone, Copy)]
+    pub(super) struct Dense<const IN: usize, const OUT: usize, A = Tanh> {
+        pub(super) weights: [[f64; IN]; OUT],
+        pub(super) bias: [f64; OUT],
+        pub(super) after: A,
+    }
+
+    #[derive(Clone, Copy)]
+    pub(super) struct Tanh;
+
+    #[derive(Clone, Copy)]
+    pub(super) struct Leaky {
+        pub(super) slope: f64,
+    }
+
+    pub(super) trait Activation: Copy {
+        fn of(self, x: f64) -> f64;
+    }
+
+    impl Activation for Tanh {
+        fn of(self, x: f64) -> f64 {
+            x.tanh()
+        }
+    }
+
+    impl Activation for Leaky {
+        fn of(self, x: f64) -> f64 {
+            if x < 0.0 { self.slope * x } else { x }
+        }
+    }
+
+    impl<const IN: usize, const OUT: usize, A: Activation> Dense<IN, OUT, A> {
+        fn forward(&self, input: &[f64; IN]) -> [f64; OUT] {
+            core::array::from_fn(|o| {
+                let sum: f64 = self.weights[o].iter().zip(input).map(|(w, x)| w * x).sum();
+                self.after.of(sum + self.bias[o]) / IN as f64
+            })
+        }
+    }
+
+    /// Two layers.
+    #[derive(Clone, Copy)]
+    pub(super) struct Network {
+        pub(super) hidden: Dense<2, 3, Leaky>,
+        pub(super) output: Dense<3, 1, Leaky>,
+    }
+
+    #[differentiate(wrt(network, input))]
+    pub(super) fn predicted(network: &Network, input: [f64; 2]) -> f64 {
+        let [out] = network.output.forward(&network.hidden.forward(&input));
+        let bent = Dense { weights: [[out, 1.0]], bias: [0.5], after: Tanh };
+        bent.forward(&input)[0]
+    }
 }
 
-use functions::{Loss, Only};
+use functions::{Dense, Leaky, Loss, Network, Only};
 
 /// (f(x + h e) − f(x − h e)) / 2h by each component.
 fn differences<const N: usize>(f: impl Fn([f64; N]) -> f64, x: [f64; N]) -> [f64; N] {
@@ -164,5 +219,30 @@ fn loops_that_arguments_end() {
             assert_near(by_x, differences(|x| functions::walk(x, 0.4, most), x), "by the start");
             assert_near([by_pull], differences(|[pull]| functions::walk(x, pull, most), [0.4]), "by the pull");
         }
+    }
+}
+
+#[test]
+fn generic_structs_as_arguments() {
+    let hidden =
+        Dense { weights: [[0.3, -0.8], [1.1, 0.2], [-0.4, 0.5]], bias: [0.1, -0.2, 0.3], after: Leaky { slope: 0.1 } };
+    let output = Dense { weights: [[0.7, -1.2, 0.4]], bias: [0.05], after: Leaky { slope: 0.3 } };
+    let network = Network { hidden, output };
+    for input in [[0.5, -0.4], [-1.2, 0.9], [2.0, 1.5]] {
+        let (value, (by_network, by_input)) = functions::predicted_gradient(&network, input);
+        assert!((value - functions::predicted(&network, input)).abs() < 1e-14);
+        assert_near(by_input, differences(|input| functions::predicted(&network, input), input), "by the input");
+        let weights = |weights: [f64; 2]| {
+            let mut other = network;
+            other.hidden.weights[1] = weights;
+            functions::predicted(&other, input)
+        };
+        assert_near(by_network.hidden.weights[1], differences(weights, hidden.weights[1]), "by weights");
+        let slope = |[slope]: [f64; 1]| {
+            let mut other = network;
+            other.output.after.slope = slope;
+            functions::predicted(&other, input)
+        };
+        assert_near([by_network.output.after.slope], differences(slope, [0.3]), "by the slope");
     }
 }
