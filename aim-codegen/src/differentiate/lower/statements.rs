@@ -35,10 +35,10 @@ impl Translation<'_> {
         self.declare_items(block, depth);
         let mut value = Value::nothing();
         let mut faulty = false;
-        for statement in &block.stmts {
+        for (place, statement) in block.stmts.iter().enumerate() {
             value = match statement {
                 // What is the value at the end is of the type of that.
-                Stmt::Local(local) if is_name(&local.pat, block.stmts.last()) => self.local(local, expected),
+                Stmt::Local(local) if is_end(&local.pat, &block.stmts[place + 1..]) => self.local(local, expected),
                 statement => self.statement(statement, expected),
             };
             faulty |= matches!(value, Value::Unknown);
@@ -407,10 +407,18 @@ impl Translation<'_> {
     }
 }
 
-/// Whether a pattern is the name that a block ends with.
-fn is_name(pattern: &Pat, last: Option<&Stmt>) -> bool {
-    match (pattern, last) {
-        (Pat::Ident(name), Some(Stmt::Expr(Expr::Path(path), None))) => path.path.is_ident(&name.ident),
+/// Whether a pattern is the name that a block ends with, which nothing hides until then.
+fn is_end(pattern: &Pat, rest: &[Stmt]) -> bool {
+    let Pat::Ident(name) = pattern else { return false };
+    let is_it = |pattern: &Pat| match pattern {
+        Pat::Type(typed) => matches!(&*typed.pat, Pat::Ident(other) if other.ident == name.ident),
+        pattern => matches!(pattern, Pat::Ident(other) if other.ident == name.ident),
+    };
+    match rest {
+        [between @ .., Stmt::Expr(Expr::Path(path), None)] => {
+            path.path.is_ident(&name.ident)
+                && !between.iter().any(|other| matches!(other, Stmt::Local(other) if is_it(&other.pat)))
+        }
         _ => false,
     }
 }

@@ -438,7 +438,8 @@ same! {
             match either { Either::One(one) => read(one), Either::Other(all) => all.iter().sum::<f64>() * N as f64 }
         }
         pub fn f(x: f64, y: f64) -> f64 {
-            let a = Matrix::new([[x, y], [1.0, x]]);
+            let a = { let m = [[x, y], [1.0, x]].into_iter().collect::<Vec<_>>(); let m = Matrix::new([m[0], m[1]]); m };
+            let small: f64 = { let made = [x, y].into_iter().collect::<Vec<f64>>(); let made = made.iter().sum(); made };
             let product = a * Q + a.transpose() * Q;
             let one: Matrix<1, 3> = Matrix::zeros();
             let sized = (product.size() + one.size() + product.transpose().like().size()) as f64;
@@ -447,7 +448,7 @@ same! {
             let at = c.at(Pair { a: y, b: 0.5 });
             let empty: Queue<f64, 3> = Queue::default();
             let either = if x > 0.0 { Either::One(y) } else { Either::Other([x, y, 1.0]) };
-            product.data[0][2] + 2.0 * product.data[1][1] + sized + p.at(y) + at.a * at.b + FOOD.index([x, y]) + empty.last
+            small + product.data[0][2] + 2.0 * product.data[1][1] + sized + p.at(y) + at.a * at.b + FOOD.index([x, y]) + empty.last
                 + of(either, |v| v * v) + empty.items[1]
         }
     }
