@@ -120,6 +120,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | `wrt(p, h)` | the arguments to differentiate by; needed |
 /// | `wrt(tangent(q), p)` | `q` is a rotation or a transform, and derivatives by it are on its manifold: see below |
 /// | `perturbation = left` | the side of these derivatives; `right` by default |
+/// | `lengths(values = 8)` | how many elements the companions take of arguments that are slices: `&[f64; 8]` of a `&[f64]` |
 /// | `budget = 46` | more operations than that in the gradient or Jacobian are a compile error that tells the counts (additions, multiplications, divisions and roots) |
 /// | `budget(operations = 46, selects = 2, calls = 4)` | the same for each kind; `selects` are the comparisons and selects of `if`, `min`, `abs` and guards, two an `if` of one comparison between numbers, `calls` the sines and other functions; any may be left out |
 /// | `hessian`, `jvp`, `vjp`, `hvp`, `gauss_newton` | these companions, too: products cost a few times what the function does, however many variables there are |
@@ -153,7 +154,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// | | understood | not |
 /// |---|---|---|
-/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool`, integers and enums of the module, which do not vary; arrays, tuples, structs of the module and `Option` of these; by value or by `&`; known by the last words of their types | slices and `Vec`: a loop over them has no known end |
+/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool`, integers and enums of the module, which do not vary; arrays, tuples, structs of the module and `Option` of these; by value or by `&`; known by the last words of their types | slices, unless `lengths` says how long they are, and `Vec`: a loop over them has no known end |
 /// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | `Option`, `Result`, `Vec`, enums, whole numbers |
 /// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `&mut` of variables and parts of them, `debug_assert!` (which companions leave out) | `&mut` arguments of the function itself |
 /// | patterns | names, `_`, tuples, arrays with `..`, structs, variants, `Some` and `None`, numbers, ranges, `\|`, guards | `@`, `ref` |

@@ -1,7 +1,7 @@
 //! The function's signature: its arguments as inputs of the graph, and its result.
 
 use aim_symbolic::{Graph, Scalar};
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
@@ -67,8 +67,10 @@ impl Arguments {
             };
             let called =
                 name.as_ref().map_or_else(|| pattern_argument(index).to_token_stream(), ToTokens::to_token_stream);
+            let declared = name.as_ref().and_then(|name| sized(&typed.ty, name, options));
+            let declared = declared.unwrap_or_else(|| (*typed.ty).clone());
             // Of a generic argument that was said.
-            let known = if generic { Type::parse(&typed.ty, items).ok() } else { known_type(&typed.ty, items, report) };
+            let known = if generic { Type::parse(&declared, items).ok() } else { known_type(&declared, items, report) };
             match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
@@ -78,7 +80,7 @@ impl Arguments {
                         _ => ty.owned(),
                     };
                     let (variable, pattern) = (variable.map(|(place, _)| place), (*typed.pat).clone());
-                    let declared = typed.ty.to_token_stream();
+                    let declared = declared.to_token_stream();
                     list.push(Argument { name, called, pattern, ty, declared, variable, varies, slope });
                 }
                 None => faulty.push(name.unwrap_or_else(|| pattern_argument(index))),
@@ -136,6 +138,17 @@ impl Arguments {
         let names: Vec<String> =
             self.list.iter().filter_map(|argument| Some(word_of(argument.name.as_ref()?).text)).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        for (word, _) in &options.lengths {
+            let is_slice = |input: &FnArg| match input {
+                FnArg::Typed(typed) => {
+                    matches!(&*typed.pat, Pat::Ident(name) if sized(&typed.ty, &name.ident, options).is_some() && is(&name.ident, word))
+                }
+                FnArg::Receiver(_) => false,
+            };
+            if !signature.inputs.iter().any(is_slice) {
+                report.error(&word.place, messages::no_slice(&word.text));
+            }
+        }
         for Variable { name: word, tangent } in wrt {
             let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
             match found {
@@ -232,6 +245,15 @@ pub(super) fn pattern_argument(index: usize) -> Ident {
 
 fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
+}
+
+/// A slice as the array of the length that the attribute says; `None` of anything else.
+fn sized(ty: &syn::Type, name: &Ident, options: &Options) -> Option<syn::Type> {
+    let syn::Type::Reference(reference) = ty else { return None };
+    let syn::Type::Slice(slice) = &*reference.elem else { return None };
+    let (_, length) = options.lengths.iter().find(|(word, _)| is(name, word))?;
+    let (element, length) = (&slice.elem, Literal::usize_unsuffixed(*length));
+    reference.mutability.is_none().then(|| syn::parse_quote!(&[#element; #length]))
 }
 
 fn place_among<'w>(wrt: Option<&'w [Variable]>, name: &Ident) -> Option<(usize, &'w Variable)> {

@@ -100,7 +100,11 @@ messages! {
 
     slice(element: &str) =>
         "how long this is is not known here",
-        "take a reference to an array: `&[{element}; 4]`; for any length, differentiate one term and sum in a function around it";
+        "say it beside `wrt`, as in `lengths(values = 4)`, or take a reference to an array: `&[{element}; 4]`; for any length, differentiate one term and sum in a function around it";
+
+    no_slice(name: &str) =>
+        "`{name}` is no argument that is a slice",
+        "arrays say how long they are; leave it out";
 
     length_unknown() =>
         "this length is not known here",

@@ -22,6 +22,8 @@ pub(super) struct Options {
     pub(super) wrt: Option<Vec<Variable>>,
     /// The side of rotations that tangents are on.
     side: Side,
+    /// How long arguments are that are slices, by name.
+    pub(super) lengths: Vec<(Word, usize)>,
     pub(super) budget: Option<Budget>,
     /// Further companions, and where they are asked for.
     pub(super) companions: Vec<(Companion, Place)>,
@@ -42,6 +44,7 @@ pub(super) struct Variable {
 const KEYS: &[Key] = &[
     ("wrt", Expected::ARGUMENTS),
     ("perturbation", Expected::SIDE),
+    ("lengths", Expected::LENGTHS),
     ("budget", Expected::OPERATIONS),
     ("hessian", Expected::PRESENCE),
     ("jvp", Expected::PRESENCE),
@@ -65,6 +68,7 @@ impl Options {
         Self {
             wrt: None,
             side: Side::default(),
+            lengths: Vec::new(),
             budget: None,
             companions: Vec::new(),
             check: settings.read_value("check", report, check),
@@ -106,6 +110,7 @@ impl Options {
         Self {
             side: if is_left == Some(true) { Side::Left } else { Side::Right },
             wrt: wrt.or_else(|| settings.has("wrt").then(Vec::new)),
+            lengths: settings.read_value("lengths", report, lengths).unwrap_or_default(),
             budget: settings.read_value("budget", report, Budget::read),
             companions: Companion::OPTIONAL
                 .into_iter()
@@ -135,6 +140,23 @@ fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Variable> {
         tangent: wrapped,
     };
     words.into_iter().map(variable).collect()
+}
+
+/// `(values = 8, weights = 8)`
+fn lengths(report: &mut Report, setting: Setting<'_>) -> Option<Vec<(Word, usize)>> {
+    let Kind::Table(entries) = &setting.value.kind else { return read::mismatch(report, setting) };
+    let mut lengths = Vec::new();
+    for entry in entries {
+        let length = match entry {
+            Entry::Item(Item { key, value }) => {
+                value.number().replace('_', "").parse().ok().map(|length| (key, length))
+            }
+            _ => None,
+        };
+        let Some((name, length)) = length else { return read::mismatch(report, setting) };
+        lengths.push((name.clone(), length));
+    }
+    Some(lengths)
 }
 
 fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {

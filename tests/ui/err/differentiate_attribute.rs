@@ -61,6 +61,21 @@ fn chosen_dearly(x: f32) -> f32 {
     x.abs().sin()
 }
 
+#[differentiate(wrt(x), lengths(values = 3, x = 2, other = 1))]
+fn sized(x: f32, values: &[f32], rest: &[f32]) -> f32 {
+    x * values[3] + rest[0]
+}
+
+#[differentiate(wrt(x), lengths(values = -1))]
+fn sized_by_nonsense(x: f32, values: &[f32]) -> f32 {
+    x * values[0]
+}
+
+#[differentiate(wrt(x), lengths = 3)]
+fn sized_by_nobody(x: f32, values: &[f32]) -> f32 {
+    x * values[0]
+}
+
 #[differentiate(wrt(x), hessian, hvp)]
 fn hessian_of_a_vector(x: f32, v: Vec3) -> Vec3 {
     v * x

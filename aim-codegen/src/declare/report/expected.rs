@@ -72,6 +72,7 @@ expected! {
     JOINTS: Other, "a list of joints", ["[[KEY]]"; 2];
     // Of `#[differentiate]`.
     ARGUMENTS: Word, "the names of arguments", ["KEY(p, h)"; 2];
+    LENGTHS: Other, "the lengths of slices", ["KEY(values = 8)"; 2];
     OPERATIONS: Other, "a whole number of operations", ["KEY = 46"; 2];
     SELECTS: Other, "a whole number of comparisons and selects", ["KEY = 2"; 2];
     CALLS: Other, "a whole number of calls", ["KEY = 4"; 2];

@@ -69,14 +69,7 @@ impl Translation<'_> {
             Expr::Paren(paren) => self.condition(&paren.expr),
             Expr::Let(e) => {
                 let value = self.expression(&e.expr);
-                if !value.is_unknown() {
-                    return self.pattern(&e.pat, &value);
-                }
-                // Its names are known, and nothing more is said about them.
-                let errors = self.report.count();
-                self.bind(&e.pat, Value::Unknown);
-                self.report.forget(errors);
-                None
+                self.pattern(&e.pat, &value)
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
                 // Where a pattern does not fit, its names have no values.
@@ -198,6 +191,13 @@ impl Translation<'_> {
 
     /// Whether a value matches a pattern, whose names it is given; `None` after an error.
     pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
+        if value.is_unknown() {
+            // Its names are known, and nothing more is said about them.
+            let errors = self.report.count();
+            self.bind(pattern, Value::Unknown);
+            self.report.forget(errors);
+            return None;
+        }
         if let Some((ty, tag)) = path_of(pattern).and_then(|path| self.variant(&path)) {
             return self.matches_variant(pattern, (&ty, tag), value);
         }

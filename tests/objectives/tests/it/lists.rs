@@ -91,6 +91,18 @@ mod functions {
         energy + steps as f64
     }
 
+    /// By a slice, too, of as many as there are in this test.
+    #[differentiate(wrt(scale, sizes), lengths(returns = 4, sizes = 2), check = true)]
+    pub(super) fn likelihood(scale: f64, returns: &[f64], sizes: &[f64]) -> f64 {
+        let mut variance = sizes[0].exp();
+        let mut sum = 0.0;
+        for r in returns {
+            sum += r * r / variance + variance.ln();
+            variance = 0.1 + 0.8 * variance + scale * scale * r * r;
+        }
+        sum / returns.len() as f64 * sizes.last().copied().unwrap_or(1.0)
+    }
+
     /// Outputs of so many inputs.
     #[derive(Clone, Copy)]
     pub(super) struct Dense<const IN: usize, const OUT: usize, A = Tanh> {
@@ -148,6 +160,22 @@ mod functions {
 }
 
 use functions::{Dense, Leaky, Loss, Network, Only};
+
+#[test]
+fn slices_of_a_length_that_is_said() {
+    let (returns, sizes) = ([0.3, -0.2, 0.5, 0.1], [1.0, 2.0]);
+    for scale in [0.4, 1.5] {
+        let (value, (by_scale, by_sizes)) = functions::likelihood_gradient(scale, &returns, &sizes);
+        assert!((value - functions::likelihood(scale, &returns, &sizes)).abs() < 1e-14);
+        assert_near(
+            [by_scale],
+            differences(|[scale]| functions::likelihood(scale, &returns, &sizes), [scale]),
+            "by the scale",
+        );
+        let of_sizes = |sizes: [f64; 2]| functions::likelihood(scale, &returns, &sizes);
+        assert_near(by_sizes, differences(of_sizes, sizes), "by the sizes");
+    }
+}
 
 /// (f(x + h e) − f(x − h e)) / 2h by each component.
 fn differences<const N: usize>(f: impl Fn([f64; N]) -> f64, x: [f64; N]) -> [f64; N] {
