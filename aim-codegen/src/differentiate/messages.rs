@@ -118,6 +118,10 @@ messages! {
         "`{name}` does not vary: there are no derivatives by truth values, whole numbers, options and enums",
         "leave it out of `wrt`";
 
+    constant_field(name: &str, of: &str) =>
+        "`{name}` of `{of}` does not vary: there are no derivatives by truth values, whole numbers, options and enums",
+        "take it as an argument of its own that is not in `wrt`, beside a struct of the numbers that vary";
+
     partial_struct(name: &str) =>
         "`{name}` has fields that are no numbers: there is no derivative by it",
         "differentiate by arguments of their own, or by a struct of the numbers that vary";

@@ -311,15 +311,21 @@ impl Type {
     pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
         match &self.shape {
             Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
-            Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..) => {
-                Some(messages::constant_variable(name))
-            }
+            _ if self.is_constant() => Some(messages::constant_variable(name)),
             Shape::Array(element, _) => element.no_variable(name, tangent),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name, tangent)),
             Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
-            Shape::Struct(_, fields, true) => fields.iter().find_map(|(_, field)| field.no_variable(name, tangent)),
+            Shape::Struct(of, fields, true) => fields.iter().find_map(|(member, field)| match field.is_constant() {
+                true => Some(messages::constant_field(&quote!(#member).to_string(), of)),
+                false => field.no_variable(name, tangent),
+            }),
             _ => None,
         }
+    }
+
+    /// Whether there are no derivatives by it.
+    fn is_constant(&self) -> bool {
+        matches!(self.shape, Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..))
     }
 
     /// Whether a result may be of this type.

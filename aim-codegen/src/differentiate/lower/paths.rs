@@ -20,7 +20,9 @@ pub(super) fn type_and_name(path: &syn::ExprPath) -> Option<(Option<Vec<String>>
     let mut before = segments(&path.path);
     before.pop();
     // `glam::vec3`: a module, not a type.
-    let is_type = |ty: &String| types::named(ty).is_some() || ty.starts_with(|c: char| c.is_ascii_uppercase());
+    let is_type = |ty: &String| {
+        types::named(ty).is_some() || types::is_integer(ty) || ty.starts_with(|c: char| c.is_ascii_uppercase())
+    };
     let ty = before.last().is_some_and(is_type).then_some(before);
     Some((ty, name))
 }

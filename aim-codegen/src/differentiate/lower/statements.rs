@@ -359,8 +359,8 @@ impl Translation<'_> {
         }
         let left = self.frame.has_exits(whole);
         match self.frame.end(self.algebra, ends) {
+            _ if value.is_unknown() => value,
             None => self.refuse(token, messages::variable_of_two_kinds()),
-            Some(_) if value.is_unknown() => value,
             Some(_) if !ends && !left => Value::Never,
             Some(brought) => brought,
         }

@@ -472,6 +472,7 @@ same! {
             let frequency = if x < 0.0 { Frequency::Annual } else if x < 1.5 { Frequency::SemiAnnual } else { Frequency::Other };
             let n = frequency as u32 as f64 + Frequency::Quarterly as i32 as f64;
             let s = Spline([x, y, 2.0]);
+            let n = n + f64::from(u8::from(x > y)) + usize::from(y > 0.0) as f64;
             of(&Gauss, x) + of(&Cubic, y) + n * x + s[1] * s[if y > 0.0 { 0 } else { 2 }]
         }
     }
