@@ -28,8 +28,6 @@ pub(super) struct Items {
     aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`, of which nothing is read.
     conditional: Vec<String>,
-    /// Names of items that are not understood, each with what it is and what to write instead.
-    others: Vec<(String, [&'static str; 2])>,
     /// Functions that errors were reported of: of further calls nothing more is said.
     faulty: RefCell<Vec<Rc<Callable>>>,
     /// Structs and enums whose fields are being read.
@@ -79,10 +77,9 @@ pub(super) struct Variant {
 /// A type that a name is short for, as its module names it.
 pub(super) struct Alias {
     pub(super) scope: Rc<Scope>,
+    pub(super) parameters: Vec<Parameter>,
     pub(super) ty: syn::Type,
 }
-
-const GENERIC: [&str; 2] = ["generic", "write out what its parameters stand for"];
 
 impl Items {
     /// Reads the items of a module. What its functions cannot use is left out.
@@ -183,8 +180,9 @@ impl Items {
                     let function = Rc::new(callable(&item.sig, &item.block, scope.clone(), None));
                     self.functions.push(((None, full(&item.sig.ident)), function));
                 }
-                Item::Type(item) if item.generics.params.is_empty() => {
-                    let alias = Alias { scope: scope.clone(), ty: (*item.ty).clone() };
+                Item::Type(item) => {
+                    let (scope, parameters) = (inside(scope, &item.generics), parameters(&item.generics));
+                    let alias = Alias { scope, parameters, ty: (*item.ty).clone() };
                     self.aliases.push((full(&item.ident), alias));
                 }
                 Item::Struct(item) => {
@@ -211,9 +209,6 @@ impl Items {
                 Item::Impl(item) => self.add_impl(scope, item),
                 Item::Trait(item) if item.generics.params.is_empty() => {
                     self.traits.push((full(&item.ident), scope.clone(), item.clone()));
-                }
-                Item::Type(_) => {
-                    self.others.extend(name_of_item(item).map(|name| (name, GENERIC)));
                 }
                 _ => {}
             }
@@ -321,7 +316,7 @@ impl Items {
         // Those that go in a circle are the compiler's to refuse.
         for _ in 0..=self.aliases.len() {
             match self.alias(&name) {
-                Some(Alias { scope, ty: syn::Type::Path(path) }) => {
+                Some(Alias { scope, ty: syn::Type::Path(path), .. }) => {
                     name = self.meaning(scope, &segments(&path.path)).into_type();
                 }
                 Some(_) => return String::new(),
@@ -333,11 +328,6 @@ impl Items {
 
     pub(super) fn is_conditional(&self, name: &str) -> bool {
         self.conditional.iter().any(|known| known == name)
-    }
-
-    /// The kind of an item that is not understood, and a word on what to write instead.
-    pub(super) fn not_understood(&self, name: &str) -> Option<[&'static str; 2]> {
-        self.others.iter().find(|(known, _)| known == name).map(|&(_, words)| words)
     }
 
     pub(super) fn is_faulty(&self, function: &Rc<Callable>) -> bool {

@@ -318,8 +318,6 @@ messages! {
         "`{name}` depends on `cfg`, which cannot be seen from here",
         "leave the condition out, or pass it as an argument";
 
-    other_item(name: &str, what: &str, instead: &str) => "`{name}` is {what}, which is not understood", "{instead}";
-
     no_result_value(name: &str) =>
         "`{name}`: results are not understood",
         "return an `Option` from a helper function, or leave the check to a function around this one";

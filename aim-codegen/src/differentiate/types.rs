@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use syn::{Ident, Member};
 
-use super::items::{Alias, Enumeration, Items, Parameter, Structure};
+use super::items::{Enumeration, Items, Parameter, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
 use super::{lower, messages, names};
@@ -119,6 +119,17 @@ fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, items: &Item
     (parameters.len() == written.len()).then(|| given.collect())
 }
 
+/// A type with what stands for the parameters of a path's item in their place; `None` where there are not as many.
+pub(super) fn written_out(
+    ty: &syn::Type,
+    parameters: &[Parameter],
+    path: &syn::Path,
+    scope: &Scope,
+    items: &Items,
+) -> Option<syn::Type> {
+    syn::parse2(with(quote!(#ty), &given(parameters, path, scope, items)?)).ok()
+}
+
 /// Tokens with what stands for parameters in their place.
 fn with(tokens: TokenStream, given: &Given) -> TokenStream {
     if given.is_empty() {
@@ -180,8 +191,10 @@ impl Type {
                     _ => quote!(#written),
                 };
                 if let Meaning::Own(name) = &meaning {
-                    if let Some(Alias { scope, ty }) = items.alias(name).filter(|_| last.arguments.is_none()) {
-                        return Ok(Self { tokens: seen(name), ..Self::parse_in(scope, ty, items)? });
+                    if let Some(alias) = items.alias(name) {
+                        let ty = written_out(&alias.ty, &alias.parameters, &path.path, scope, items);
+                        let ty = ty.ok_or_else(unknown)?;
+                        return Ok(Self { tokens: seen(name), ..Self::parse_in(&alias.scope, &ty, items)? });
                     }
                     if let Some(structure) = items.structure(name) {
                         let given = given(&structure.parameters, &path.path, scope, items).ok_or_else(unknown)?;

@@ -138,9 +138,6 @@ mod not_understood {
         Square,
     }
 
-    pub struct Polynomial<const N: usize>([f32; N]);
-    pub type Row<const N: usize> = Polynomial<N>;
-
     fn rho(_loss: Loss, x: f32) -> f32 {
         x * x
     }
@@ -153,11 +150,6 @@ mod not_understood {
     #[differentiate(wrt(x))]
     pub fn by_name(x: f32) -> f32 {
         rho(Loss::Square, x)
-    }
-
-    #[differentiate(wrt(x))]
-    pub fn by_parameter(x: [f32; 3]) -> f32 {
-        Row { 0: x }.0[0]
     }
 }
 

@@ -11,7 +11,8 @@ use super::expected::Expected;
 use super::fields::name_of;
 use super::value::{Callable, Scope, Struct, Value};
 use crate::differentiate::items::{Enumeration, Structure};
-use crate::differentiate::names::{self, segments};
+use crate::differentiate::names::{self, Meaning, segments};
+use crate::differentiate::types;
 
 /// Generic parameters and what they stand for: a length, a type, or a value of the type.
 type Found = Vec<(String, Value)>;
@@ -144,6 +145,13 @@ impl Translation<'_> {
 
     /// The meaning of a type with arguments.
     pub(super) fn expected_generic(&mut self, path: &syn::Path, last: &syn::PathSegment) -> Expected {
+        let scope = self.frame.scope.clone();
+        if let Meaning::Own(name) = self.items.meaning(&scope, &segments(path))
+            && let Some(alias) = self.items.alias(&name)
+        {
+            let ty = types::written_out(&alias.ty, &alias.parameters, path, &scope, self.items);
+            return ty.map_or(Expected::Any, |ty| self.within(alias.scope.clone(), |this| this.expected(&ty)));
+        }
         let name = self.resolved(&segments(path));
         let structure = self.items.structure(&name).map(|structure| &structure.parameters);
         let enumeration = self.items.enumeration(&name).map(|enumeration| &enumeration.parameters);

@@ -98,7 +98,7 @@ impl Translation<'_> {
                 }
                 match self.items.meaning(&scope, &segments(path)) {
                     Meaning::Own(name) => match self.items.alias(&name) {
-                        Some(Alias { scope, ty }) => self.within(scope.clone(), |this| this.expected(ty)),
+                        Some(Alias { scope, ty, .. }) => self.within(scope.clone(), |this| this.expected(ty)),
                         None => Expected::Named(name),
                     },
                     outside => Expected::Named(outside.into_type()),

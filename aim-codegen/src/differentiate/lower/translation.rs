@@ -84,10 +84,8 @@ impl<'a> Translation<'a> {
 
     /// The words about a name that stands for nothing that was read, where nothing better is known of it than these.
     pub(super) fn unseen(&self, name: &str, otherwise: Text) -> Text {
-        let item = name.split("::").next().unwrap_or(name);
-        match (name, self.items.not_understood(item)) {
-            ("Ok" | "Err", _) => messages::no_result_value(name),
-            (_, Some([what, instead])) => messages::other_item(item, what, instead),
+        match name {
+            "Ok" | "Err" => messages::no_result_value(name),
             _ if self.items.is_conditional(name) => messages::conditional_item(name),
             _ => otherwise,
         }

@@ -415,6 +415,8 @@ same! {
                 self
             }
         }
+        type Rows<T, const N: usize> = [T; N];
+        type Pairs<const N: usize> = Rows<[f64; 2], N>;
         const Q: Matrix<2, 3> = Matrix::new([[1.0, 0.5, -1.0], [0.0, 0.1, 2.0]]);
         trait Field: Copy + Add<Output = Self> + Mul<Output = Self> { const ZERO: Self; fn from_f64(value: f64) -> Self; }
         impl Field for f64 { const ZERO: f64 = 0.0; fn from_f64(value: f64) -> f64 { value } }
@@ -443,6 +445,8 @@ same! {
             let product = a * Q + a.transpose() * Q;
             let one: Matrix<1, 3> = Matrix::zeros();
             let sized = (product.size() + one.size() + product.transpose().like().size()) as f64;
+            let rows: Pairs<3> = std::array::from_fn(|i| [x * i as f64, y]);
+            let small = small + rows.iter().flatten().sum::<f64>();
             let p = Polynomial { coefficients: [x, 1.0, y] };
             let c = Polynomial { coefficients: [Pair { a: x, b: 1.0 }, Pair { a: y, b: x }] };
             let at = c.at(Pair { a: y, b: 0.5 });
