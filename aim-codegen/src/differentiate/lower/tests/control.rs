@@ -275,4 +275,16 @@ same! {
         }
         pub fn f(x: f64, y: f64) -> f64 { cdf(x) + 2.0 * cdf(y - 0.5) + gamma(x + 0.1) + odd(y) }
     }
+    conditions_that_the_way_decides {
+        fn g(x: f64, n: i32) -> f64 { if n == 0 { return x; } if x > 1.0 { g(x - 1.0, n - 1) } else if x < -1.0 { -g(-x, n - 1) } else { x * 3.0 } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut z = x;
+            let mut out = 0.0;
+            if z > 0.5 { z -= 2.0; if z > 0.5 { out += 1.0; } else { out += 2.0; } if z + 2.0 > 0.5 { out += 4.0; } }
+            if x <= 1.0 { if x < 1.0 { out += 8.0; } if x >= 1.0 { out += 16.0; } if x > 1.0 { out += 32.0; } if x <= 1.0 { out += 64.0; } }
+            if 2.0 * y < 1.5 { if y < 0.75 { out += 128.0; } if -y > -0.75 { out += 256.0; } if 3.0 - y < 2.25 { out += 512.0; } if y < 0.5 { out += 1024.0; } }
+            for k in 0..3 { if y > k as f64 * 0.4 { out += if y > 0.1 { 0.5 } else { 0.25 }; if y < 0.0 { break; } } else { out -= 0.125; } }
+            out + z + g(x, 3) + g(y, 2)
+        }
+    }
 }

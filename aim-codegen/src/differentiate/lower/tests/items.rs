@@ -480,4 +480,28 @@ same! {
             of(&Gauss, x) + of(&Cubic, y) + n * x + s[1] * s[if y > 0.0 { 0 } else { 2 }]
         }
     }
+    generic_functions {
+        fn sum<const N: usize>(v: [f64; N]) -> f64 { if N == 0 { return 0.0; } let mut s = 0.0; for i in 0..N { s += v[i] * (N - i) as f64; } s }
+        fn halves<const N: usize>(v: [f64; N], depth: usize) -> f64 { if depth == 0 { sum(v) } else { halves([v[0], v[N - 1]], depth - 1) + N as f64 } }
+        struct Poly<const N: usize> { c: [f64; N] }
+        impl<const N: usize> Poly<N> {
+            const DEGREE: usize = N - 1;
+            fn at(&self, x: f64) -> f64 { let n = N as f64; let f = |k: f64| k * n; self.c.iter().rev().fold(0.0, |s, c| s * x + c) + f(0.5) }
+            fn map<const M: usize>(&self, of: impl Fn(f64) -> [f64; M]) -> [[f64; M]; N] { std::array::from_fn(|i| of(self.c[i])) }
+            fn one() -> Self { Self { c: [1.0; N] } }
+            fn plus(&self, other: &Self) -> Self { let mut out = Self::one(); for i in 0..N { out.c[i] += self.c[i] + other.c[i]; } out }
+        }
+        struct Wrap<T> { inner: T, w: f64 }
+        impl<T: Fn(f64) -> f64> Wrap<T> { fn call(&self, x: f64) -> f64 { self.w * (self.inner)(x) } }
+        fn default_of<T: Default>(_like: &T) -> T { T::default() }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let p = Poly { c: [x, y, 1.0] };
+            let q = p.plus(&Poly::<3>::one());
+            let r: Poly<3> = Poly::one();
+            let m = p.map(|c| [c, 2.0 * c]);
+            let w = Wrap { inner: |v: f64| v * v, w: y };
+            let d = default_of(&x);
+            sum([x, y]) + halves([x, y, 1.0, 2.0], 2) + p.at(0.5) + q.at(x) + r.at(y) + m[2][1] + m[0][0] + w.call(x) + d
+        }
+    }
 }

@@ -329,4 +329,51 @@ same! {
                 + if all_low { 70.0 } else { 0.0 } + flat
         }
     }
+    effects_of_what_searches {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = [x, y, 2.0, -1.0];
+            let mut seen = 0.0;
+            let found = v.iter().find(|a| { seen += 1.0; **a > 1.0 }).copied().unwrap_or(9.0);
+            let any = v.iter().any(|a| { seen += 10.0; *a < -0.5 });
+            let all = v.iter().all(|a| { seen += 100.0; *a > -0.75 });
+            let at = v.iter().position(|a| { seen += 1000.0; *a == 2.0 }).unwrap();
+            let mut kept = v.to_vec();
+            kept.retain(|a| { seen += 0.5; *a > y });
+            let mut it = kept.iter();
+            if x > 0.0 { it.next(); }
+            for _ in 0..2 { if y > 0.0 { if let Some(a) = it.next() { seen += a; } } }
+            let left: f64 = it.sum();
+            let fm = v.iter().find_map(|a| { seen += 0.25; if *a > x { Some(*a) } else { None } }).unwrap_or(-3.0);
+            let (low, high): (Vec<f64>, Vec<f64>) = v.iter().partition(|a| { seen += 0.125; **a < 0.6 });
+            found + seen + left + at as f64 + fm + low.len() as f64 * high.iter().sum::<f64>() + if any { 5.0 } else { 0.0 } + if all { 7.0 } else { 0.0 }
+        }
+    }
+    iterators_and_lists_that_are_passed_on {
+        fn two(it: &mut impl Iterator<Item = f64>) -> f64 { it.next().unwrap_or(1.0) - 2.0 * it.next().unwrap_or(2.0) }
+        fn rest(it: impl Iterator<Item = f64>) -> f64 { it.fold(0.0, |s, v| 0.5 * s + v) }
+        struct Holder { all: Vec<f64>, n: usize }
+        impl Holder {
+            fn add(&mut self, v: f64) { if v > 0.0 { self.all.push(v); } self.n += 1; }
+            fn mean(&self) -> f64 { if self.all.is_empty() { return -1.0; } self.all.iter().sum::<f64>() / self.all.len() as f64 }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = [x, y, 1.5, -2.0, 0.5];
+            let mut it = v.iter().copied().filter(|a| *a > -1.5);
+            let a = two(&mut it);
+            let b = rest(it);
+            let mut h = Holder { all: vec![], n: 0 };
+            for w in v { h.add(w - 0.4); }
+            let mut other = Holder { all: h.all.clone(), n: 1 };
+            if x > y { other.add(x); other.add(y); } else { other.add(-x); }
+            let mut pair = if x > 1.0 { vec![1.0, y] } else { vec![x] };
+            let n = pair.len();
+            pair.push(3.0);
+            let end = pair.len() - 1; pair[end] += y;
+            let mut sorted = other.all.clone();
+            sorted.sort_by(|a, b| b.partial_cmp(a).unwrap());
+            let top = sorted.first().copied().unwrap_or(0.0) - sorted.last().copied().unwrap_or(0.0);
+            let index = sorted.iter().position(|s| *s < 1.0).unwrap_or(sorted.len());
+            a + b + h.mean() + other.mean() * other.n as f64 + n as f64 + pair.iter().sum::<f64>() + top + index as f64
+        }
+    }
 }
