@@ -268,10 +268,13 @@ impl Items {
         self.names.names_in(module)
     }
 
-    /// The value of a constant of the module or of a type of it.
+    /// The value of a constant of the module or of a type of it; `None` if there is none, or several.
     pub(super) fn constant(&self, of: Option<&str>, name: &str) -> Option<&Constant> {
         let is_it = |(ty, known): &Name| ty.as_deref() == of && known == name;
-        self.constants.iter().find(|(known, _)| is_it(known)).map(|(_, constant)| constant)
+        let mut several = self.constants.iter().filter(|(known, _)| is_it(known));
+        let (_, first) = several.next()?;
+        // Which of them depends on the arguments of the type.
+        several.next().is_none().then_some(first)
     }
 
     /// The functions of this name, of which one is meant.

@@ -330,3 +330,18 @@ fn conditions_and_branches_used_again_are_written_once() {
         assert!(5 * second <= 6 * first && sizes[2] <= 100 * 24, "{what}: {sizes:?}");
     }
 }
+
+/// What is not told is not taken from an item of the same name, nor from another implementation.
+#[test]
+fn generic_parameters_are_nothing_else() {
+    for module in [
+        "const N: usize = 10; struct P<const N: usize>([f64; N]); impl<const N: usize> P<N> { const LAST: usize = N - 1; \
+         fn last(&self) -> f64 { self.0[Self::LAST - 7] } } \
+         #[differentiate(wrt(x))] fn f(x: f64) -> f64 { P([x, x, 2.0]).last() }",
+        "struct P<const N: usize>([f64; N]); trait W { const W: f64; } impl W for P<2> { const W: f64 = 1.0; } \
+         impl W for P<3> { const W: f64 = 2.0; } \
+         #[differentiate(wrt(x))] fn f(x: f64) -> f64 { x * <P<3> as W>::W }",
+    ] {
+        assert_eq!(errors(&expand("", &format!("mod m {{ {module} }}"))), 1, "{module}");
+    }
+}

@@ -296,12 +296,14 @@ impl Translation<'_> {
         }
         let is_default = text == "default" && several.iter().all(|function| function.of_trait.is_some());
         if is_default && call.args.is_empty() {
-            let of = if ty == "Default" { expected.clone() } else { self.type_called(path, ty, expected) };
+            let is_known = ty == "Default" || expected.name() == Some(ty);
+            let of = if is_known { expected.clone() } else { Expected::Named(ty.to_owned()) };
+            let of = self.type_called(path).unwrap_or(of);
             return self.default_value(&path.path, &of);
         }
         if !several.is_empty() {
-            let of = self.type_called(path, ty, expected);
-            several = several.iter().map(|function| self.specialised(function, &of)).collect();
+            let called = self.type_called(path);
+            several = several.iter().map(|function| self.specialised(function, called.as_ref(), expected)).collect();
             return self.one_of(&path.path, &several, None, &call.args);
         }
         if path.path.segments.last().is_some_and(|last| !last.arguments.is_none()) {
@@ -323,16 +325,13 @@ impl Translation<'_> {
         }
     }
 
-    /// The type that a path to a function begins with, with the arguments that are written there, or of what is expected.
-    fn type_called(&mut self, path: &syn::ExprPath, name: &str, expected: &Expected) -> Expected {
+    /// The generic type that a path to a function begins with; `None` where that has no arguments.
+    fn type_called(&mut self, path: &syn::ExprPath) -> Option<Expected> {
         let mut ty = path.path.clone();
         ty.segments.pop();
         ty.segments.pop_punct();
-        match self.expected(&syn::Type::Path(syn::TypePath { attrs: Vec::new(), qself: None, path: ty })) {
-            Expected::Generic(name, known) if !known.is_empty() => Expected::Generic(name, known),
-            _ if expected.name() == Some(name) => expected.clone(),
-            _ => Expected::Named(name.to_owned()),
-        }
+        let ty = self.expected(&syn::Type::Path(syn::TypePath { attrs: Vec::new(), qself: None, path: ty }));
+        matches!(&ty, Expected::Generic(_, known) if !known.is_empty()).then_some(ty)
     }
 
     /// A function of the module, or a struct without names of its fields.

@@ -20,7 +20,7 @@ impl Translation<'_> {
                 let own: Vec<_> = self.items.functions(Some(name), "default").cloned().collect();
                 let mut own = own.into_iter().filter(|function| function.of_trait.as_deref() == Some("Default"));
                 if let Some(function) = own.next() {
-                    let function = self.specialised(&function, of);
+                    let function = self.specialised(&function, Some(of), of);
                     return own.next().is_none().then(|| self.inline(place, &function, Vec::new()));
                 }
                 if let Some(structure) = self.items.structure(name) {

@@ -192,12 +192,22 @@ impl Translation<'_> {
         }
     }
 
-    /// A function of a generic type with what is known of the type's parameters.
-    pub(super) fn specialised(&mut self, function: &Rc<Callable>, of: &Expected) -> Rc<Callable> {
-        let (Expected::Generic(_, known), Some(written)) = (of, &function.scope.self_written) else {
-            return function.clone();
+    /// A function of a generic type with the type's arguments, as they are written before its name, or else as the expected type
+    /// of its result tells them.
+    pub(super) fn specialised(
+        &mut self,
+        function: &Rc<Callable>,
+        called: Option<&Expected>,
+        result: &Expected,
+    ) -> Rc<Callable> {
+        let Some(own) = &function.scope.self_written else { return function.clone() };
+        let is_self = |ty: &&Type| matches!(ty, Type::Path(path) if path.path.is_ident("Self"));
+        let (of, written) = match (called, &function.result) {
+            (Some(called), _) => (called, &**own),
+            (None, Some(ty)) => (result, if is_self(&ty) { &**own } else { ty }),
+            (None, None) => return function.clone(),
         };
-        let Type::Path(path) = &**written else { return function.clone() };
+        let (Expected::Generic(_, known), Type::Path(path)) = (of, written) else { return function.clone() };
         let names: Vec<&String> = function.scope.lengths.iter().chain(&function.scope.generics).collect();
         let mut found = Vec::new();
         self.match_arguments(&names, &function.scope, &names::arguments(&path.path), known, &mut found);

@@ -229,6 +229,10 @@ impl Translation<'_> {
 
     /// What a path to no type leads to: a function or a constant of the module, or a mathematical constant.
     fn item(&mut self, path: &[String]) -> Option<Value> {
+        // A generic parameter hides what the module calls so.
+        if matches!(path, [name] if self.frame.scope.lengths.contains(name)) {
+            return None;
+        }
         match self.items.meaning(&self.frame.scope, path) {
             Meaning::Own(name) => {
                 if let Some(function) = self.only_function(None, &name) {

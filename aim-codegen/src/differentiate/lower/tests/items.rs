@@ -504,4 +504,15 @@ same! {
             sum([x, y]) + halves([x, y, 1.0, 2.0], 2) + p.at(0.5) + q.at(x) + r.at(y) + m[2][1] + m[0][0] + w.call(x) + d
         }
     }
+    generics_by_results {
+        struct Matrix<const R: usize, const C: usize> { data: [[f64; C]; R] }
+        impl<const R: usize, const C: usize> Matrix<R, C> {
+            fn flipped_ones() -> Matrix<C, R> { Matrix { data: [[1.0 + R as f64 * 10.0; R]; C] } }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let m: Matrix<3, 2> = Matrix::flipped_ones();
+            let n = Matrix::<1, 2>::flipped_ones();
+            x * m.data[2][1] + y * n.data[1][0]
+        }
+    }
 }
