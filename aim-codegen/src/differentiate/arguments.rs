@@ -139,11 +139,10 @@ impl Arguments {
             self.list.iter().filter_map(|argument| Some(word_of(argument.name.as_ref()?).text)).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         for (word, _) in &options.lengths {
-            let is_slice = |input: &FnArg| match input {
-                FnArg::Typed(typed) => {
-                    matches!(&*typed.pat, Pat::Ident(name) if sized(&typed.ty, &name.ident, options).is_some() && is(&name.ident, word))
-                }
-                FnArg::Receiver(_) => false,
+            let is_slice = |input: &FnArg| {
+                let FnArg::Typed(typed) = input else { return false };
+                let Pat::Ident(name) = &*typed.pat else { return false };
+                is(&name.ident, word) && sized(&typed.ty, &name.ident, options).is_some()
             };
             if !signature.inputs.iter().any(is_slice) {
                 report.error(&word.place, messages::no_slice(&word.text));

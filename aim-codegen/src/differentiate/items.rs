@@ -44,7 +44,7 @@ pub(super) struct Constant {
 /// A generic parameter that is no lifetime.
 pub(super) struct Parameter {
     pub(super) name: String,
-    /// Whether it is a length, else a type.
+    /// A length, or else a type.
     pub(super) is_length: bool,
 }
 

@@ -157,9 +157,7 @@ impl Translation<'_> {
             // Of what is partitioned so, as many as fulfil it.
             ("partition_point", [function]) => {
                 let items: Vec<Element> = values.iter().cloned().map(Element::new).collect();
-                let asked = self.asked(call, function, &items, None)?;
-                let items: Vec<Element> =
-                    items.into_iter().zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect();
+                let items = self.kept(call, function, &items)?;
                 self.counted(&items)?
             }
             _ => return None,

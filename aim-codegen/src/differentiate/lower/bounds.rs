@@ -1,4 +1,4 @@
-//! What the way to a branch tells of its condition: where x < 0, −x < 0 does not hold. Functions that call themselves for what is
+//! Conditions that those on the way to a branch decide: where x < 0, −x < 0 does not hold. Functions that call themselves for what is
 //! on the other side of a number end by it.
 
 use aim_symbolic::{Op, Scalar, ScalarNode};
@@ -67,7 +67,7 @@ impl Linear {
 }
 
 impl Bound {
-    /// What a comparison says of one number; `None` if it compares several, or is a combination.
+    /// The bound that a comparison sets to one number; `None` if it compares several, or is a combination.
     fn of(a: &Algebra, condition: &Condition) -> Option<Self> {
         match condition {
             Condition::Less(one, other) => {
@@ -88,7 +88,7 @@ impl Bound {
         }
     }
 
-    /// Whether another one holds where this one does, or does not; `None` where that depends.
+    /// True or false of another one that holds, or does not, wherever this one does; `None` where that depends.
     fn decides(self, other: Self) -> Option<bool> {
         let (here, there) = if self.above { (-self.at, -other.at) } else { (self.at, other.at) };
         if self.x != other.x {

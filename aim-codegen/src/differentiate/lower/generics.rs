@@ -51,7 +51,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What these parameters stand for in a type as written, by a value of it.
+    /// Finds these parameters in a type as written, by a value of it.
     fn match_generics(&mut self, names: &[&String], scope: &Scope, ty: &Type, value: &Value, found: &mut Found) {
         match (ty, value) {
             (Type::Reference(reference), _) => self.match_generics(names, scope, &reference.elem, value, found),
@@ -99,7 +99,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What the parameters of a struct or an enum stand for in a value of it, in their order.
+    /// The parameters of a struct or an enum, in their order, by a value of it.
     fn arguments_of(&mut self, of: &Struct) -> Vec<Value> {
         let (scope, parameters, fields): (_, _, Vec<(String, &Type)>) =
             if let Some(Structure { scope, parameters, fields, .. }) = self.items.structure(&of.name) {
@@ -123,7 +123,7 @@ impl Translation<'_> {
         names.iter().map(|name| of_name(name).unwrap_or(Value::Unknown)).collect()
     }
 
-    /// What parameters stand for that are arguments themselves, or parts of these, by what the arguments are.
+    /// Finds parameters that are arguments themselves, or parts of these, by the arguments.
     fn match_arguments(
         &mut self,
         names: &[&String],

@@ -157,8 +157,7 @@ impl Translation<'_> {
                 return self.sorted(call, &compare, items);
             }
             ("retain", [function]) => {
-                let asked = self.asked(call, function, items, None)?;
-                *items = items.drain(..).zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect();
+                *items = self.kept(call, function, items)?;
             }
             ("truncate", [length]) => {
                 let Value::Integer(length) = self.expression(length) else { return None };

@@ -397,10 +397,7 @@ impl Translation<'_> {
             (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
             // No number that counts wraps round in these.
             (Value::Integer(_), "i32" | "i64" | "isize" | "usize" | "u64", None) => value,
-            (Value::Truth(condition), ty, _) if is_integer(ty) => {
-                let (one, zero) = (self.algebra.number(1.0), self.algebra.number(0.0));
-                Value::Integer(condition.select(self.algebra, one, zero))
-            }
+            (Value::Truth(condition), ty, _) if is_integer(ty) => self.algebra.number_of(condition),
             (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
                 self.discriminant(cast, of)
             }

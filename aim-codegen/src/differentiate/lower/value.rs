@@ -247,6 +247,12 @@ impl Algebra {
         self.integer(i64::try_from(value).unwrap_or(i64::MAX))
     }
 
+    /// 1 where a condition holds, else 0.
+    pub(crate) fn number_of(&mut self, condition: &Condition) -> Value {
+        let (one, zero) = (self.number(1.0), self.number(0.0));
+        Value::Integer(condition.select(self, one, zero))
+    }
+
     /// A whole number that is known.
     pub(crate) fn known_integer(&self, value: &Value) -> Option<i64> {
         let Value::Integer(x) = value else { return None };

@@ -10,12 +10,12 @@ use super::super::{Translation, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
 
-/// What a function says of an element.
-pub(in crate::differentiate::lower) struct Asked {
+/// The answer of a function about an element.
+pub(super) struct Asked {
     /// Whether it is asked.
     is_asked: Condition,
     /// What it says, where it is.
-    pub(in crate::differentiate::lower) holds: Condition,
+    pub(super) holds: Condition,
 }
 
 /// Whether those behind an element are asked about after this was said of it.
@@ -66,10 +66,7 @@ impl Translation<'_> {
                 let mapped = self.mapped(call, function, items)?;
                 self.flattened(call, mapped)?
             }
-            ("filter", [function]) => {
-                let asked = self.asked(call, function, &items, None)?;
-                Value::iterator_of(items.into_iter().zip(asked).map(|(item, asked)| item.where_too(asked.holds)))
-            }
+            ("filter", [function]) => Value::iterator_of(self.kept(call, function, &items)?),
             ("take_while" | "skip_while", [function]) => {
                 let asked = self.asked(call, function, &items, Some(false))?;
                 Value::iterator_of(items.into_iter().zip(asked).map(|(item, Asked { is_asked, holds })| {
@@ -116,9 +113,9 @@ impl Translation<'_> {
         items.into_iter().map(map).collect()
     }
 
-    /// What a function says of each of the elements. One of which it says what it is asked `until` is the last that it is asked
-    /// about. `None` after an error.
-    pub(in crate::differentiate::lower) fn asked(
+    /// The answers of a function about each of the elements. One of which it says what it is asked `until` is the last that it is
+    /// asked about. `None` after an error.
+    pub(super) fn asked(
         &mut self,
         call: &ExprMethodCall,
         function: &Expr,
@@ -146,7 +143,18 @@ impl Translation<'_> {
         items.iter().map(ask).collect()
     }
 
-    /// What a function makes of each of the elements, where it makes something of them. One of which it makes something, or
+    /// Those elements of which a function says so; `None` after an error.
+    pub(in crate::differentiate::lower) fn kept(
+        &mut self,
+        call: &ExprMethodCall,
+        function: &Expr,
+        items: &[Element],
+    ) -> Option<Vec<Element>> {
+        let asked = self.asked(call, function, items, None)?;
+        Some(items.iter().cloned().zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect())
+    }
+
+    /// The results of a function of each of the elements, where it makes something of them. One of which it makes something, or
     /// nothing, as `until` says, is the last that it is asked about. `None` after an error.
     pub(super) fn those_made(
         &mut self,
