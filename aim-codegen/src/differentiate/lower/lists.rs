@@ -221,7 +221,7 @@ impl Translation<'_> {
     }
 
     /// Brings elements in order: neighbours that are not are exchanged, so that equal ones stay as they are. Those that are not
-    /// there come last; `None` after an error.
+    /// there come last, as they may be no numbers, which have no order. `None` after an error.
     fn sorted(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, items: &mut [Element]) -> Option<Value> {
         if items.len() > LONGEST_SORTED {
             return Some(self.refuse(&call.method, messages::sorted_too_long(LONGEST_SORTED)));

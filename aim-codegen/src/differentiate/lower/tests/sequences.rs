@@ -376,4 +376,12 @@ same! {
             a + b + h.mean() + other.mean() * other.n as f64 + n as f64 + pair.iter().sum::<f64>() + top + index as f64
         }
     }
+    what_is_not_there_is_no_matter_when_sorting {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut logarithms = Vec::new();
+            for v in [4.0, x, 2.0, y, 0.5] { if v > 0.0 { logarithms.push(f64::ln(v)); } }
+            logarithms.sort_by(|a, b| a.partial_cmp(b).unwrap());
+            logarithms.iter().fold(0.0, |sum, v| 0.5 * sum + v)
+        }
+    }
 }
