@@ -140,6 +140,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// | a vector, a quaternion, a matrix, a transform | the array of its numbers, and derivatives as of an array |
 /// | an array, a tuple | of its elements in lanes |
 /// | a struct | the tuple of its fields in lanes |
+/// | an enum | the tuple of its variant's number, from 0, and of the fields of all variants |
 ///
 /// ```ignore
 /// #[differentiate(wrt(p), lanes)]
@@ -154,12 +155,12 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 ///
 /// | | understood | not |
 /// |---|---|---|
-/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool`, integers and enums of the module, which do not vary; arrays, tuples, structs of the module and `Option` of these; by value or by `&`; known by the last words of their types | slices, unless `lengths` says how long they are, and `Vec`: a loop over them has no known end |
-/// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these | `Option`, `Result`, `Vec`, enums, whole numbers |
+/// | arguments | `f32 Vec2 Vec3 Vec3A Vec4 Quat Mat2 Mat3 Mat3A Mat4 Rigid Affine3A` or `f64 DVec2 DVec3 DVec4 DQuat DMat2 DMat3 DMat4 DRigid DAffine3`, one number type a function; `bool` and integers, which do not vary; arrays, tuples, structs and enums of the module and `Option` of these; by value or by `&`; known by the last words of their types | slices, unless `lengths` says how long they are, and `Vec`: a loop over them has no known end |
+/// | results | numbers, vectors, quaternions, matrices, transforms; arrays, tuples and structs of these; `Option` and `Result` of these, of which companions return an `Option` | `Vec`, enums, whole numbers |
 /// | statements | `let`, `let mut`, `const`, blocks, `=`, `+=` and its like to variables, fields and elements, `return`, `&mut` of variables and parts of them, `debug_assert!` (which companions leave out) | `&mut` arguments of the function itself |
 /// | patterns | names, `_`, tuples, arrays with `..`, structs, variants, `Some` and `None`, numbers, ranges, `\|`, guards | `@`, `ref` |
 /// | branches | `if`, `if let`, `let … else`, `match`, `matches!`, with `&&`, `\|\|`, `!`: both sides are computed, and selected; `?` of `Option` and `Result`; what is right of `&&` and `\|\|` has effects only where it is reached | what an `Err` says |
-/// | loops | `for` over constant ranges, arrays and their iterators, `while` and `loop`, with `break`, also of a value, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that arguments alone decide: bound it, as in `while n < 20 && …` |
+/// | loops | `for` over ranges with known bounds, arrays and their iterators, `while` and `loop`, with `break`, also of a value, `continue` and labels: written out, up to 10 000 rounds and 20 000 operations a function | a number of rounds that arguments alone decide: bound it, as in `0..n.min(8)`, `assert!(n <= 8)` or `while n < 20 && …` |
 /// | of arrays | `len first last map swap fill reverse sort_by iter iter_mut windows chunks`, `array::from_fn`; of iterators `enumerate zip chain rev skip take step_by map flat_map filter filter_map take_while scan` and their like, `sum product fold reduce min_by max_by any all find position count`; a local `Vec`, of which arguments may decide what elements there are: `vec! push pop insert remove retain extend truncate collect`; slices. An element that an argument chooses is a select among all; of an index outside, where the function panics, it is the first or the last | arrays of more than 16 to be sorted, windows of a list whose length arguments decide |
 /// | functions | those of the module, methods and operators that it implements for its structs and enums, functions inside of the function, closures, `f64::sin` and its like as arguments; recursion of a depth that is known, up to 16, or that the branches on the way end; generic functions, structs and enums, whose parameters the values tell | closures that change what is outside, passed to other functions; generic traits |
 /// | whole numbers | `+ - * / %`, comparisons, `as` from and to numbers | what wraps round, bits |
@@ -169,7 +170,7 @@ pub fn derive_aim_rig(input: TokenStream) -> TokenStream {
 /// - A `Quat` that is not in `wrt`, or there as `tangent(q)`, counts as of length 1. One that is there as `q` is four
 ///   numbers: its derivatives are those of glam's own formula, off the unit sphere too.
 /// - A `Mat3` is any matrix, unless it is in `wrt` as `tangent(m)`.
-/// - Derivatives by a struct are a struct of the same type.
+/// - Derivatives by a struct, an enum or an option are of the same type; what does not vary in it is as in the argument.
 ///
 /// Of the methods of numbers and of glam's types there are
 ///

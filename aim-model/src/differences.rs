@@ -7,8 +7,8 @@ use crate::Scalar;
 pub enum Draw {
     /// A number.
     Number,
-    /// A whole number from 0 to 3.
-    Integer,
+    /// A whole number from 0, below this.
+    Below(u32),
     /// 1 or −1, for true and false.
     Truth,
     /// Four numbers of length 1.
@@ -104,6 +104,7 @@ impl Random {
         point
     }
 
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers are rounded down")]
     fn drawn(&mut self, draw: Draw, least: f64) -> ([f64; 12], usize) {
         let mut numbers = [0.0; 12];
         let count = match draw {
@@ -112,9 +113,8 @@ impl Random {
                 1
             }
             Draw::Zero => 1,
-            Draw::Integer => {
-                let drawn = 4.0 * self.next();
-                numbers[0] = [0.0, 1.0, 2.0, 3.0].into_iter().rfind(|&number| number <= drawn).unwrap_or(0.0);
+            Draw::Below(end) => {
+                numbers[0] = f64::from((f64::from(end) * self.next()) as u32);
                 1
             }
             Draw::Truth => {

@@ -159,6 +159,9 @@ fn evaluate<'i>(expression: &Expression, values: &[Option<Value<'i>>]) -> Value<
             other => panic!("{other:?} is no array"),
         },
         Expression::Unary { op: UnaryOperator::Negate, expr } => Value::Number(-number(expr)),
+        Expression::Binary { op: BinaryOperator::And, left, right } => {
+            Value::Truth(matches!((value(left), value(right)), (Value::Truth(true), Value::Truth(true))))
+        }
         Expression::Binary { op, left, right } => {
             let (left, right) = (number(left), number(right));
             match op {
@@ -166,12 +169,18 @@ fn evaluate<'i>(expression: &Expression, values: &[Option<Value<'i>>]) -> Value<
                 BinaryOperator::Subtract => Value::Number(left - right),
                 BinaryOperator::Multiply => Value::Number(left * right),
                 BinaryOperator::Divide => Value::Number(left / right),
+                BinaryOperator::Modulo => Value::Number(left % right),
                 BinaryOperator::Less => Value::Truth(left < right),
+                BinaryOperator::Equal => Value::Truth(left == right),
                 _ => panic!("no operation of a kernel: {op:?}"),
             }
         }
         Expression::Math { fun: MathFunction::Atan2, arg, arg1: Some(x), .. } => {
             Value::Number(number(arg).atan2(number(x)))
+        }
+        // As the language has it: a negative number has no power.
+        Expression::Math { fun: MathFunction::Pow, arg, arg1: Some(exponent), .. } => {
+            Value::Number((number(exponent) * number(arg).log2()).exp2())
         }
         Expression::Math { fun, arg, .. } => Value::Number(match fun {
             MathFunction::Sqrt => number(arg).sqrt(),
@@ -179,6 +188,8 @@ fn evaluate<'i>(expression: &Expression, values: &[Option<Value<'i>>]) -> Value<
             MathFunction::Cos => number(arg).cos(),
             MathFunction::Exp => number(arg).exp(),
             MathFunction::Log => number(arg).ln(),
+            MathFunction::Abs => number(arg).abs(),
+            MathFunction::Floor => number(arg).floor(),
             _ => panic!("no function of a kernel: {fun:?}"),
         }),
         Expression::Select { condition, accept, reject } => match value(condition) {

@@ -35,13 +35,23 @@ pub(super) struct Argument {
     pub(super) slope: Type,
 }
 
+impl Argument {
+    /// The derivatives by it, from those by its numbers that vary.
+    pub(super) fn build_slope(&self, numbers: &[TokenStream]) -> TokenStream {
+        let called = &self.called;
+        self.slope.build_slope(&if self.ty.borrowed { quote!((*#called)) } else { quote!(#called) }, numbers)
+    }
+}
+
 /// What is known of a signature.
 pub(super) struct Arguments {
     pub(super) list: Vec<Argument>,
     /// The names of the others, of whose types an error was reported.
     pub(super) faulty: Vec<Ident>,
-    /// The result's type, where it is one of ours.
+    /// The result's type, or what may be inside of it, where that is one of ours.
     pub(super) result: Option<Type>,
+    /// Whether the result may be nothing: an option, or a `Result`, of whose errors nothing is known.
+    pub(super) is_optional: bool,
     /// Whether an error was reported of the signature.
     pub(super) is_wrong: bool,
 }
@@ -86,22 +96,24 @@ impl Arguments {
                 None => faulty.push(name.unwrap_or_else(|| pattern_argument(index))),
             }
         }
+        let inside = inside(&signature.output);
         let result = match &signature.output {
             ReturnType::Default => {
                 report.error_in(&signature.ident, messages::no_result());
                 None
             }
-            ReturnType::Type(_, ty) => known_type(ty, items, report).filter(|result| {
-                let fits = result.is_result() && result.precision.is_some() && !result.borrowed;
-                if !fits {
-                    let is_optional = matches!(result.shape, Shape::Optional(_));
-                    let text = if is_optional { messages::optional_result() } else { messages::result_type() };
-                    report.error_in(ty, text);
-                }
-                fits
-            }),
+            ReturnType::Type(_, ty) => {
+                let ty = inside.unwrap_or(ty);
+                known_type(ty, items, report).filter(|result| {
+                    let fits = result.is_result() && result.precision.is_some() && !result.borrowed;
+                    if !fits {
+                        report.error_in(ty, messages::result_type());
+                    }
+                    fits
+                })
+            }
         };
-        let mut arguments = Self { list, faulty, result, is_wrong: false };
+        let mut arguments = Self { list, faulty, result, is_optional: inside.is_some(), is_wrong: false };
         arguments.check_precision(report);
         arguments.check_variables(signature, options, report);
         arguments.is_wrong = report.count() > errors;
@@ -211,7 +223,7 @@ impl Arguments {
     pub(super) fn further(&self, companion: Companion, g: &mut Graph) -> Vec<Scalar> {
         let mut declared = Vec::new();
         for (name, ty) in self.taken(companion) {
-            declared.extend((0..ty.components()).map(|index| g.input(&format!("{name}_{index}"))));
+            declared.extend((0..ty.dimension()).map(|index| g.input(&format!("{name}_{index}"))));
         }
         declared
     }
@@ -223,7 +235,7 @@ impl Arguments {
             ty.numbers(called, precision, &mut inputs);
         }
         for (name, ty) in self.taken(companion) {
-            ty.numbers(&quote!(#name), precision, &mut inputs);
+            inputs.extend(ty.varying(&quote!(#name), precision));
         }
         inputs
     }
@@ -253,6 +265,18 @@ fn sized(ty: &syn::Type, name: &Ident, options: &Options) -> Option<syn::Type> {
     let (_, length) = options.lengths.iter().find(|(word, _)| is(name, word))?;
     let (element, length) = (&slice.elem, Literal::usize_unsuffixed(*length));
     reference.mutability.is_none().then(|| syn::parse_quote!(&[#element; #length]))
+}
+
+/// The type of what an optional result is, if it is something.
+fn inside(output: &ReturnType) -> Option<&syn::Type> {
+    let ReturnType::Type(_, ty) = output else { return None };
+    let syn::Type::Path(path) = &**ty else { return None };
+    let last = path.path.segments.last().filter(|last| last.ident == "Option" || last.ident == "Result")?;
+    let syn::PathArguments::AngleBracketed(of) = &last.arguments else { return None };
+    of.args.iter().find_map(|argument| match argument {
+        syn::GenericArgument::Type(inside) => Some(inside),
+        _ => None,
+    })
 }
 
 fn place_among<'w>(wrt: Option<&'w [Variable]>, name: &Ident) -> Option<(usize, &'w Variable)> {

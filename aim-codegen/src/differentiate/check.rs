@@ -35,7 +35,20 @@ impl Companions<'_> {
         };
         let (value, size) = (numbers(result, &quote!(value)), result.components());
         let slopes = self.slopes(result);
+        let count_of_slopes = slopes.len();
         let private = quote!(#krate::__private::differences);
+        let (mut original, mut derived) = (quote!(#function(#(#made),*)), quote!(#name(#(#made),*)));
+        if self.arguments.is_optional {
+            // Where there is no value, nothing is judged.
+            original = quote!(match #original.into_iter().next() {
+                ::core::option::Option::Some(value) => value,
+                ::core::option::Option::None => return [::core::primitive::f64::NAN; #size],
+            });
+            derived = quote!(match #derived {
+                ::core::option::Option::Some(derived) => derived,
+                ::core::option::Option::None => return [[::core::primitive::f64::NAN; #size]; #count_of_slopes],
+            });
+        }
         Some(quote! {
             #[cfg(test)]
             #[test]
@@ -48,13 +61,13 @@ impl Companions<'_> {
                     |at: &[::core::primitive::f64; #count]| {
                         // Arguments that the function does not take are no points to judge.
                         let value = || {
-                            let value = #function(#(#made),*);
+                            let value = #original;
                             #value
                         };
                         std::panic::catch_unwind(value).unwrap_or([::core::primitive::f64::NAN; #size])
                     },
                     |at: &[::core::primitive::f64; #count]| {
-                        let (_, slopes) = #name(#(#made),*);
+                        let (_, slopes) = #derived;
                         [#(#slopes),*]
                     },
                 );
@@ -66,11 +79,7 @@ impl Companions<'_> {
     fn slopes(&self, result: &Type) -> Vec<TokenStream> {
         let size = result.components();
         let precision = self.arguments.precision();
-        let numbers = |ty: &Type, place: &TokenStream| {
-            let mut numbers = Vec::new();
-            ty.numbers(place, precision, &mut numbers);
-            numbers
-        };
+        let numbers = |ty: &Type, place: &TokenStream| ty.varying(place, precision);
         let mut slopes = Vec::new();
         for (index, variable) in self.arguments.variables().into_iter().enumerate() {
             let index = Literal::usize_unsuffixed(index);
@@ -84,13 +93,13 @@ impl Companions<'_> {
                     columns.collect()
                 }
                 (Shape::Planar | Shape::Vector | Shape::Four, _) => {
-                    let columns = (0..ty.components()).map(Literal::usize_unsuffixed);
+                    let columns = (0..ty.dimension()).map(Literal::usize_unsuffixed);
                     columns.map(|k| numbers(result, &quote!(#of_it[#k]))).collect()
                 }
                 _ => {
                     let rows = (0..size).map(Literal::usize_unsuffixed).map(|k| numbers(ty, &quote!(#of_it[#k])));
                     let rows: Vec<Vec<TokenStream>> = rows.collect();
-                    (0..ty.components()).map(|k| rows.iter().map(|row| row[k].clone()).collect()).collect()
+                    (0..ty.dimension()).map(|k| rows.iter().map(|row| row[k].clone()).collect()).collect()
                 }
             };
             let columns = columns.into_iter().map(|column| quote!([#(#column as ::core::primitive::f64),*]));
@@ -137,20 +146,24 @@ impl<'a> Points<'a> {
         let still = varies == Varies::Nothing;
         let (draw, draws) = match leaf.shape {
             Shape::Truth => (quote!(Truth), 1),
-            Shape::Integer => (quote!(Integer), 1),
+            Shape::Integer => (quote!(Below(4)), 1),
+            Shape::Choice(variants) => {
+                let variants = Literal::usize_unsuffixed(variants);
+                (quote!(Below(#variants)), 1)
+            }
             Shape::Quaternion if still => (quote!(Quaternion), 1),
             Shape::Rigid => (quote!(Rigid), 1),
             _ => (quote!(Number), size),
         };
         self.draws.extend(vec![draw; draws]);
         let numbers = self.next(size);
-        if !still {
+        if !still && !leaf.is_discrete() {
             self.moved.extend(first..self.count);
         }
         let place = Literal::usize_unsuffixed(first);
         match leaf.shape {
             Shape::Truth => quote!((at[#place] > 0.0)),
-            Shape::Integer => quote!((at[#place] as #original)),
+            Shape::Integer | Shape::Choice(_) => quote!((at[#place] as #original)),
             _ => leaf.build(&numbers),
         }
     }

@@ -43,8 +43,14 @@ impl Companions<'_> {
             private: &private,
             input: &input,
         });
-        let outputs: Vec<TokenStream> = body.iter().flat_map(Body::results).collect();
-        let (returns, value) = self.returned(companion, result, &number, &outputs);
+        let mut outputs: Vec<TokenStream> = body.iter().flat_map(Body::results).collect();
+        // The last one tells whether there is a value.
+        let is_some = if self.arguments.is_optional { outputs.pop() } else { None };
+        let (mut returns, mut value) = self.returned(companion, result, &number, &outputs);
+        if self.arguments.is_optional {
+            returns = quote!(::core::option::Option<#returns>);
+            value = quote!(if #is_some > 0.0 { ::core::option::Option::Some(#value) } else { ::core::option::Option::None });
+        }
         let body = body.map(|body| {
             let steps = body.steps();
             quote!(#steps #value)
@@ -71,7 +77,7 @@ impl Companions<'_> {
         outputs: &[TokenStream],
     ) -> (TokenStream, TokenStream) {
         let (original, size) = (&result.tokens, result.components());
-        let count: usize = self.arguments.variables().iter().map(|variable| variable.slope.components()).sum();
+        let count: usize = self.arguments.variables().iter().map(|variable| variable.slope.dimension()).sum();
         let rest = outputs.get(size..).unwrap_or_default();
         let value = outputs.get(..size).map_or_else(TokenStream::new, |numbers| result.build(numbers));
         let matrix = |numbers: &[TokenStream]| {
@@ -103,12 +109,12 @@ impl Companions<'_> {
 
     /// The types and the values of a number's derivatives by each variable.
     fn gradient(&self, mut rest: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
-        let by = |variable: &Type| {
-            let (numbers, after) = rest.split_at_checked(variable.components()).unwrap_or_default();
+        let by = |variable: &Argument| {
+            let (numbers, after) = rest.split_at_checked(variable.slope.dimension()).unwrap_or_default();
             rest = after;
-            (variable.tokens.clone(), variable.build(numbers))
+            (variable.slope.tokens.clone(), variable.build_slope(numbers))
         };
-        self.arguments.variables().into_iter().map(|variable| &variable.slope).map(by).unzip()
+        self.arguments.variables().into_iter().map(by).unzip()
     }
 
     /// The types and the values of the derivatives by each variable: the numbers by each of its components.
@@ -117,11 +123,11 @@ impl Companions<'_> {
             return self.gradient(rest);
         }
         let (original, size) = (&result.tokens, result.components());
-        let by = |variable: &Type| {
-            let count = variable.components();
+        let by = |variable: &Argument| {
+            let count = variable.slope.dimension();
             let (numbers, after) = rest.split_at_checked(count * size).unwrap_or_default();
             rest = after;
-            match (&result.shape, &variable.shape) {
+            match (&result.shape, &variable.slope.shape) {
                 (Shape::Planar | Shape::Vector | Shape::Four, Shape::Scalar) => {
                     (original.clone(), result.build(numbers))
                 }
@@ -136,16 +142,16 @@ impl Companions<'_> {
                 }
                 // A row a component of the result.
                 _ => {
-                    let (length, row) = (Literal::usize_unsuffixed(size), &variable.tokens);
+                    let (length, row) = (Literal::usize_unsuffixed(size), &variable.slope.tokens);
                     let rows = (0..size).map(|i| {
                         let row: Vec<TokenStream> = numbers.iter().skip(i).step_by(size).cloned().collect();
-                        variable.build(&row)
+                        variable.build_slope(&row)
                     });
                     (quote!([#row; #length]), quote!([#(#rows),*]))
                 }
             }
         };
-        self.arguments.variables().into_iter().map(|variable| &variable.slope).map(by).unzip()
+        self.arguments.variables().into_iter().map(by).unzip()
     }
 
     fn doc(&self, companion: Companion, suffix: &str, program: Option<&Program>) -> String {
@@ -170,7 +176,8 @@ impl Companions<'_> {
             Companion::GaussNewton => format!("The value r of `{function}`, Jᵀr and JᵀJ"),
         };
         let of_lanes = if self.of_lanes { ", of as many points as a number of the type `S` has lanes" } else { "" };
-        format!("{words} by {names}{of_lanes}.{count}")
+        let optional = if self.arguments.is_optional { " `None` where that has no value." } else { "" };
+        format!("{words} by {names}{of_lanes}.{optional}{count}")
     }
 
     fn function(

@@ -152,7 +152,12 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
     let arguments = Arguments::check(&function.sig, &options, &items, report);
     let derived = Derived::all(function, &options, &arguments, &items, search, report)?;
     let result = arguments.result.as_ref()?;
-    let outputs = Outputs { name, size: result.components(), variables: arguments.variables() };
+    let outputs = Outputs {
+        name,
+        size: result.components(),
+        variables: arguments.variables(),
+        is_optional: arguments.is_optional,
+    };
     let own = arguments.list.iter().enumerate().map(|(index, argument)| {
         // One that is taken apart is called by its number.
         let name = argument.name.as_ref().map_or_else(|| index.to_string(), |name| word_of(name).text);
@@ -212,14 +217,16 @@ struct Outputs<'a> {
     name: &'a str,
     size: usize,
     variables: Vec<&'a Argument>,
+    is_optional: bool,
 }
 
 impl Outputs<'_> {
     fn of(&self, companion: Companion) -> String {
         let (name, size, variables) = (self.name, self.size, self.variables());
+        let last = if self.is_optional { " The last is 1 where there is a value, else 0." } else { "" };
         let value = if size == 1 { format!("The value of {name}") } else { format!("The {size} numbers of {name}") };
         let gradient = format!("{value}, then its derivative by each component of {variables}");
-        match companion {
+        let outputs = match companion {
             Companion::First if size == 1 => format!("{gradient}."),
             Companion::First => {
                 format!("{value}, then the derivative of each of them by each component of {variables}.")
@@ -235,7 +242,8 @@ impl Outputs<'_> {
             Companion::GaussNewton => format!(
                 "{value}, r; then J^T r by each component of {variables}; then J^T J: the upper triangle, row by row."
             ),
-        }
+        };
+        outputs + last
     }
 
     /// The variables and how many numbers each has.
@@ -243,7 +251,7 @@ impl Outputs<'_> {
         let variable = |argument: &&Argument| {
             let name = argument.name.as_ref().map(ToString::to_string).unwrap_or_default();
             let tangent = if matches!(argument.varies, Varies::Tangent(_)) { "the tangent of " } else { "" };
-            format!("{tangent}{name} ({})", argument.slope.components())
+            format!("{tangent}{name} ({})", argument.slope.dimension())
         };
         self.variables.iter().map(variable).collect::<Vec<_>>().join(", ")
     }

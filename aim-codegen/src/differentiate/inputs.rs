@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
-use quote::{ToTokens, quote};
+use quote::ToTokens;
 
 use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Struct, TAG, Value, field_of};
 use super::manifold::Varies;
@@ -43,11 +43,11 @@ impl<'a> Inputs<'a> {
                 Value::Struct(Rc::new(Struct { name: name.clone(), fields: names.zip(values).collect() }))
             }
             Shape::Enum(name, variants) => {
-                let tag = self.leaf(&Type::made(quote!(usize), Shape::Integer, None));
+                let tag = self.leaf(&Type::choice(variants.len()));
                 let mut fields = vec![(TAG.to_owned(), tag)];
-                for (variant, of_it) in variants {
-                    for (member, ty) in of_it {
-                        fields.push((field_of(&variant.to_string(), member), self.value(ty)));
+                for variant in variants {
+                    for (member, ty) in &variant.fields {
+                        fields.push((field_of(&variant.name.to_string(), member), self.value(ty)));
                     }
                 }
                 Value::Struct(Rc::new(Struct { name: name.clone(), fields }))
@@ -95,7 +95,7 @@ impl<'a> Inputs<'a> {
                 _ => {}
             }
         }
-        if self.varies != Varies::Nothing {
+        if self.varies != Varies::Nothing && !ty.is_discrete() {
             self.variables.extend(self.numbers.as_slice().iter().take(ty.components()));
         }
         match ty.shape {
@@ -103,7 +103,12 @@ impl<'a> Inputs<'a> {
                 let zero = self.a.number(0.0);
                 Value::Truth(Condition::Less(zero, self.next()))
             }
-            Shape::Integer => Value::Integer(self.next()),
+            Shape::Integer | Shape::Choice(_) => {
+                let number = self.next();
+                let (least, most) = ty.extent();
+                self.a.set_extent(number, least, most);
+                Value::Integer(number)
+            }
             Shape::Planar => {
                 let ([x, y], zero) = (self.take(), self.a.number(0.0));
                 Value::Planar(self.a.vector([x, y, zero]))

@@ -8,6 +8,7 @@
 //! | an array, a tuple | of its elements |
 //! | an `Option` | 1 and what is inside, or 0 and anything |
 //! | a struct | the tuple of its fields |
+//! | an enum | the number of its variant, then the fields of all: of the others anything |
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -35,6 +36,12 @@ impl Arguments {
         if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
             return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
         }
+        if self.is_optional {
+            return report.refuse(place, messages::no_lanes_of_nothing());
+        }
+        if let Some(part) = self.variables().iter().find(|variable| variable.slope.holds_discrete()) {
+            return report.refuse(place, messages::no_lanes_by(&part.ty.tokens.to_string()));
+        }
         let list = self.list.iter().map(|argument| {
             let (ty, slope) = (argument.ty.in_lanes(), argument.slope.in_lanes());
             let tokens = &ty.tokens;
@@ -50,7 +57,8 @@ impl Arguments {
             }
         });
         let result = self.result.as_ref().map(Type::in_lanes);
-        Some(Self { list: list.collect(), faulty: Vec::new(), result, is_wrong: self.is_wrong })
+        let Self { is_optional, is_wrong, .. } = *self;
+        Some(Self { list: list.collect(), faulty: Vec::new(), result, is_optional, is_wrong })
     }
 }
 
@@ -67,7 +75,7 @@ impl Type {
             Self::made(quote!((#(#types,)*)), Shape::Tuple(parts.clone()), self.precision)
         };
         let mut ty = match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Scalar => scalar(),
+            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar => scalar(),
             Shape::Planar
             | Shape::Vector
             | Shape::Four
@@ -78,8 +86,10 @@ impl Type {
             Shape::Array(element, length) => array(element.in_lanes(), *length),
             Shape::Optional(inner) => tuple(vec![scalar(), inner.in_lanes()]),
             Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),
-            // It is not made of numbers, and was refused.
-            Shape::Enum(..) => scalar(),
+            Shape::Enum(_, variants) => {
+                let fields = variants.iter().flat_map(|variant| &variant.fields).map(|(_, field)| field.in_lanes());
+                tuple([scalar()].into_iter().chain(fields).collect())
+            }
             Shape::Struct(_, fields, _) => tuple(fields.iter().map(|(_, field)| field.in_lanes()).collect()),
         };
         ty.borrowed = self.borrowed;

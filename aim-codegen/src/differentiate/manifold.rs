@@ -7,6 +7,7 @@
 //! | arrays and tuples | those of their elements | | |
 //! | structs | the tuple of their fields' | | |
 //! | numbers and vectors | themselves | x + δ | x + δ |
+//! | what does not vary | `()` | | |
 
 use aim_symbolic::{Rotation, Scalar, Vector, VectorNode};
 use quote::quote;
@@ -59,6 +60,7 @@ impl Type {
             }
             Shape::Tuple(parts) => of_parts(parts.iter().map(|part| part.tangent(krate)).collect()),
             Shape::Struct(_, fields, _) => of_parts(fields.iter().map(|(_, field)| field.tangent(krate)).collect()),
+            _ if self.dimension() == 0 => of_parts(Vec::new()),
             _ => self.owned(),
         }
     }

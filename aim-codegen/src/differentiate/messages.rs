@@ -60,6 +60,14 @@ messages! {
         "there are no lanes of `{ty}`: it has fields that are no numbers",
         "take the numbers of it that the function needs as arguments";
 
+    no_lanes_by(ty: &str) =>
+        "there are no lanes of derivatives by `{ty}`: part of it does not vary",
+        "differentiate by the numbers of it that do, as arguments of their own";
+
+    no_lanes_of_nothing() =>
+        "there are no lanes of results that may be nothing",
+        "return a number beside the value that is 1 or 0, as in `(1.0, value)`";
+
     of_a_number(key: &str) =>
         "`{key}` is for functions of one number",
         "second derivatives of a vector have no matrix: leave it out";
@@ -115,12 +123,12 @@ messages! {
         "differentiate one term and sum its derivatives in a function around it";
 
     constant_variable(name: &str) =>
-        "`{name}` does not vary: there are no derivatives by truth values, whole numbers, options and enums",
+        "`{name}` does not vary: there are no derivatives by truth values, whole numbers and names of variants",
         "leave it out of `wrt`";
 
-    constant_field(name: &str, of: &str) =>
-        "`{name}` of `{of}` does not vary: there are no derivatives by truth values, whole numbers, options and enums",
-        "take it as an argument of its own that is not in `wrt`, beside a struct of the numbers that vary";
+    tangent_of_choice(name: &str) =>
+        "`{name}` holds options or enums with numbers, which have no tangents",
+        "differentiate by its rotations as arguments of their own";
 
     partial_struct(name: &str) =>
         "`{name}` has fields that are no numbers: there is no derivative by it",
@@ -130,13 +138,9 @@ messages! {
 
     no_result() => "this function has no result", "return what is to be differentiated";
 
-    optional_result() =>
-        "the result may be nothing, which has no derivative",
-        "return a number beside the value that is 1 or 0, as in `(1.0, value)`; arguments and helper functions may have options";
-
     result_type() =>
         "the result must be made of numbers",
-        "return a number, vector, quaternion or matrix, or an array, a tuple or a struct of those, by value";
+        "return a number, vector, quaternion or matrix, or an array, a tuple or a struct of those, or an option of one, by value";
 
     mixed(first: &str, other: &str) =>
         "this is {other}, but the function computes in {first}",
@@ -256,7 +260,7 @@ messages! {
 
     rounds_unknown() =>
         "how often this loop runs is not known here",
-        "loops are written out round by round: give it a constant bound, and leave it by `if … {{ break; }}`";
+        "loops are written out round by round: bound a count, as in `0..n.min(8)` or by `assert!(n <= 8)` before it, and what ends by its values, as in `while n < 20 && error > 1e-9`";
 
     range_too_long(most: i64) =>
         "this range has more than {most} numbers",
@@ -347,8 +351,8 @@ messages! {
     not_a_list() => "what is collected here is no `Vec`", "collect a `Vec`: `.collect::<Vec<_>>()`";
 
     power_unknown() =>
-        "the exponent of `powi` is not known here",
-        "write the number, as in `x.powi(3)`; an argument's power is `x.powf(y)`";
+        "the exponent of this power of a whole number is not known here",
+        "write the number, as in `n.pow(3)`, or take the power of a number that is none: `(n as f64).powi(m)`";
 
     index_unknown() =>
         "this number is not known here",

@@ -15,6 +15,7 @@ mod check;
 mod companion;
 mod emit;
 pub(crate) mod file;
+mod given;
 mod inputs;
 mod items;
 mod lanes;
@@ -23,6 +24,7 @@ mod manifold;
 mod messages;
 mod names;
 mod options;
+mod slopes;
 mod types;
 
 #[cfg(test)]
@@ -205,8 +207,12 @@ impl Derived {
                 report.error(place, messages::of_a_number(companion.key()));
             }
         }
+        let (body, is_some) = match body {
+            Value::Optional(option) if arguments.is_optional => (option.value.clone(), Some(option.is_some.clone())),
+            body => (body, None),
+        };
         let mut numbers = Vec::new();
-        let fits = add_numbers(&mut algebra, &body, result, &mut numbers);
+        let fits = is_some.is_some() == arguments.is_optional && add_numbers(&mut algebra, &body, result, &mut numbers);
         if report.count() > errors || arguments.is_wrong || options.wrt.is_none() {
             return None;
         }
@@ -224,10 +230,14 @@ impl Derived {
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
         let stated = Stated { values: numbers, vector, variables };
+        let flag = is_some.map(|is_some| algebra.number_of(&is_some));
         let derive = |companion: Companion| {
             let mut g = algebra.g.clone();
             let taken = arguments.further(companion, &mut g);
-            let wanted = companion.wanted(&mut g, &stated, &taken);
+            let mut wanted = companion.wanted(&mut g, &stated, &taken);
+            if let Some(Value::Integer(flag)) = flag {
+                wanted.push(Want::Value(flag));
+            }
             let program = search.program(&g, &wanted);
             Self { companion, graph: g, wanted, program }
         };

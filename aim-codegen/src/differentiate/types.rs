@@ -1,14 +1,15 @@
 //! Types of arguments and results, recognised by the last segment of their paths; how their values are taken apart and
 //! put together in emitted code.
 
-use proc_macro2::{Literal, TokenStream, TokenTree};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{Ident, Member};
 
-use super::items::{Enumeration, Items, Parameter, Structure};
+use super::given::{Given, given, with, written_out};
+use super::items::{Enumeration, Items, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
-use super::{lower, messages, names};
+use super::{lower, messages};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
 
@@ -30,10 +31,22 @@ pub(super) enum Shape {
     /// An option: 1 or 0, then the numbers of what is inside, or as many 0.
     Optional(Box<Type>),
     Tuple(Vec<Type>),
-    /// An enum of the module: its name, and its variants, each with the numbers of its fields of types that are understood.
-    Enum(String, Vec<(Ident, Vec<(Member, Type)>)>),
+    /// The number of a variant, of so many.
+    Choice(usize),
+    /// An enum of the module: its name, and its variants.
+    Enum(String, Vec<Variant>),
     /// A struct of the module: its name, its fields of types that are understood, and whether those are all.
     Struct(String, Vec<(Member, Type)>, bool),
+}
+
+/// A variant of an enum.
+#[derive(Clone)]
+pub(super) struct Variant {
+    pub(super) name: Ident,
+    /// Its fields of types that are understood.
+    pub(super) fields: Vec<(Member, Type)>,
+    /// Whether those are all.
+    pub(super) is_whole: bool,
 }
 
 /// Names that are types of ours.
@@ -74,6 +87,20 @@ pub(super) fn is_integer(name: &str) -> bool {
     INTEGERS.contains(&name)
 }
 
+/// The least and the most whole number of the type of this name; what is beyond the others' ends is no count.
+pub(super) fn ends(name: &str) -> (f64, f64) {
+    match name {
+        "u8" => (0.0, u8::MAX.into()),
+        "i8" => (i8::MIN.into(), i8::MAX.into()),
+        "u16" => (0.0, u16::MAX.into()),
+        "i16" => (i16::MIN.into(), i16::MAX.into()),
+        "u32" => (0.0, u32::MAX.into()),
+        "i32" => (i32::MIN.into(), i32::MAX.into()),
+        "u64" | "u128" | "usize" => (0.0, f64::INFINITY),
+        _ => (f64::NEG_INFINITY, f64::INFINITY),
+    }
+}
+
 /// The first type of these numbers whose values are of a shape.
 pub(super) fn named_like(precision: Option<Precision>, is_it: impl Fn(&Shape) -> bool) -> Option<&'static str> {
     let fits = |precision_of: Precision| precision.is_none_or(|precision| precision == precision_of);
@@ -101,53 +128,6 @@ fn unknown(written: &syn::Type) -> Fault {
     let tokens = quote!(#written);
     let text = messages::unknown_type(&tokens.to_string(), &known);
     (tokens, text)
-}
-
-/// What the generic parameters of a struct or an enum stand for.
-type Given = Vec<(String, TokenStream)>;
-
-/// The arguments of a type, by its parameters; `None` where there are not as many.
-fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, items: &Items) -> Option<Given> {
-    let written = names::arguments(path);
-    let given = parameters.iter().zip(&written).map(|(parameter, written)| {
-        let length = match (parameter.is_length, syn::parse2(quote!(#written))) {
-            (true, Ok(length)) => lower::length(&length, items, scope).map(Literal::usize_unsuffixed),
-            _ => None,
-        };
-        (parameter.name.clone(), length.map_or_else(|| quote!(#written), |length| quote!(#length)))
-    });
-    (parameters.len() == written.len()).then(|| given.collect())
-}
-
-/// A type with what stands for the parameters of a path's item in their place; `None` where there are not as many.
-pub(super) fn written_out(
-    ty: &syn::Type,
-    parameters: &[Parameter],
-    path: &syn::Path,
-    scope: &Scope,
-    items: &Items,
-) -> Option<syn::Type> {
-    syn::parse2(with(quote!(#ty), &given(parameters, path, scope, items)?)).ok()
-}
-
-/// Tokens with what stands for parameters in their place.
-fn with(tokens: TokenStream, given: &Given) -> TokenStream {
-    if given.is_empty() {
-        return tokens;
-    }
-    let replaced = tokens.into_iter().map(|token| match &token {
-        TokenTree::Ident(word) => match given.iter().find(|(name, _)| word == name) {
-            Some((_, instead)) => instead.clone(),
-            None => token.into(),
-        },
-        TokenTree::Group(group) => {
-            let mut inner = proc_macro2::Group::new(group.delimiter(), with(group.stream(), given));
-            inner.set_span(group.span());
-            TokenTree::Group(inner).into()
-        }
-        _ => token.into(),
-    });
-    replaced.collect()
 }
 
 impl Type {
@@ -263,6 +243,11 @@ impl Type {
         Self::made(quote!(::core::primitive::bool), Shape::Truth, None)
     }
 
+    /// The number of a variant, of so many.
+    pub(super) fn choice(variants: usize) -> Self {
+        Self::made(quote!(::core::primitive::usize), Shape::Choice(variants), None)
+    }
+
     /// A struct of the module. Fields of other types may be there, but not read.
     fn of_struct(
         tokens: TokenStream,
@@ -290,10 +275,12 @@ impl Type {
     /// An enum of the module.
     fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
         let variants = of.variants.iter().map(|variant| {
-            (format_ident!("{}", variant.name), Self::of_fields(&of.scope, &variant.fields, given, items))
+            let fields = Self::of_fields(&of.scope, &variant.fields, given, items);
+            let is_whole = fields.len() == variant.fields.len();
+            Variant { name: format_ident!("{}", variant.name), fields, is_whole }
         });
         let variants: Vec<_> = variants.collect();
-        let precision = variants.iter().flat_map(|(_, fields)| fields).find_map(|(_, ty)| ty.precision);
+        let precision = variants.iter().flat_map(|variant| &variant.fields).find_map(|(_, ty)| ty.precision);
         Self::of_parts(tokens, Shape::Enum(name.to_owned(), variants), precision)
     }
 
@@ -314,37 +301,17 @@ impl Type {
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.other_precision(expected)),
             Shape::Struct(_, fields, _) => fields.iter().find_map(|(_, field)| field.other_precision(expected)),
             Shape::Enum(_, variants) => {
-                variants.iter().flat_map(|(_, fields)| fields).find_map(|(_, field)| field.other_precision(expected))
+                let mut fields = variants.iter().flat_map(|variant| &variant.fields);
+                fields.find_map(|(_, field)| field.other_precision(expected))
             }
             _ => self.precision.filter(|&precision| precision != expected),
         }
     }
 
-    /// Why there are no derivatives by a value of this type; `None` if there are.
-    pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
-        match &self.shape {
-            Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
-            _ if self.is_constant() => Some(messages::constant_variable(name)),
-            Shape::Array(element, _) => element.no_variable(name, tangent),
-            Shape::Tuple(parts) => parts.iter().find_map(|part| part.no_variable(name, tangent)),
-            Shape::Struct(of, _, false) => Some(messages::partial_struct(of)),
-            Shape::Struct(of, fields, true) => fields.iter().find_map(|(member, field)| match field.is_constant() {
-                true => Some(messages::constant_field(&quote!(#member).to_string(), of)),
-                false => field.no_variable(name, tangent),
-            }),
-            _ => None,
-        }
-    }
-
-    /// Whether there are no derivatives by it.
-    fn is_constant(&self) -> bool {
-        matches!(self.shape, Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..))
-    }
-
     /// Whether a result may be of this type.
     pub(super) fn is_result(&self) -> bool {
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Optional(_) | Shape::Enum(..) => false,
+            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Optional(_) | Shape::Enum(..) => false,
             Shape::Array(element, _) => element.is_result(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_result),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_result()),
@@ -357,10 +324,19 @@ impl Type {
         Self { borrowed: false, ..self.clone() }
     }
 
+    /// Between which numbers a whole number of it is.
+    pub(super) fn extent(&self) -> (f64, f64) {
+        match self.shape {
+            #[expect(clippy::cast_precision_loss, reason = "types have few variants")]
+            Shape::Choice(variants) => (0.0, variants as f64 - 1.0),
+            _ => ends(&self.tokens.to_string()),
+        }
+    }
+
     /// How many numbers it is made of.
     pub(super) fn components(&self) -> usize {
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Scalar => 1,
+            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar => 1,
             Shape::Planar => 2,
             Shape::Vector => 3,
             Shape::Four | Shape::Quaternion => 4,
@@ -372,7 +348,8 @@ impl Type {
             Shape::Tuple(parts) => parts.iter().map(Self::components).sum(),
             Shape::Struct(_, fields, _) => fields.iter().map(|(_, field)| field.components()).sum(),
             Shape::Enum(_, variants) => {
-                1 + variants.iter().flat_map(|(_, fields)| fields).map(|(_, field)| field.components()).sum::<usize>()
+                let fields = variants.iter().flat_map(|variant| &variant.fields);
+                1 + fields.map(|(_, field)| field.components()).sum::<usize>()
             }
         }
     }
@@ -391,7 +368,7 @@ impl Type {
         };
         match &self.shape {
             Shape::Truth => to.push(quote!((#value as ::core::primitive::u8 as ::core::primitive::#number_type))),
-            Shape::Integer => to.push(quote!((#value as ::core::primitive::#number_type))),
+            Shape::Integer | Shape::Choice(_) => to.push(quote!((#value as ::core::primitive::#number_type))),
             Shape::Scalar if self.borrowed => to.push(quote!(*#place)),
             Shape::Scalar => to.push(place.clone()),
             Shape::Planar | Shape::Vector | Shape::Four | Shape::Quaternion => {
@@ -419,11 +396,11 @@ impl Type {
             // The number of its variant, then those of all fields, of which those of other variants are 0.
             Shape::Enum(_, variants) => {
                 let ty = self.path();
-                let names = variants.iter().map(|(name, _)| name);
+                let names = variants.iter().map(|variant| &variant.name);
                 let tags = (0_u32..).map(|tag| Literal::f64_unsuffixed(tag.into()));
                 let arms = names.zip(tags).map(|(name, tag)| quote!(#ty::#name { .. } => #tag,));
                 to.push(quote!((match &#value { #(#arms)* })));
-                for (name, fields) in variants {
+                for Variant { name, fields, .. } in variants {
                     for (member, field) in fields {
                         let mut numbers = Vec::new();
                         field.numbers(&quote!((*value)), number, &mut numbers);
@@ -464,8 +441,8 @@ impl Type {
             Shape::Tuple(parts) => parts.iter().for_each(|part| part.leaves(each)),
             Shape::Struct(_, fields, _) => fields.iter().for_each(|(_, field)| field.leaves(each)),
             Shape::Enum(_, variants) => {
-                each(&Self::made(quote!(::core::primitive::usize), Shape::Integer, None));
-                variants.iter().flat_map(|(_, fields)| fields).for_each(|(_, field)| field.leaves(each));
+                each(&Self::choice(variants.len()));
+                variants.iter().flat_map(|variant| &variant.fields).for_each(|(_, field)| field.leaves(each));
             }
             _ => each(self),
         }
@@ -477,13 +454,15 @@ impl Type {
             Shape::Array(element, _) | Shape::Optional(element) => element.is_whole(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
-            Shape::Enum(..) => false,
+            Shape::Enum(_, variants) => variants
+                .iter()
+                .all(|variant| variant.is_whole && variant.fields.iter().all(|(_, field)| field.is_whole())),
             _ => true,
         }
     }
 
     /// Its path, by which values are made: the compiler knows the arguments.
-    fn path(&self) -> TokenStream {
+    pub(super) fn path(&self) -> TokenStream {
         let Ok(mut path) = syn::parse2::<syn::Path>(self.tokens.clone()) else { return self.tokens.clone() };
         path.segments.iter_mut().for_each(|segment| segment.arguments = syn::PathArguments::None);
         quote!(#path)
@@ -516,6 +495,16 @@ impl Type {
                 let members = fields.iter().map(|(member, _)| member);
                 quote!(#ty { #(#members: #values),* })
             }
+            Shape::Enum(_, variants) => {
+                let (ty, choice) = (self.path(), leaf(&Self::choice(variants.len())));
+                let values = variants.iter().map(|Variant { name, fields, .. }| {
+                    let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.assemble(leaf)).collect();
+                    let members = fields.iter().map(|(member, _)| member);
+                    quote!(#ty::#name { #(#members: #values),* })
+                });
+                let (values, numbers) = (values.collect::<Vec<_>>(), (0..).map(Literal::usize_unsuffixed));
+                quote!((match #choice { #(#numbers => #values,)* _ => ::core::unreachable!() }))
+            }
             _ => leaf(self),
         }
     }
@@ -525,7 +514,7 @@ impl Type {
         let ty = &self.tokens;
         let mut take = |count: usize| -> Vec<&TokenStream> { from.by_ref().take(count).collect() };
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Scalar => {
+            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar => {
                 let number = take(1);
                 quote!(#(#number)*)
             }

@@ -76,4 +76,5 @@ const C: Language = Language {
     target: "target",
     suffixes: ["f", ""],
     select_less: |a, b, then, otherwise| format!("{a} < {b} ? {then} : {otherwise}"),
+    pow: |a, b, suffix| format!("pow{suffix}({a}, {b})"),
 };

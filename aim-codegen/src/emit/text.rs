@@ -50,6 +50,8 @@ pub(super) struct Language {
     pub(super) suffixes: [&'static str; 2],
     /// `then` where `a < b`, else `otherwise`.
     pub(super) select_less: fn(a: &str, b: &str, then: &str, otherwise: &str) -> String,
+    /// The power of `a` by `b`; the suffix of functions.
+    pub(super) pow: fn(a: &str, b: &str, suffix: &str) -> String,
 }
 
 /// The lines at the head of a file of a rig's kernels, but for what holds in one language only.
@@ -174,6 +176,6 @@ impl Dialect for Expressions<'_> {
     }
 
     fn pow(&self, a: &str, b: &str) -> String {
-        format!("pow{}({a}, {b})", self.suffix())
+        (self.language.pow)(a, b, self.suffix())
     }
 }

@@ -66,4 +66,14 @@ const WGSL: Language = Language {
     target: "target_point",
     suffixes: ["", ""],
     select_less: |a, b, then, otherwise| format!("select({otherwise}, {then}, {a} < {b})"),
+    // Its own is exp2(b log2(a)), which has no value for whole powers of what is not positive.
+    pow: |a, b, _| {
+        if b.trim_end_matches('f').parse::<f64>().is_ok_and(|b| b.fract() != 0.0) {
+            return format!("pow({a}, {b})");
+        }
+        let size = format!("pow(abs({a}), {b})");
+        let whole = format!("select({size}, -{size}, abs({b}) % 2.0f == 1.0f)");
+        let power = format!("select(pow({a}, {b}), {whole}, ({a} < 0.0f) & (floor({b}) == {b}))");
+        format!("select({power}, 1.0f, {b} == 0.0f)")
+    },
 };

@@ -223,3 +223,20 @@ fn a_differentiated_function() {
         assert_eq!(found.len(), expected.len());
     }
 }
+
+#[test]
+fn powers_of_any_number() {
+    let source = "#[differentiate(wrt(x))]
+        fn power(x: f32, n: i32, y: f32) -> f32 { x.powi(n) + y.powf(2.3) }";
+    let derived = Differentiated::from_file("power.rs", source, "power").unwrap_or_else(|errors| panic!("{errors}"));
+    let module = Module::read(&emit::wgsl::emit_procedures("A power", &derived.procedures()));
+    for x in [-2.0, -0.5, 0.0, 0.75, 3.0_f32] {
+        for n in if x == 0.0 { 0..5 } else { -3..5 } {
+            let found = module.function("power_gradient").run(&[x, n as f32, 1.5]);
+            let slope = if n == 0 { 0.0 } else { n as f32 * x.powi(n - 1) };
+            for (found, expected) in found.into_iter().zip([x.powi(n) + 1.5_f32.powf(2.3), slope]) {
+                assert!((found - expected).abs() < 1e-5 * (1.0 + expected.abs()), "{x}, {n}: {found}, not {expected}");
+            }
+        }
+    }
+}

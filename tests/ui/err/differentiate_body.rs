@@ -73,7 +73,7 @@ fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
     let b = v.any_orthonormal_vector().x + x.next_up();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
     let d = Quat::from_mat3(&m) * v;
-    let e = (v % v).x + x.powi(n);
+    let e = (v % v).x + n.pow(n as u32) as f32;
     let f = (x as f64) as f32;
     a + b + c.x + d.y + e + f + [1.0, 2.0][n as u8 as usize]
 }

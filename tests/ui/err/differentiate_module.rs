@@ -2,7 +2,7 @@ use aim::differentiate;
 
 #[differentiate]
 mod model {
-    use aim::glam::Vec3;
+    use aim::glam::{Quat, Vec3};
 
     pub struct Spring {
         pub stiffness: f32,
@@ -91,9 +91,37 @@ mod unseen {
     }
 
     #[differentiate(wrt(x))]
-    pub fn optional(x: f32, limit: Option<f32>, name: Option<&str>) -> Option<f32> {
+    pub fn optional(x: f32, limit: Option<f32>, name: Option<&str>) -> Option<bool> {
         let _ = name;
-        if let Some(limit) = limit { Some(x.min(limit)) } else { None }
+        if let Some(limit) = limit { Some(x < limit) } else { None }
+    }
+
+    pub struct Joint {
+        pub turn: Quat,
+        pub length: Option<f32>,
+    }
+
+    #[differentiate(wrt(tangent(joint)))]
+    pub fn turned(joint: &Joint) -> f32 {
+        joint.turn.x * joint.length.unwrap_or(1.0)
+    }
+
+    #[differentiate(wrt(x), lanes)]
+    pub fn root(x: f32) -> Option<f32> {
+        if x > 0.0 { Some(x.sqrt()) } else { None }
+    }
+
+    pub enum Length {
+        Unit,
+        Of(f32),
+    }
+
+    #[differentiate(wrt(length), lanes)]
+    pub fn square(length: Length) -> f32 {
+        match length {
+            Length::Unit => 1.0,
+            Length::Of(x) => x * x,
+        }
     }
 
     // Its default is seen by nobody.

@@ -1,7 +1,9 @@
 //! [`Algebra`]: the graph's constructors, with constants folded and angles brought to one form.
 
 use core::ops::{Deref, DerefMut};
+use std::collections::HashMap;
 
+use super::extents::Extent;
 use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
 use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
@@ -12,6 +14,8 @@ pub(crate) struct Algebra {
     fold: Fold,
     /// The inputs that derivatives are taken by.
     variables: Vec<Variable>,
+    /// What is known of inputs that are whole numbers.
+    extents: HashMap<Scalar, Extent>,
 }
 
 impl Deref for Algebra {
@@ -35,12 +39,22 @@ impl Algebra {
     /// An empty graph. Signs and the order of operands stay as the user wrote them; lowering sees to both.
     pub(crate) fn new() -> Self {
         let rules = Rules { without: &[NEGATIONS, ORDER], turned: None };
-        Self { fold: Fold::new(Graph::new(), &rules), variables: Vec::new() }
+        Self { fold: Fold::new(Graph::new(), &rules), variables: Vec::new(), extents: HashMap::new() }
     }
 
     /// Derivatives will be taken by this input.
     pub(crate) fn differentiate_by(&mut self, input: Scalar) {
         self.variables.push(input.into());
+    }
+
+    /// This input is a whole number from here to there.
+    pub(crate) fn set_extent(&mut self, input: Scalar, least: f64, most: f64) {
+        self.extents.insert(input, Extent { least, most, is_whole: true });
+    }
+
+    /// What is known of an input.
+    pub(super) fn extent_of_input(&self, input: Scalar) -> Extent {
+        self.extents.get(&input).copied().unwrap_or(Extent::UNKNOWN)
     }
 
     /// Whether the node depends on what derivatives are taken by.

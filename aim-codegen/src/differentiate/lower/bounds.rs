@@ -4,15 +4,16 @@
 use aim_symbolic::{Op, Scalar, ScalarNode};
 
 use super::algebra::Algebra;
-use super::condition::Condition;
+use super::condition::{Condition, DEEPEST};
+use super::extents::Extents;
 
 /// `x < at`, or with `above` `x > at`; or equal, unless that is `strict`.
 #[derive(Clone, Copy)]
-struct Bound {
-    x: Scalar,
-    above: bool,
-    at: f64,
-    strict: bool,
+pub(super) struct Bound {
+    pub(super) x: Scalar,
+    pub(super) above: bool,
+    pub(super) at: f64,
+    pub(super) strict: bool,
 }
 
 /// `k x + c`
@@ -68,7 +69,7 @@ impl Linear {
 
 impl Bound {
     /// The bound that a comparison sets to one number; `None` if it compares several, or is a combination.
-    fn of(a: &Algebra, condition: &Condition) -> Option<Self> {
+    pub(super) fn of(a: &Algebra, condition: &Condition) -> Option<Self> {
         match condition {
             Condition::Less(one, other) => {
                 let (one, other) = (Linear::of(a, *one), Linear::of(a, *other));
@@ -101,9 +102,36 @@ impl Bound {
     }
 }
 
-/// The condition, known where one of these, which hold, decides it.
-pub(super) fn decided(a: &Algebra, condition: Condition, facts: &[Condition]) -> Condition {
-    let Some(bound) = Bound::of(a, &condition) else { return condition };
-    let known = facts.iter().find_map(|fact| Bound::of(a, fact)?.decides(bound));
-    known.map_or(condition, Condition::Known)
+/// The condition, known where one of these, which hold, decides it; without what of a combination is known.
+pub(super) fn decided<'a>(
+    a: &Algebra,
+    condition: Condition,
+    facts: impl IntoIterator<Item = &'a Condition> + Clone,
+) -> Condition {
+    decided_within(a, condition, &facts, DEEPEST)
+}
+
+fn decided_within<'a>(
+    a: &Algebra,
+    condition: Condition,
+    facts: &(impl IntoIterator<Item = &'a Condition> + Clone),
+    depth: usize,
+) -> Condition {
+    if let (Some((one, other)), 1..) = (condition.parts(), depth) {
+        let [one, other] = [one, other].map(|part| decided_within(a, part, facts, depth - 1));
+        if ![&one, &other].into_iter().any(|part| matches!(part, Condition::Known(_))) {
+            return condition;
+        }
+        return if matches!(condition, Condition::And(_)) { one.and(other) } else { one.or(other) };
+    }
+    if let Condition::Not(inner) = &condition
+        && inner.parts().is_some()
+    {
+        return decided_within(a, (**inner).clone(), facts, depth).not();
+    }
+    let known = Bound::of(a, &condition).and_then(|bound| {
+        let decide = |fact| Bound::of(a, fact)?.decides(bound);
+        facts.clone().into_iter().find_map(decide)
+    });
+    known.or_else(|| Extents::new(a, facts.clone()).decide(&condition)).map_or(condition, Condition::Known)
 }

@@ -146,8 +146,14 @@ impl Translation<'_> {
         match (then.is_never(), otherwise.is_never()) {
             _ if !known => return Value::Unknown,
             (true, true) => return Value::Never,
-            (true, false) => self.frame.take(otherwise_assigned),
-            (false, true) => self.frame.take(then_assigned),
+            (true, false) => {
+                self.frame.take(otherwise_assigned);
+                self.frame.assume(condition.clone().not());
+            }
+            (false, true) => {
+                self.frame.take(then_assigned);
+                self.frame.assume(condition.clone());
+            }
             (false, false) => {
                 if self.frame.merge(self.algebra, &condition, &then_assigned, &otherwise_assigned).is_err() {
                     return self.refuse(place, messages::variable_of_two_kinds());

@@ -7,6 +7,9 @@ use aim_symbolic::{Scalar, Vector};
 
 use super::algebra::Algebra;
 
+/// How deep combinations are looked into.
+pub(super) const DEEPEST: usize = 8;
+
 /// A comparison, or a combination of comparisons.
 #[derive(Clone, Debug)]
 pub(crate) enum Condition {
@@ -83,6 +86,30 @@ impl Condition {
             return then.clone();
         }
         condition.clone().and(then.clone()).or(condition.clone().not().and(otherwise.clone()))
+    }
+
+    /// What it combines.
+    pub(super) fn parts(&self) -> Option<(Self, Self)> {
+        match self {
+            Self::And(both) | Self::Or(both) => Some((both.one.clone(), both.other.clone())),
+            _ => None,
+        }
+    }
+
+    /// The conditions that all have to hold for it, of combinations that are no deeper than this.
+    pub(super) fn conjuncts(self, depth: usize) -> Vec<Self> {
+        let parts = match &self {
+            _ if depth == 0 => None,
+            Self::And(_) => self.parts(),
+            Self::Not(inner) if matches!(**inner, Self::Or(_)) => {
+                inner.parts().map(|(one, other)| (one.not(), other.not()))
+            }
+            _ => None,
+        };
+        match parts {
+            Some((one, other)) => [one, other].into_iter().flat_map(|part| part.conjuncts(depth - 1)).collect(),
+            None => vec![self],
+        }
     }
 
     pub(crate) fn select(&self, a: &mut Algebra, then: Scalar, otherwise: Scalar) -> Scalar {

@@ -7,7 +7,7 @@
 use std::rc::Rc;
 
 use super::algebra::Algebra;
-use super::condition::Condition;
+use super::condition::{Condition, DEEPEST};
 use super::expected::Expected;
 use super::value::{FrameId, Scope, Value};
 
@@ -68,6 +68,8 @@ pub(super) struct Frame {
     journals: Vec<Assigned>,
     /// The conditions of the branches under way.
     path: Vec<Condition>,
+    /// What else holds where control is: the branches and regions under way when that became known, and a condition.
+    assumed: Vec<(usize, usize, Condition)>,
     regions: Vec<Region>,
     exits: Vec<Exit>,
     /// The parameters and the captured variables that the caller lends to be changed.
@@ -87,9 +89,10 @@ impl Frame {
     }
 
     /// The same of a function that is called where these conditions hold.
-    pub(super) fn under(path: Vec<Condition>, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
-        let function = Region { target: Target::Function, label: None, variables: 0, path: path.len(), journals: 0 };
-        Self { captured: variables.len(), variables, path, regions: vec![function], scope, ..Self::default() }
+    pub(super) fn under(facts: Vec<Condition>, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
+        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
+        let assumed = facts.into_iter().map(|condition| (0, 0, condition)).collect();
+        Self { captured: variables.len(), variables, assumed, regions: vec![function], scope, ..Self::default() }
     }
 
     // Variables.
@@ -178,19 +181,28 @@ impl Frame {
     // Branches.
 
     /// The conditions that hold where control is, also those that the function is called under.
-    pub(super) fn facts(&self) -> &[Condition] {
-        &self.path
+    pub(super) fn facts(&self) -> impl Iterator<Item = &Condition> + Clone {
+        self.assumed.iter().map(|(_, _, condition)| condition)
+    }
+
+    /// From here on, as long as the branch and the region last, control is only where this holds.
+    pub(super) fn assume(&mut self, condition: Condition) {
+        for condition in condition.conjuncts(DEEPEST) {
+            self.assumed.push((self.path.len(), self.regions.len(), condition));
+        }
     }
 
     /// Begins a branch that is taken where the condition holds.
     pub(super) fn begin_branch(&mut self, condition: Condition) {
-        self.path.push(condition);
+        self.path.push(condition.clone());
+        self.assume(condition);
         self.journals.push(Vec::new());
     }
 
     /// Ends it: the variables are as before, and what the branch made of them is returned.
     pub(super) fn end_branch(&mut self) -> Assigned {
         self.path.pop();
+        self.assumed.retain(|(path, ..)| *path <= self.path.len());
         let journal = self.journals.pop().unwrap_or_default();
         let restored = journal.into_iter().map(|(place, before)| {
             let after = core::mem::replace(&mut self.variables[place].1, before);
@@ -292,6 +304,7 @@ impl Frame {
     /// they are now. The value that a `break` brings there; `None` where that or a variable has two kinds of values.
     pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Option<Value> {
         let Some(region) = self.regions.pop() else { return Some(Value::nothing()) };
+        self.assumed.retain(|(_, regions, _)| *regions <= self.regions.len());
         let journal = self.journals.pop().unwrap_or_default();
         let exits = self.take_exits(region.target);
         let mut goes_on = ends;

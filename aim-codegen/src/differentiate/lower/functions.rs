@@ -61,7 +61,7 @@ impl Translation<'_> {
         arguments: Vec<Value>,
         expected: &Expected,
     ) -> Value {
-        let facts = self.frame.facts().to_vec();
+        let facts = self.frame.facts().cloned().collect();
         let mut frame = Frame::under(facts, function.captured.clone(), function.scope.clone());
         // Where a closure was made it sees the variables as they are now, and may change them.
         let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);

@@ -10,9 +10,9 @@ use super::enums::field_of;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::value::{Callable, Scope, Struct, Value};
+use crate::differentiate::given;
 use crate::differentiate::items::{Enumeration, Structure};
 use crate::differentiate::names::{self, Meaning, segments};
-use crate::differentiate::types;
 
 /// Generic parameters and what they stand for: a length, a type, or a value of the type.
 type Found = Vec<(String, Value)>;
@@ -149,7 +149,7 @@ impl Translation<'_> {
         if let Meaning::Own(name) = self.items.meaning(&scope, &segments(path))
             && let Some(alias) = self.items.alias(&name)
         {
-            let ty = types::written_out(&alias.ty, &alias.parameters, path, &scope, self.items);
+            let ty = given::written_out(&alias.ty, &alias.parameters, path, &scope, self.items);
             return ty.map_or(Expected::Any, |ty| self.within(alias.scope.clone(), |this| this.expected(&ty)));
         }
         let name = self.resolved(&segments(path));

@@ -11,6 +11,7 @@ mod constants;
 mod defaults;
 mod enums;
 mod expected;
+mod extents;
 mod fields;
 mod frame;
 mod functions;
@@ -37,6 +38,7 @@ mod tests;
 
 use std::rc::Rc;
 
+use aim_symbolic::Scalar;
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
@@ -44,14 +46,15 @@ pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
 pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
+use self::extents::Extents;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::is_mathematical;
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Struct, Value};
-use super::messages;
 use super::names::{Meaning, segments};
+use super::{messages, types};
 use crate::differentiate::items::Constant;
 
 impl Translation<'_> {
@@ -383,6 +386,13 @@ impl Translation<'_> {
         }
     }
 
+    /// Whether a whole number is certainly one of this type.
+    fn fits(&self, x: Scalar, ty: &str) -> bool {
+        let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
+        let (least, most) = types::ends(ty);
+        extent.least >= least && extent.most <= most
+    }
+
     /// `value as type`
     fn cast(&mut self, cast: &syn::ExprCast) -> Value {
         let value = self.expression(&cast.expr);
@@ -396,7 +406,8 @@ impl Translation<'_> {
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
             (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
             // No number that counts wraps round in these.
-            (Value::Integer(_), "i32" | "i64" | "isize" | "usize" | "u64", None) => value,
+            (Value::Integer(_), "i32" | "i64" | "isize" | "u32" | "usize" | "u64", None) => value,
+            (Value::Integer(x), "u8" | "i8" | "u16" | "i16", None) if self.fits(*x, &ty) => value,
             (Value::Truth(condition), ty, _) if is_integer(ty) => self.algebra.number_of(condition),
             (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
                 self.discriminant(cast, of)

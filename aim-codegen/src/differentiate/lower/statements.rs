@@ -146,13 +146,27 @@ impl Translation<'_> {
             "assert" | "assert_eq" | "assert_ne" if self.has_effect(call) => {
                 self.refuse(&call.path, messages::effect_of_assertion())
             }
-            "assert" | "assert_eq" | "assert_ne" => Value::nothing(),
+            "assert" => {
+                self.assume_asserted(call);
+                Value::nothing()
+            }
+            "assert_eq" | "assert_ne" => Value::nothing(),
             // Nothing comes of these, so that the other branch is the value.
             "vec" => self.list(call),
             "matches" => self.matches_macro(call),
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
             _ => self.refuse(&call.path, messages::macro_call()),
         }
+    }
+
+    /// What an assertion asserts holds from there on, as far as it is understood.
+    fn assume_asserted(&mut self, call: &syn::Macro) {
+        let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
+        let errors = self.report.count();
+        if let Some(asserted) = written.first().and_then(|asserted| self.condition(asserted)) {
+            self.frame.assume(asserted);
+        }
+        self.report.forget(errors);
     }
 
     /// Whether what a macro is given changes a variable. What of it is not understood does not matter.

@@ -5,6 +5,7 @@ mod branches;
 mod by_hand;
 mod companions;
 mod counted;
+mod discrete;
 mod distances;
 mod documented;
 mod elementary;

@@ -10,8 +10,9 @@ use syn::{Expr, ExprMethodCall, ExprRange, Ident, RangeLimits};
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
+use super::extents::Extents;
 use super::value::{Element, Optional, Value};
-use super::{Translation, is_place};
+use super::{Translation, bounds, is_place};
 use crate::differentiate::messages;
 
 /// The longest range.
@@ -182,25 +183,48 @@ pub(super) fn ranks(a: &mut Algebra, items: &[Element]) -> Vec<Scalar> {
 }
 
 impl Translation<'_> {
-    /// A range of known whole numbers.
+    /// A range of whole numbers. Where it begins and ends may depend on arguments, within bounds that are known.
     pub(super) fn range(&mut self, range: &ExprRange) -> Value {
         let (Some(start), Some(end)) = (&range.start, &range.end) else {
             return self.refuse(range, messages::range_without_end());
         };
-        let mut ends = [0; 2];
-        for (place, bound) in ends.iter_mut().zip([start, end]) {
-            let value = self.expression(bound);
-            match self.algebra.known_integer(&value) {
-                Some(known) => *place = known,
-                None => return self.refuse_known(&value, bound, messages::rounds_unknown()),
+        let values = [start, end].map(|bound| self.expression(bound));
+        let mut ends = Vec::new();
+        for (value, bound) in values.into_iter().zip([start, end]) {
+            match value {
+                Value::Integer(end) => ends.push(end),
+                value => return self.refuse_known(&value, bound, messages::rounds_unknown()),
             }
         }
-        let [start, end] = ends;
-        let end = if matches!(range.limits, RangeLimits::Closed(_)) { end.saturating_add(1) } else { end };
-        if end.saturating_sub(start) > LONGEST {
+        let [first, last] = ends[..] else { return Value::Unknown };
+        let mut extents = Extents::new(self.algebra, self.frame.facts());
+        let [least, most] = [(extents.of(first).least, start), (extents.of(last).most, end)].map(|(end, bound)| {
+            // Whole numbers beyond these are longer ranges than any.
+            #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
+            if end.is_finite() { Ok(end as i64) } else { Err(bound) }
+        });
+        let (least, most) = match (least, most) {
+            (Ok(least), Ok(most)) => (least, most),
+            (Err(unknown), _) | (_, Err(unknown)) => return self.refuse(unknown, messages::rounds_unknown()),
+        };
+        let is_closed = matches!(range.limits, RangeLimits::Closed(_));
+        let most = if is_closed { most.saturating_add(1) } else { most };
+        if most.saturating_sub(least) > LONGEST {
             return self.refuse(range, messages::range_too_long(LONGEST));
         }
-        Value::iterator((start..end).map(|i| self.algebra.integer(i)))
+        let mut items = Vec::new();
+        for i in least..most {
+            let Value::Integer(number) = self.algebra.integer(i) else { continue };
+            let behind = Condition::at_most(self.algebra, first, number);
+            let before = match is_closed {
+                true => Condition::at_most(self.algebra, number, last),
+                false => Condition::less(self.algebra, number, last),
+            };
+            let [behind, before] =
+                [behind, before].map(|condition| bounds::decided(self.algebra, condition, self.frame.facts()));
+            items.push(Element { is_there: behind.and(before), value: Value::Integer(number) });
+        }
+        Value::iterator_of(items)
     }
 
     /// A method of an iterator over these.

@@ -13,7 +13,7 @@ pub(super) use self::function::{Fault, Function};
 use super::algebra::Algebra;
 use super::square;
 use super::value::Value;
-use crate::differentiate::types::Shape;
+use crate::differentiate::types::{self, Shape};
 
 /// The methods of a value.
 pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
@@ -88,18 +88,13 @@ pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
 
 /// A number as a whole number of a type, as `as` has it: cut off, and no larger or smaller than that has.
 pub(super) fn whole(a: &mut Algebra, x: &Value, ty: &str) -> Value {
-    let formula = match ty {
-        "u8" => "x.trunc().clamp(0.0, 255.0)",
-        "i8" => "x.trunc().clamp(-128.0, 127.0)",
-        "u16" => "x.trunc().clamp(0.0, 65535.0)",
-        "i16" => "x.trunc().clamp(-32768.0, 32767.0)",
-        "u32" => "x.trunc().clamp(0.0, 4294967295.0)",
-        "i32" => "x.trunc().clamp(-2147483648.0, 2147483647.0)",
-        // What is beyond the others' ends is no index.
-        ty if ty.starts_with('u') => "x.trunc().max(0.0)",
-        _ => "x.trunc()",
+    let (least, most) = types::ends(ty);
+    let formula = match (least.is_finite(), most.is_finite()) {
+        (_, true) => format!("x.trunc().clamp({least:?}, {most:?})"),
+        (true, false) => format!("x.trunc().max({least:?})"),
+        (false, false) => "x.trunc()".to_owned(),
     };
-    match function::evaluate(a, formula, &["x"], core::slice::from_ref(x)) {
+    match function::evaluate(a, &formula, &["x"], core::slice::from_ref(x)) {
         Value::Scalar(whole) => Value::Integer(whole),
         other => other,
     }

@@ -28,9 +28,7 @@ functions! {
     powi(x: Scalar, exponent: Integer) -> Scalar {
         match whole(a, exponent) {
             Ok(exponent) => a.power(x, exponent),
-            // No sign depends on it.
-            Err(_) if a.constant_of(x).is_some_and(|x| x > 0.0) => a.pow(x, exponent),
-            Err(text) => return Err(text.into()),
+            Err(_) => a.pow(x, exponent),
         }
     }
     powf(x: Scalar, exponent: Scalar) -> Scalar { a.pow(x, exponent) }

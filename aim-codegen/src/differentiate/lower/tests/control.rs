@@ -287,4 +287,43 @@ same! {
             out + z + g(x, 3) + g(y, 2)
         }
     }
+    rounds_that_are_bounded {
+        fn below(n: usize) -> usize { if n > 4 { return 4; } n }
+        fn factorial(n: usize) -> f64 { if n == 0 { 1.0 } else { n as f64 * factorial(n - 1) } }
+        fn power(x: f64, n: usize) -> f64 { match n { 0 => 1.0, 1 => x, n => x * power(x, n - 1) } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let n = x.abs().floor().min(3.0) as usize;
+            let m = (y.clamp(-2.0, 2.0).floor() as i32 + 2) as usize;
+            let (mut sum, table) = (0.0, [0.5, -1.0, 2.0, 4.0, 8.0]);
+            for i in 0..n { sum += table[i] * x; }
+            for i in n..=m { sum += table[i] * y; if sum > 20.0 { break; } }
+            for i in (m.min(2)..m + n).rev() { sum -= i as f64; }
+            for i in 0..below(m + n) { sum += table[i]; for j in i..m.min(3) { sum -= 0.25 * table[j] * y; } }
+            let mut i = 0;
+            while i < m { sum += 0.125 * table[i]; i += 1; }
+            let halves: f64 = (0..n).map(|i| x.powi(i as i32) * 0.5).sum();
+            let k = (10.0 + x + y).floor() as usize;
+            assert!(k < 30 && k > 2, "between these");
+            for j in 0..k / 4 { sum += 0.01 * j as f64; }
+            if k >= 12 && k < 14 { for j in 12..k { sum += 100.0 * j as f64; } }
+            sum += factorial(n) + power(y, m);
+            sum + halves + (0..n).len() as f64 + if (0..m).any(|i| table[i] > y) { 7.0 } else { 9.0 }
+        }
+    }
+    what_is_known_only_for_a_while {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut sum = 0.0;
+            for k in 0..2 {
+                if x > 1.5 { sum += 1.0; continue; }
+                if x > 2.5 { sum += 1000.0; }
+                if y > 0.5 { if x > 0.75 { break; } if x > 0.9 { sum += 500.0; } }
+                if x > 0.8 { sum += 3.0 + k as f64; }
+            }
+            if x > 1.75 { sum += 10.0; }
+            if x > 0.9 { sum += 100.0; }
+            let y = if y > 1.0 { y - 4.0 } else { y };
+            let g = |z: f64| { if z > 0.0 { return 1.0; } if z > -1.0 { 2.0 } else { 3.0 } };
+            sum + g(x) + 0.1 * g(y) + if y > 1.0 { 0.01 } else { 0.02 }
+        }
+    }
 }

@@ -1,0 +1,151 @@
+//! [`Extents`]: between which numbers a whole number is, so that loops to it have an end.
+
+use std::collections::HashMap;
+
+use aim_symbolic::{Function, Op, Scalar, ScalarNode};
+
+use super::algebra::Algebra;
+use super::bounds::Bound;
+use super::condition::Condition;
+
+/// The least and the most that a number can be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Extent {
+    pub(super) least: f64,
+    pub(super) most: f64,
+    /// Whether it is certainly whole.
+    pub(super) is_whole: bool,
+}
+
+impl Extent {
+    pub(super) const UNKNOWN: Self = Self { least: f64::NEG_INFINITY, most: f64::INFINITY, is_whole: false };
+
+    /// Sums and products of whole numbers, which are not rounded.
+    fn made(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
+        if !self.is_whole || !other.is_whole {
+            return Self::UNKNOWN;
+        }
+        let pairs =
+            [(self.least, other.least), (self.least, other.most), (self.most, other.least), (self.most, other.most)];
+        let ends = pairs.map(|(x, y)| ends(x, y));
+        // 0 times what has no end.
+        if ends.iter().any(|end| end.is_nan()) {
+            return Self { is_whole: true, ..Self::UNKNOWN };
+        }
+        let [least, most] = [f64::min, f64::max].map(|of| ends.into_iter().reduce(of).unwrap_or(f64::NAN));
+        Self { least, most, is_whole: true }
+    }
+
+    fn at_most(self, most: f64) -> Self {
+        Self { most: self.most.min(most), ..self }
+    }
+
+    fn at_least(self, least: f64) -> Self {
+        Self { least: self.least.max(least), ..self }
+    }
+
+    /// What is left of it within a bound.
+    fn within(self, bound: Bound) -> Self {
+        let Bound { above, at, strict, .. } = bound;
+        match (above, strict && self.is_whole) {
+            (true, true) => self.at_least(at.floor() + 1.0),
+            (true, false) => self.at_least(at),
+            (false, true) => self.at_most(at.ceil() - 1.0),
+            (false, false) => self.at_most(at),
+        }
+    }
+}
+
+/// The extents of numbers where conditions hold.
+pub(super) struct Extents<'a> {
+    a: &'a Algebra,
+    bounds: Vec<Bound>,
+    known: HashMap<Scalar, Extent>,
+}
+
+/// How many parts of a number are looked at.
+const MOST_PARTS: usize = 256;
+
+impl<'a> Extents<'a> {
+    pub(super) fn new<'f>(a: &'a Algebra, facts: impl IntoIterator<Item = &'f Condition>) -> Self {
+        let bounds = facts.into_iter().filter_map(|fact| Bound::of(a, fact)).collect();
+        Self { a, bounds, known: HashMap::new() }
+    }
+
+    /// True or false of a comparison that holds, or does not, whatever its sides are.
+    pub(super) fn decide(&mut self, condition: &Condition) -> Option<bool> {
+        match condition {
+            Condition::Less(x, y) => {
+                let (x, y) = (self.of(*x), self.of(*y));
+                if x.most < y.least { Some(true) } else { (x.least >= y.most).then_some(false) }
+            }
+            Condition::Not(inner) => self.decide(inner).map(|holds| !holds),
+            _ => None,
+        }
+    }
+
+    pub(super) fn of(&mut self, x: Scalar) -> Extent {
+        if let Some(known) = self.known.get(&x) {
+            return *known;
+        }
+        if self.known.len() == MOST_PARTS {
+            return Extent::UNKNOWN;
+        }
+        self.known.insert(x, Extent::UNKNOWN);
+        let extent = self.of_node(x);
+        let extent =
+            self.bounds.iter().filter(|bound| bound.x == x).fold(extent, |extent, bound| extent.within(*bound));
+        self.known.insert(x, extent);
+        extent
+    }
+
+    fn of_node(&mut self, x: Scalar) -> Extent {
+        let ScalarNode::Op(op) = self.a.g.scalar_node(x) else { return Extent::UNKNOWN };
+        match op {
+            Op::Constant(constant) => {
+                let value = constant.value();
+                Extent { least: value, most: value, is_whole: value.fract() == 0.0 }
+            }
+            Op::Input(_) => self.a.extent_of_input(x),
+            Op::Neg(inner) => {
+                let inner = self.of(inner);
+                Extent { least: -inner.most, most: -inner.least, ..inner }
+            }
+            Op::Add(one, other) => self.of(one).made(self.of(other), |x, y| x + y),
+            Op::Sub(one, other) => self.of(one).made(self.of(other), |x, y| x - y),
+            Op::Mul(one, other) => self.of(one).made(self.of(other), |x, y| x * y),
+            Op::Div(one, divisor) => {
+                let (one, divisor) = (self.of(one), self.of(divisor));
+                match divisor.least == divisor.most && divisor.least > 0.0 {
+                    true => {
+                        Extent { least: one.least / divisor.least, most: one.most / divisor.least, is_whole: false }
+                    }
+                    false => Extent::UNKNOWN,
+                }
+            }
+            Op::Call(Function::Floor, inner) => {
+                let inner = self.of(inner);
+                Extent { least: inner.least.floor(), most: inner.most.floor(), is_whole: true }
+            }
+            Op::SelectLess(less, more, then, otherwise) => {
+                let (below, above) = (self.of(less), self.of(more));
+                let (mut one, mut other) = (self.of(then), self.of(otherwise));
+                if then == less {
+                    one = one.at_most(above.most);
+                }
+                if then == more {
+                    one = one.at_least(below.least);
+                }
+                if otherwise == more {
+                    other = other.at_most(below.most);
+                }
+                if otherwise == less {
+                    other = other.at_least(above.least);
+                }
+                let (least, most) = (one.least.min(other.least), one.most.max(other.most));
+                Extent { least, most, is_whole: one.is_whole && other.is_whole }
+            }
+            _ => Extent::UNKNOWN,
+        }
+    }
+}
