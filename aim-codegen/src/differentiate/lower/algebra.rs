@@ -3,7 +3,6 @@
 use core::ops::{Deref, DerefMut};
 use std::collections::HashMap;
 
-use super::extents::Extent;
 use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
 use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
@@ -14,8 +13,8 @@ pub(crate) struct Algebra {
     fold: Fold,
     /// The inputs that derivatives are taken by.
     variables: Vec<Variable>,
-    /// What is known of inputs that are whole numbers.
-    extents: HashMap<Scalar, Extent>,
+    /// The least and the most that inputs can be that are whole numbers.
+    extents: HashMap<Scalar, (f64, f64)>,
 }
 
 impl Deref for Algebra {
@@ -49,12 +48,12 @@ impl Algebra {
 
     /// This input is a whole number from here to there.
     pub(crate) fn set_extent(&mut self, input: Scalar, least: f64, most: f64) {
-        self.extents.insert(input, Extent { least, most, is_whole: true });
+        self.extents.insert(input, (least, most));
     }
 
-    /// What is known of an input.
-    pub(super) fn extent_of_input(&self, input: Scalar) -> Extent {
-        self.extents.get(&input).copied().unwrap_or(Extent::UNKNOWN)
+    /// The least and the most that an input can be; `None` of one that is no whole number.
+    pub(super) fn extent_of_input(&self, input: Scalar) -> Option<(f64, f64)> {
+        self.extents.get(&input).copied()
     }
 
     /// Whether the node depends on what derivatives are taken by.

@@ -1,11 +1,9 @@
-//! Conditions that those on the way to a branch decide: where x < 0, −x < 0 does not hold. Functions that call themselves for what is
-//! on the other side of a number end by it.
+//! [`Bound`]: a condition on one number, which may decide another one: where x < 0, −x < 0 does not hold.
 
 use aim_symbolic::{Op, Scalar, ScalarNode};
 
 use super::algebra::Algebra;
-use super::condition::{Condition, DEEPEST};
-use super::extents::Extents;
+use super::condition::Condition;
 
 /// `x < at`, or with `above` `x > at`; or equal, unless that is `strict`.
 #[derive(Clone, Copy)]
@@ -90,7 +88,7 @@ impl Bound {
     }
 
     /// True or false of another one that holds, or does not, wherever this one does; `None` where that depends.
-    fn decides(self, other: Self) -> Option<bool> {
+    pub(super) fn decides(self, other: Self) -> Option<bool> {
         let (here, there) = if self.above { (-self.at, -other.at) } else { (self.at, other.at) };
         if self.x != other.x {
             None
@@ -100,38 +98,4 @@ impl Bound {
             (there > here || here == there && (self.strict || other.strict)).then_some(false)
         }
     }
-}
-
-/// The condition, known where one of these, which hold, decides it; without what of a combination is known.
-pub(super) fn decided<'a>(
-    a: &Algebra,
-    condition: Condition,
-    facts: impl IntoIterator<Item = &'a Condition> + Clone,
-) -> Condition {
-    decided_within(a, condition, &facts, DEEPEST)
-}
-
-fn decided_within<'a>(
-    a: &Algebra,
-    condition: Condition,
-    facts: &(impl IntoIterator<Item = &'a Condition> + Clone),
-    depth: usize,
-) -> Condition {
-    if let (Some((one, other)), 1..) = (condition.parts(), depth) {
-        let [one, other] = [one, other].map(|part| decided_within(a, part, facts, depth - 1));
-        if ![&one, &other].into_iter().any(|part| matches!(part, Condition::Known(_))) {
-            return condition;
-        }
-        return if matches!(condition, Condition::And(_)) { one.and(other) } else { one.or(other) };
-    }
-    if let Condition::Not(inner) = &condition
-        && inner.parts().is_some()
-    {
-        return decided_within(a, (**inner).clone(), facts, depth).not();
-    }
-    let known = Bound::of(a, &condition).and_then(|bound| {
-        let decide = |fact| Bound::of(a, fact)?.decides(bound);
-        facts.clone().into_iter().find_map(decide)
-    });
-    known.or_else(|| Extents::new(a, facts.clone()).decide(&condition)).map_or(condition, Condition::Known)
 }

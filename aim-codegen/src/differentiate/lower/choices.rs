@@ -8,7 +8,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::statements::is_rest;
 use super::value::Value;
-use super::{Translation, bounds, operators, strip};
+use super::{Translation, extents, operators, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 
@@ -129,7 +129,7 @@ impl Translation<'_> {
         then: impl FnOnce(&mut Self) -> Value,
         otherwise: impl FnOnce(&mut Self) -> Value,
     ) -> Value {
-        let condition = condition.map(|condition| bounds::decided(self.algebra, condition, self.frame.facts()));
+        let condition = condition.map(|condition| extents::decided(self.algebra, condition, self.frame.facts()));
         let (known, condition) = match condition {
             Some(Condition::Known(true)) => return then(self),
             Some(Condition::Known(false)) => return otherwise(self),

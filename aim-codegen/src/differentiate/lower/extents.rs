@@ -1,4 +1,5 @@
-//! [`Extents`]: between which numbers a whole number is, so that loops to it have an end.
+//! Conditions that those on the way to a branch decide, so that functions that call themselves for what is on the other side of a
+//! number end; and [`Extents`]: between which numbers a whole number is, so that loops to it do.
 
 use std::collections::HashMap;
 
@@ -6,11 +7,11 @@ use aim_symbolic::{Function, Op, Scalar, ScalarNode};
 
 use super::algebra::Algebra;
 use super::bounds::Bound;
-use super::condition::Condition;
+use super::condition::{Condition, DEEPEST};
 
 /// The least and the most that a number can be.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Extent {
+pub(super) struct Extent {
     pub(super) least: f64,
     pub(super) most: f64,
     /// Whether it is certainly whole.
@@ -18,7 +19,7 @@ pub(crate) struct Extent {
 }
 
 impl Extent {
-    pub(super) const UNKNOWN: Self = Self { least: f64::NEG_INFINITY, most: f64::INFINITY, is_whole: false };
+    const UNKNOWN: Self = Self { least: f64::NEG_INFINITY, most: f64::INFINITY, is_whole: false };
 
     /// Sums and products of whole numbers, which are not rounded.
     fn made(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
@@ -106,7 +107,10 @@ impl<'a> Extents<'a> {
                 let value = constant.value();
                 Extent { least: value, most: value, is_whole: value.fract() == 0.0 }
             }
-            Op::Input(_) => self.a.extent_of_input(x),
+            Op::Input(_) => match self.a.extent_of_input(x) {
+                Some((least, most)) => Extent { least, most, is_whole: true },
+                None => Extent::UNKNOWN,
+            },
             Op::Neg(inner) => {
                 let inner = self.of(inner);
                 Extent { least: -inner.most, most: -inner.least, ..inner }
@@ -148,4 +152,38 @@ impl<'a> Extents<'a> {
             _ => Extent::UNKNOWN,
         }
     }
+}
+
+/// The condition, known where one of these, which hold, decides it; without what of a combination is known.
+pub(super) fn decided<'a>(
+    a: &Algebra,
+    condition: Condition,
+    facts: impl IntoIterator<Item = &'a Condition> + Clone,
+) -> Condition {
+    decided_within(a, condition, &facts, DEEPEST)
+}
+
+fn decided_within<'a>(
+    a: &Algebra,
+    condition: Condition,
+    facts: &(impl IntoIterator<Item = &'a Condition> + Clone),
+    depth: usize,
+) -> Condition {
+    if let (Some((one, other)), 1..) = (condition.parts(), depth) {
+        let [one, other] = [one, other].map(|part| decided_within(a, part, facts, depth - 1));
+        if ![&one, &other].into_iter().any(|part| matches!(part, Condition::Known(_))) {
+            return condition;
+        }
+        return if matches!(condition, Condition::And(_)) { one.and(other) } else { one.or(other) };
+    }
+    if let Condition::Not(inner) = &condition
+        && inner.parts().is_some()
+    {
+        return decided_within(a, (**inner).clone(), facts, depth).not();
+    }
+    let known = Bound::of(a, &condition).and_then(|bound| {
+        let decide = |fact| Bound::of(a, fact)?.decides(bound);
+        facts.clone().into_iter().find_map(decide)
+    });
+    known.or_else(|| Extents::new(a, facts.clone()).decide(&condition)).map_or(condition, Condition::Known)
 }

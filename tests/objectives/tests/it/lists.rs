@@ -28,7 +28,7 @@ mod functions {
     }
 
     /// By the residuals and a scale.
-    #[differentiate(wrt(x, scale), hessian, hvp)]
+    #[differentiate(wrt(x, scale), hessian, hvp, lanes)]
     pub(super) fn robust(losses: &[Loss; 3], x: [f64; 3], scale: f64) -> f64 {
         losses.iter().zip(x).map(|(loss, x)| loss.of(scale * x)).sum()
     }
@@ -206,6 +206,13 @@ fn enums_as_arguments() {
                 assert!((value - expected).abs() < 1e-14 * (1.0 + expected), "{value}, {expected}: {losses:?}");
                 assert_near(by_x, differences(|x| functions::robust(&losses, x, 1.2), x), "by x");
                 assert_near([by_scale], differences(|[s]| functions::robust(&losses, x, s), [1.2]), "by the scale");
+                // The variant, and the fields of all.
+                let in_lanes = losses.map(|loss| match loss {
+                    Loss::Square => (0.0, 5.0, 9.0, 0.0),
+                    Loss::Huber { width } => (1.0, width, -3.0, 1.0),
+                    Loss::Tukey(width, scaled) => (2.0, -7.0, width, f64::from(u8::from(scaled))),
+                });
+                assert_eq!(functions::robust_gradient_lanes(&in_lanes, x, 1.2), (value, (by_x, by_scale)));
             }
         }
     }

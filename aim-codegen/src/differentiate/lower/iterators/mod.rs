@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
 use super::value::{Element, Optional, Value};
-use super::{Translation, bounds, is_place};
+use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
 /// The longest range.
@@ -221,7 +221,7 @@ impl Translation<'_> {
                 false => Condition::less(self.algebra, number, last),
             };
             let [behind, before] =
-                [behind, before].map(|condition| bounds::decided(self.algebra, condition, self.frame.facts()));
+                [behind, before].map(|condition| extents::decided(self.algebra, condition, self.frame.facts()));
             items.push(Element { is_there: behind.and(before), value: Value::Integer(number) });
         }
         Value::iterator_of(items)
