@@ -336,6 +336,18 @@ messages! {
         "this array is too long to be sorted here: at most {most}",
         "every two elements are compared; sort it before it is passed";
 
+    rounded_constants() =>
+        "rounding decides this, which is not known here: in single precision these constants are the same, or in another order",
+        "count rounds by whole numbers, as in `for i in 0..10`, or compute in `f64`";
+
+    large_whole_number() =>
+        "this whole number is beyond 2⁵³, which is rounded here",
+        "pass it as an argument; what is made of random bits is no function to differentiate";
+
+    effect_of_error() =>
+        "an error that changes a variable is not followed",
+        "change the variable before";
+
     receiver_effect() =>
         "which place this method changes depends on what is changed on the way to it",
         "bind the index with `let` before";

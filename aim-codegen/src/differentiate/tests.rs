@@ -106,6 +106,35 @@ fn long_sums_are_no_trouble() {
 }
 
 #[test]
+fn what_cannot_be_told_is_refused() {
+    for (body, what) in [
+        ("let mut t = 0.0; let mut s = x; while t < 1.0 { s += x * 0.1; t += 0.1; } s", "rounding"),
+        ("if 0.1f32 + 0.2 > 0.3 { x } else { 2.0 * x }", "rounding"),
+        ("let b = 1e30f32 * 1e20; if b < f32::INFINITY { x } else { 2.0 * x }", "rounding"),
+        ("x * (0.7f32 / 0.1) as usize as f32", "rounding"),
+        ("let mut s = 7u64; for _ in 0..3 { s = (s * 1103515245 + 12345) % 2147483648; } x * s as f32", "2⁵³"),
+        ("x * ((0i32 - 1) as usize % 4) as f32", "2⁵³"),
+        (
+            "let mut n = 1.0; let mut inc = |a: f32, add: bool| { if add { n += a; } n * a }; let p = inc(x, true); \
+             p + [x, 2.0].iter().map(|a| inc(*a, false)).sum::<f32>()",
+            "closure",
+        ),
+        ("let mut n = x; let o: Result<f32, f32> = Some(x).ok_or({ n += 1.0; n }); n + o.unwrap_or(1.0)", "error"),
+        ("let mut n = x; let o: Result<f32, f32> = Err({ n += 1.0; n }); n + o.unwrap_or(1.0)", "error"),
+        (
+            "let mut i = 0; let mut g = [[x, 1.0], [2.0, 3.0], [4.0, 5.0], [6.0, x]]; g[{ i += 1; i }].swap(0, 1); g[1][0]",
+            "bind the index",
+        ),
+        ("let mut i = 0; let mut g = [x, 1.0, 2.0]; g[{ i += 1; i }] += { i += 1; x }; g[1]", "bind the index"),
+        ("let mut s = x; let n = [x, 1.0].iter().map(|a| { s += a; s }).len(); s * n as f32", "whether and when"),
+    ] {
+        let expansion = expand("wrt(x)", &format!("fn f(x: f32) -> f32 {{ {body} }}"));
+        assert_eq!(errors(&expansion), 1, "{body}: {expansion}");
+        assert!(expansion.contains(what), "{body}: {expansion}");
+    }
+}
+
+#[test]
 fn whole_numbers_are_no_others() {
     for value in ["x.powi(x)", "x * 2", "x + n", "x + n as u8 as f32"] {
         let item = format!("fn f(x: f32, n: usize) -> f32 {{ {value} }}");

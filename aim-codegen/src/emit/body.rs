@@ -1,6 +1,7 @@
 //! A program as Rust statements, for the kernels of rigs and for differentiated functions alike.
 
 use core::fmt;
+use std::collections::HashMap;
 
 use aim_symbolic::print::{Printer, Written};
 use aim_symbolic::{Count, Function, Op, Program, Value};
@@ -18,6 +19,9 @@ pub struct Body<'a> {
     /// The expression of an input, by its number.
     pub input: &'a dyn Fn(usize) -> TokenStream,
 }
+
+/// The most statements of a block.
+const LONGEST_BLOCK: usize = 1000;
 
 /// The numbers that a body computes with.
 #[derive(Clone, Copy, Debug)]
@@ -45,10 +49,26 @@ impl fmt::Debug for Body<'_> {
 }
 
 impl Body<'_> {
-    /// The program's steps, one after another.
+    /// The program's steps, one after another; those of a long program in blocks, because the debug information of each
+    /// variable is nested in that of the one before.
     #[must_use]
     pub fn steps(&self) -> TokenStream {
-        self.statements().into_iter().map(|(_, statement)| statement).collect()
+        let statements = self.statements();
+        if statements.len() <= LONGEST_BLOCK {
+            return statements.into_iter().map(|(_, statement)| statement).collect();
+        }
+        let ops: HashMap<usize, Op> = self.program.steps().collect();
+        // The steps that a statement computes.
+        let computed = |number: usize| match ops[&number] {
+            Op::Call(function, a) => self.sin_and_cos(function, a).map_or(vec![number], |(_, sin, cos)| vec![sin, cos]),
+            _ => vec![number],
+        };
+        let blocks = statements.chunks(LONGEST_BLOCK).map(|block| {
+            let names: Vec<Ident> = block.iter().flat_map(|(number, _)| computed(*number)).map(step).collect();
+            let statements = block.iter().map(|(_, statement)| statement);
+            quote!(let [#(#names),*] = { #(#statements)* [#(#names),*] };)
+        });
+        blocks.collect()
     }
 
     /// The numbers of the program's steps, each with the statement that computes it.

@@ -79,6 +79,22 @@ impl Algebra {
         self.fold.mul(a, b)
     }
 
+    /// The value of a constant, or of a quotient of constants, which the graph keeps.
+    pub(crate) fn known(&self, x: Scalar) -> Option<f64> {
+        match self.g.scalar_node(x) {
+            ScalarNode::Op(Op::Div(a, b)) => Some(self.constant_of(a)? / self.constant_of(b)?),
+            _ => self.constant_of(x),
+        }
+    }
+
+    /// A function of a number; of a constant, what jumps is known.
+    pub(crate) fn call(&mut self, function: Function, x: Scalar) -> Scalar {
+        match (function, self.known(x)) {
+            (Function::Floor, Some(known)) => self.number(known.floor()),
+            _ => self.g.call(function, x),
+        }
+    }
+
     /// √a; that of a vector's square is its length.
     pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
         if let ScalarNode::Dot(v, w) = self.g.scalar_node(a) {

@@ -52,8 +52,12 @@ struct Callee<'a> {
 
 impl Translation<'_> {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall, expected: &Expected) -> Value {
+        let errors = self.report.count();
         if let Some(value) = self.changing_method(call).or_else(|| self.contained(call)) {
             return value;
+        }
+        if self.report.count() > errors {
+            return Value::Unknown;
         }
         let is_drained = core::mem::take(&mut self.is_drained);
         // The first `None` ends what becomes an option.
@@ -377,13 +381,12 @@ impl Translation<'_> {
                 return self.refuse(&call.func, messages::from_fn_unknown());
             }
             // Of an error nothing is known but that it is one.
-            ("Err", [_], _) => return Value::none(),
+            ("Err", [error], _) => return self.without_error_effect(error, Value::none()),
             ("Some" | "Ok", [value], _) => {
                 let value = self.expression(value);
                 return Value::some(value);
             }
             ("replace", [place, value], _) if is_of("mem") => {
-                let value = self.expression(value);
                 return self.replaced(&call.func, place, value);
             }
             ("swap", [one, other], _) if is_of("mem") => return self.exchanged(&call.func, one, other),

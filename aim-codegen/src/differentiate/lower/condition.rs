@@ -39,7 +39,7 @@ impl Both {
 impl Condition {
     /// x < y, known of constants.
     pub(crate) fn less(a: &Algebra, x: Scalar, y: Scalar) -> Self {
-        match (a.constant_of(x), a.constant_of(y)) {
+        match (a.known(x), a.known(y)) {
             (Some(x), Some(y)) => Self::Known(x < y),
             _ => Self::Less(x, y),
         }

@@ -8,7 +8,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::iterators::ranks;
 use super::value::Value;
-use super::{Translation, lists, square, strip};
+use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
 /// A field as written.
@@ -125,11 +125,16 @@ impl Translation<'_> {
     }
 
     pub(super) fn index(&mut self, index: &ExprIndex) -> Value {
-        let base = self.expression(&index.expr);
+        let mut base = self.expression(&index.expr);
         if let Expr::Range(range) = strip(&index.index) {
             return self.slice(&base, range);
         }
-        let place = self.expression(&index.index);
+        let (place, has_effect) = self.tracked(|this| this.expression(&index.index));
+        if has_effect && is_place(&index.expr) {
+            // A place is read when its index is known.
+            let read = self.still_place(&index.expr);
+            base = read.map_or(Value::Unknown, |place| self.read(&place));
+        }
         if base.is_unknown() || place.is_unknown() {
             return Value::Unknown;
         }

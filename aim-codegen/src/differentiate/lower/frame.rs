@@ -290,6 +290,11 @@ impl Frame {
         self.exits.len()
     }
 
+    /// Takes the ways out back that there are beyond so many.
+    pub(super) fn forget_exits(&mut self, count: usize) {
+        self.exits.truncate(count);
+    }
+
     /// Whether control may have been led to this end.
     pub(super) fn has_exits(&self, target: Target) -> bool {
         self.exits.iter().any(|exit| exit.target == target)

@@ -50,7 +50,9 @@ impl Translation<'_> {
             let place = self.frame.find(&word.to_string());
             named.extend(place.filter(|&place| self.frame.value(place).is_selectable() && !named.contains(&place)));
         });
-        Home { frame: self.frame.id.clone(), named }
+        let names: Vec<&str> = named.iter().map(|&place| self.frame.variables()[place].0.as_str()).collect();
+        let changes = assigns(closure.body.to_token_stream(), &names);
+        Home { frame: self.frame.id.clone(), named, changes }
     }
 
     /// The value of a function's body, its parameters being the arguments.
@@ -64,6 +66,9 @@ impl Translation<'_> {
         let facts = self.frame.facts().cloned().collect();
         let mut frame = Frame::under(facts, function.captured.clone(), function.scope.clone());
         // Where a closure was made it sees the variables as they are now, and may change them.
+        if function.home.as_ref().is_some_and(|home| home.frame != self.frame.id && home.changes) {
+            return self.refuse(place, messages::captured());
+        }
         let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
         // Of those that are left by now it has what it had.
         let is_there = |variable: &usize| {
@@ -208,4 +213,37 @@ pub(super) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
             _ => {}
         }
     }
+}
+
+/// Whether there is an assignment to one of these names, or to a part of it.
+fn assigns(tokens: TokenStream, names: &[&str]) -> bool {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    tokens.iter().enumerate().any(|(start, token)| match token {
+        TokenTree::Group(group) => assigns(group.stream(), names),
+        TokenTree::Ident(name) if names.iter().any(|known| name == known) => {
+            let is_declared =
+                start > 0 && matches!(&tokens[start - 1], TokenTree::Ident(word) if word == "let" || word == "mut");
+            let is_lent = start > 1 && is_punct(&tokens[start - 2], '&') && is_declared;
+            let is_part = |token: &&TokenTree| {
+                is_punct(token, '.')
+                    || matches!(token, TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_))
+            };
+            let rest = &tokens[start + 1..];
+            let rest = &rest[rest.iter().take_while(is_part).count()..];
+            is_lent
+                || !is_declared
+                    && match rest {
+                        [equals, next, ..] if is_punct(equals, '=') => !is_punct(next, '=') && !is_punct(next, '>'),
+                        [operator, equals, ..] if is_punct(equals, '=') => {
+                            "+-*/%&|^".chars().any(|c| is_punct(operator, c))
+                        }
+                        _ => false,
+                    }
+        }
+        _ => false,
+    })
+}
+
+fn is_punct(token: &TokenTree, character: char) -> bool {
+    matches!(token, TokenTree::Punct(punct) if punct.as_char() == character)
 }

@@ -121,7 +121,7 @@ impl Translation<'_> {
         if !CHANGING.contains(&(&name, call.args.len())) || !is_place(&call.receiver) {
             return None;
         }
-        let place = self.place(&call.receiver)?;
+        let place = self.still_place(&call.receiver)?;
         let list @ (Value::Array(_) | Value::List(_)) = self.read(&place) else { return None };
         let mut items = list.items()?;
         // What is missing was reported.

@@ -56,6 +56,7 @@ pub(super) use self::value::{Callable, Optional, Scope, Struct, Value};
 use super::names::{Meaning, segments};
 use super::{messages, types};
 use crate::differentiate::items::Constant;
+use crate::emit::Precision;
 
 impl Translation<'_> {
     /// The value of a function of these arguments; of those at fault nothing is known.
@@ -285,11 +286,15 @@ impl Translation<'_> {
             // What these are worth depends on the type of the place.
             Expr::Call(_) | Expr::MethodCall(_) => {
                 // It is looked at before it is assigned: what that changes is changed then.
+                let (exits, errors) = (self.frame.exits(), self.report.count());
                 self.frame.begin_branch(Condition::Known(true));
                 let expected = self.type_of_place(&assign.left);
                 self.frame.end_branch();
+                self.frame.forget_exits(exits);
+                // Where nothing was reported, control goes elsewhere on the way there.
                 match expected {
                     Some(expected) => expected,
+                    None if self.report.count() == errors => Expected::Any,
                     None => return Value::Unknown,
                 }
             }
@@ -341,13 +346,18 @@ impl Translation<'_> {
             };
         };
         // What is added comes before the place that it is added to, which is found once.
-        let right = self.expression(&binary.right);
-        let Some(place) = self.place(&binary.left) else { return Value::Unknown };
+        let (right, has_effect) = self.tracked(|this| this.expression(&binary.right));
+        let found = if has_effect { self.still_place(&binary.left) } else { self.place(&binary.left) };
+        let Some(place) = found else { return Value::Unknown };
         let left = self.read(&place);
         if let Some(without) = Value::without(&[left.clone(), right.clone()]) {
             return without;
         }
         match self.own_operator(&binary.op, &left, &right) {
+            // An own operator is given the place first.
+            Some(Ok(_)) if has_effect && !place.steps.is_empty() => {
+                self.refuse(&binary.left, messages::receiver_effect())
+            }
             Some(Ok(function)) => self.inline(&binary.op, &function, vec![Value::Reference(Rc::new(place)), right]),
             Some(Err(text)) => self.refuse(&binary.op, text),
             None => {
@@ -359,9 +369,40 @@ impl Translation<'_> {
 
     /// What an operator that the language knows makes of two values.
     fn operation(&mut self, binary: &syn::ExprBinary, operator: &syn::BinOp, left: &Value, right: &Value) -> Value {
-        operators::binary(self.algebra, operator, left, right).unwrap_or_else(|| {
+        if operators::compares(operator) && self.is_ambiguous(left, right) {
+            return self.refuse(&binary.op, messages::rounded_constants());
+        }
+        let value = operators::binary(self.algebra, operator, left, right);
+        if let Value::Integer(_) = left
+            && [Some(left), Some(right), value.as_ref()]
+                .into_iter()
+                .flatten()
+                .any(|value| self.is_too_large_to_count(value))
+            && !matches!(value, Some(Value::Truth(_)))
+        {
+            return self.refuse(&binary.op, messages::large_whole_number());
+        }
+        value.unwrap_or_else(|| {
             self.refuse(&binary.op, messages::no_operation(operator, &left.describe(), &right.describe()))
         })
+    }
+
+    /// Whether two known numbers are so near to each other, or so large or small, that a function of single precision may
+    /// compare them otherwise than what is computed here in double precision.
+    fn is_ambiguous(&self, left: &Value, right: &Value) -> bool {
+        let (Value::Scalar(x), Value::Scalar(y), Some(Precision::Single)) = (left, right, self.precision) else {
+            return false;
+        };
+        let (Some(x), Some(y)) = (self.algebra.known(*x), self.algebra.known(*y)) else { return false };
+        let is_beyond =
+            |x: f64| x.is_finite() && x.abs() > f32::MAX.into() || x != 0.0 && x.abs() < f32::MIN_POSITIVE.into();
+        is_beyond(x) || is_beyond(y) || x != y && (x - y).abs() <= NEAR * x.abs().max(y.abs())
+    }
+
+    /// Whether a known whole number is rounded here.
+    fn is_too_large_to_count(&self, value: &Value) -> bool {
+        let Value::Integer(x) = value else { return false };
+        self.algebra.constant_of(*x).is_some_and(|x| x.abs() > LARGEST_WHOLE)
     }
 
     /// `left && right` or `left || right`: what is on the right is done only where the left side does not decide.
@@ -386,6 +427,12 @@ impl Translation<'_> {
         }
     }
 
+    /// Whether a number is known, but whether it is below or above a whole number is not, in single precision.
+    fn is_nearly_whole(&self, x: Scalar) -> bool {
+        let known = self.algebra.known(x).filter(|_| self.precision == Some(Precision::Single));
+        known.is_some_and(|x| x.fract() != 0.0 && (x - x.round()).abs() <= NEAR * x.abs())
+    }
+
     /// Whether a whole number is certainly one of this type.
     fn fits(&self, x: Scalar, ty: &str) -> bool {
         let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
@@ -404,10 +451,24 @@ impl Translation<'_> {
             (Value::Unknown | Value::Never, ..) => value,
             (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
-            (Value::Integer(_), ty, Some(whole)) if is_integer(ty) => self.algebra.integer(wrapped(whole, ty)),
-            // No number that counts wraps round in these.
-            (Value::Integer(_), "i32" | "i64" | "isize" | "u32" | "usize" | "u64", None) => value,
-            (Value::Integer(x), "u8" | "i8" | "u16" | "i16", None) if self.fits(*x, &ty) => value,
+            // A constant that is cut off may be another one in single precision.
+            (Value::Scalar(x), ty, _) if is_integer(ty) && self.is_nearly_whole(*x) => {
+                self.refuse(&cast.as_token, messages::rounded_constants())
+            }
+            (Value::Integer(_), ty, Some(whole))
+                if is_integer(ty) && (whole >= 0 || !["u64", "usize"].contains(&ty)) =>
+            {
+                self.algebra.integer(wrapped(whole, ty))
+            }
+            (Value::Integer(x), ty, _) if is_integer(ty) && self.fits(*x, ty) => value,
+            // No number that counts is beyond their ends.
+            (Value::Integer(_), "i32" | "i64" | "isize", None) => value,
+            (Value::Integer(x), "u32" | "usize" | "u64", _) => {
+                let (x, end) = (*x, if ty == "u32" { 32 } else { 64 });
+                let (zero, turn) = (self.algebra.number(0.0), self.algebra.number(2_f64.powi(end)));
+                let wrapped = self.algebra.add(x, turn);
+                Value::Integer(Condition::less(self.algebra, x, zero).select(self.algebra, wrapped, x))
+            }
             (Value::Truth(condition), ty, _) if is_integer(ty) => self.algebra.number_of(condition),
             (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
                 self.discriminant(cast, of)
@@ -434,6 +495,12 @@ impl Translation<'_> {
         }
     }
 }
+
+/// How far constants are from each other, relative to their size, that rounding may put in another order.
+const NEAR: f64 = 1e-5;
+
+/// Beyond this, numbers are rounded to whole ones.
+const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
 
 /// A whole number in an integer type; it wraps round.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]

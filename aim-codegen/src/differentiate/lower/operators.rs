@@ -201,6 +201,12 @@ fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     Some(Value::Scalar(a.sub(*x, whole)))
 }
 
+/// Whether an operator compares.
+pub(super) fn compares(operator: &BinOp) -> bool {
+    use BinOp::{Eq, Ge, Gt, Le, Lt, Ne};
+    matches!(operator, Lt(_) | Le(_) | Gt(_) | Ge(_) | Eq(_) | Ne(_))
+}
+
 /// Sums, products and the like of whole numbers; those of unknown ones are not divided, since divisions are cut off.
 fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Option<Value> {
     let [left, right] = [x, y].map(|it| a.known_integer(&Value::Integer(it)));

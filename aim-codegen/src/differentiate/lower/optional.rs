@@ -115,7 +115,8 @@ impl Translation<'_> {
         let nothing = matches!(is_some, Condition::Known(false));
         Some(match (name.as_str(), arguments.as_slice()) {
             ("clone" | "copied" | "cloned" | "as_ref", []) => receiver.clone(),
-            ("ok", []) | ("map_err" | "ok_or", [_]) => receiver.clone(),
+            ("ok", []) | ("map_err", [_]) => receiver.clone(),
+            ("ok_or", [error]) => self.without_error_effect(error, receiver.clone()),
             ("is_some" | "is_ok", []) => Value::Truth(is_some.clone()),
             ("is_none" | "is_err", []) => Value::Truth(is_some.clone().not()),
             ("unwrap", []) | ("expect", [_]) if nothing => self.refuse(&call.method, messages::unwrapped_none()),

@@ -91,7 +91,7 @@ impl Translation<'_> {
                 }
                 match path.segments.last() {
                     Some(last) if last.ident == "Option" || last.ident == "Result" => return Expected::Optional,
-                    Some(last) if OTHERS.iter().any(|name| last.ident == name) => return Expected::Other,
+                    Some(_) if self.is_other(path) => return Expected::Other,
                     Some(last) if last.arguments.is_none() => {}
                     Some(last) => return self.expected_generic(path, last),
                     None => return Expected::Any,
@@ -106,6 +106,12 @@ impl Translation<'_> {
             }
             _ => Expected::Any,
         }
+    }
+
+    /// Whether a path means a collection that is not understood, also by another name.
+    fn is_other(&self, path: &syn::Path) -> bool {
+        let name = self.items.meaning(&self.frame.scope, &segments(path)).into_type();
+        OTHERS.contains(&name.as_str())
     }
 
     /// The same of a type that may be left out.

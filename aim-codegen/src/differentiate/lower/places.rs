@@ -51,7 +51,10 @@ impl Translation<'_> {
         if self.is_reference(target) {
             return self.refuse(target, messages::rebound_reference());
         }
+        let (errors, exits) = (self.report.count(), self.frame.exits());
         match self.place(target) {
+            // Control goes elsewhere on the way there.
+            None if self.report.count() == errors && self.frame.exits() > exits => Value::Never,
             Some(_) if matches!(value, Value::Reference(_)) => self.refuse(target, messages::mutable_borrow()),
             Some(place) => self.write(target, &place, value),
             None => Value::Unknown,
@@ -127,13 +130,17 @@ impl Translation<'_> {
         }
         match (name.as_str(), arguments.as_slice()) {
             ("iter_mut", []) => {
-                let place = self.place(&call.receiver)?;
+                let place = self.still_place(&call.receiver)?;
                 self.references(&place)
             }
             ("swap", [one, other]) => {
-                let Value::Array(_) = self.place(&call.receiver).map(|place| self.read(&place))? else { return None };
-                let array = &call.receiver;
-                let [one, other] = [one, other].map(|index| self.place(&syn::parse_quote!(#array[#index])));
+                let array = self.still_place(&call.receiver)?;
+                let Value::Array(_) = self.read(&array) else { return None };
+                let [one, other] = [one, other].map(|index| {
+                    let mut place = array.clone();
+                    place.steps.push(self.step(index)?);
+                    Some(place)
+                });
                 Some(self.swapped(&call.method, [&one?, &other?]))
             }
             _ => None,
@@ -164,7 +171,7 @@ impl Translation<'_> {
         if !is_one || !is_place(&call.receiver) {
             return None;
         }
-        let place = self.place(&call.receiver)?;
+        let place = self.still_place(&call.receiver)?;
         let before = self.read(&place);
         if !matches!(before, Value::Optional(_)) {
             return None;
@@ -178,12 +185,13 @@ impl Translation<'_> {
     }
 
     /// `mem::replace(&mut place, value)`
-    pub(super) fn replaced(&mut self, target: &impl ToTokens, lent: &Expr, value: Value) -> Value {
+    pub(super) fn replaced(&mut self, target: &impl ToTokens, lent: &Expr, value: &Expr) -> Value {
         let place = match strip(lent) {
             Expr::Reference(reference) => &*reference.expr,
             place => place,
         };
         let Some(place) = self.place(place) else { return Value::Unknown };
+        let value = self.expression(value);
         let before = self.read(&place);
         let written = self.write(target, &place, value);
         if written.is_unknown() { written } else { before }
@@ -206,6 +214,29 @@ impl Translation<'_> {
         self.write(target, other, second)
     }
 
+    /// What an expression names whose value has been looked at, or will be: nothing is changed on the way there.
+    pub(super) fn still_place(&mut self, target: &Expr) -> Option<Place> {
+        let (place, has_effect) = self.tracked(|this| this.place(target));
+        if has_effect {
+            self.refuse(target, messages::receiver_effect());
+            return None;
+        }
+        place
+    }
+
+    /// The step to an element of an array; `None` after an error.
+    fn step(&mut self, index: &Expr) -> Option<Step> {
+        let value = self.expression(index);
+        match (self.algebra.known_index(&value), &value) {
+            (Some(known), _) => Some(Step::Index(known)),
+            (None, Value::Integer(chosen)) => Some(Step::Chosen(*chosen)),
+            _ => {
+                self.refuse_known(&value, index, messages::index_unknown());
+                None
+            }
+        }
+    }
+
     /// What this expression names; `None` after an error.
     pub(super) fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
@@ -224,15 +255,7 @@ impl Translation<'_> {
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
-                let value = self.expression(&index.index);
-                match (self.algebra.known_index(&value), &value) {
-                    (Some(known), _) => place.steps.push(Step::Index(known)),
-                    (None, Value::Integer(chosen)) => place.steps.push(Step::Chosen(*chosen)),
-                    _ => {
-                        self.refuse_known(&value, &index.index, messages::index_unknown());
-                        return None;
-                    }
-                }
+                place.steps.push(self.step(&index.index)?);
                 Some(place)
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {

@@ -159,6 +159,14 @@ impl Translation<'_> {
         }
     }
 
+    /// The value of what makes an error, which nothing is known of, but that it must not change variables.
+    pub(super) fn without_error_effect(&mut self, error: &Expr, value: Value) -> Value {
+        let errors = self.report.count();
+        let (_, has_effect) = self.tracked(|this| this.expression(error));
+        self.report.forget(errors);
+        if has_effect { self.refuse(error, messages::effect_of_error()) } else { value }
+    }
+
     /// What an assertion asserts holds from there on, as far as it is understood.
     fn assume_asserted(&mut self, call: &syn::Macro) {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();

@@ -126,6 +126,8 @@ pub(crate) struct Home {
     pub(super) frame: FrameId,
     /// The variables there that it names.
     pub(super) named: Vec<usize>,
+    /// Whether it assigns to one of them.
+    pub(super) changes: bool,
 }
 
 /// What can be called.

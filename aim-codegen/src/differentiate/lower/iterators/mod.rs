@@ -111,7 +111,8 @@ pub(super) fn has_method(name: &Ident) -> bool {
 /// is gone through so.
 pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
     match method(name).map(|method| method.course) {
-        Some(Course::Whole) => true,
+        // That many are known without a look at them.
+        Some(Course::Whole) => name != "len",
         Some(Course::InStep) => is_drained,
         _ => false,
     }
@@ -250,7 +251,7 @@ impl Translation<'_> {
         if !is_place(&call.receiver) || found.is_unknown() {
             return Some(found);
         }
-        let place = self.place(&call.receiver)?;
+        let place = self.still_place(&call.receiver)?;
         let mut is_behind = Condition::Known(false);
         let rest = items.into_iter().zip(ends).map(|(item, ends)| {
             let left = item.where_too(is_behind.clone());

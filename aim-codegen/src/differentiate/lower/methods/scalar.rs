@@ -68,8 +68,8 @@ functions! {
     copysign(x: Scalar, sign: Scalar) = sign.signum() * x.abs();
     abs(x: Scalar) = if x < 0.0 { -x } else { x };
     signum(x: Scalar) = if x < 0.0 { -1.0 } else { 1.0 };
-    min(x: Scalar, y: Scalar) = if y < x { y } else { x };
-    max(x: Scalar, y: Scalar) = if x < y { y } else { x };
+    min(x: Scalar, y: Scalar) -> Scalar { or_number(a, x, y, "if y < x { y } else { x }")? }
+    max(x: Scalar, y: Scalar) -> Scalar { or_number(a, x, y, "if x < y { y } else { x }")? }
     clamp(x: Scalar, low: Scalar, high: Scalar) = x.max(low).min(high);
     recip(x: Scalar) -> Scalar { a.recip(x) }
     mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
@@ -145,6 +145,19 @@ fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Sc
         }}"
     );
     match evaluate(a, &formula, &["x"], &[Value::Scalar(x)]) {
+        Value::Scalar(value) => Ok(value),
+        _ => Err(Fault::Arguments),
+    }
+}
+
+/// A formula of two numbers, of which one that is known to be none does not count.
+fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Scalar, Fault> {
+    match [x, y].map(|x| a.constant_of(x).is_some_and(f64::is_nan)) {
+        [true, _] => return Ok(y),
+        [_, true] => return Ok(x),
+        _ => {}
+    }
+    match evaluate(a, formula, &["x", "y"], &[Value::Scalar(x), Value::Scalar(y)]) {
         Value::Scalar(value) => Ok(value),
         _ => Err(Fault::Arguments),
     }

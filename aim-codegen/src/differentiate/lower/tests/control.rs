@@ -310,6 +310,53 @@ same! {
             sum + halves + (0..n).len() as f64 + if (0..m).any(|i| table[i] > y) { 7.0 } else { 9.0 }
         }
     }
+    indices_that_change_what_they_index {
+        struct Gen { s: [f64; 3], i: usize }
+        impl Gen {
+            fn step(&mut self) -> usize { self.i = (self.i + 1) % 3; self.s[self.i] *= 0.5; self.s[self.i] += 1.0; self.i }
+            fn next(&mut self) -> f64 { self.s[self.step()] }
+        }
+        fn late(v: &mut [f64; 3], o: Option<usize>, n: &mut f64) -> Option<f64> { v[o?] = { *n += 1.0; *n }; Some(v[0]) }
+        fn later(v: &mut [f64; 3], o: Option<usize>, n: &mut f64) -> Option<f64> { v[o?] = raised(n); Some(v[0]) }
+        fn raised(n: &mut f64) -> f64 { *n += 2.0; *n }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut g = Gen { s: [x, y, x * y], i: 0 };
+            let mut sum = g.next() + 10.0 * g.next() + 100.0 * g.next();
+            let mut v = [x, y, 2.0];
+            sum += v[{ v[0] = 5.0 * y; 0 }] + v[1];
+            let mut n = 1.0;
+            sum += late(&mut v, None, &mut n).unwrap_or(0.25) + later(&mut v, None, &mut n).unwrap_or(0.5);
+            sum += late(&mut v, Some(0), &mut n).unwrap_or(0.25) + later(&mut v, Some(1), &mut n).unwrap_or(0.5);
+            sum + 1000.0 * n + v[1]
+        }
+    }
+    whole_numbers_below_zero_as_others {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = [x, y, 2.0, x * y];
+            let mut sum = 0.0;
+            for i in 0..4usize {
+                for d in [-1i32, 1] {
+                    let k = (i as i32 + d) as usize;
+                    if k < 4 { sum += v[i] * v[k]; }
+                    sum += v[((i as i32 + d) as usize).min(3)];
+                }
+            }
+            let k = (x.floor() as i32 - 1) as usize;
+            let m = (y.floor() as i64) as u32;
+            sum + if k < 2 { y } else { 7.0 } + if m > 5 { 0.5 } else { m as f64 } + v[k.min(2)]
+        }
+    }
+    what_is_no_number_does_not_count {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let v = [x, y, 0.5];
+            let most = v.iter().copied().fold(f64::NAN, f64::max);
+            let least = v.iter().copied().fold(f64::NAN, |a, b| b.min(a));
+            let mut s = 0.0;
+            let n = v.iter().map(|a| a * 2.0).len();
+            s += (0.7 / 0.1f64) as usize as f64 + (2.5f64.floor() as i32 % 2) as f64;
+            most + 10.0 * least + n as f64 + s
+        }
+    }
     what_is_known_only_for_a_while {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut sum = 0.0;
