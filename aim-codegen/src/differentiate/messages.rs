@@ -293,6 +293,9 @@ messages! {
     unknown_method(name: &str, kind: &str, known: &[&str])
         where help = match INSTEAD.iter().find(|(known, _)| *known == name) {
             Some((_, instead)) => (*instead).to_owned(),
+            None if known.contains(&name) => {
+                "it is known of an array or a list of a known length that a variable names: use a loop over the elements".to_owned()
+            }
             None => did_you_mean(name, known, || {
                 let known = if known.is_empty() { String::new() } else { format!("; known of {kind}: {}", list(known)) };
                 format!("write what it does in its place{known}")

@@ -126,6 +126,7 @@ fn what_cannot_be_told_is_refused() {
             "bind the index",
         ),
         ("let mut i = 0; let mut g = [x, 1.0, 2.0]; g[{ i += 1; i }] += { i += 1; x }; g[1]", "bind the index"),
+        ("let mut v = vec![x]; if x > 1.0 { v.push(2.0); } v.swap(0, 0); v[0]", "of a known length"),
         ("let mut s = x; let n = [x, 1.0].iter().map(|a| { s += a; s }).len(); s * n as f32", "whether and when"),
     ] {
         let expansion = expand("wrt(x)", &format!("fn f(x: f32) -> f32 {{ {body} }}"));
