@@ -283,11 +283,17 @@ impl Translation<'_> {
             .as_ref()
             .filter(|qself| qself.position > 0)
             .map(|qself| path.path.segments[qself.position - 1].ident.to_string());
+        // `T::function` of a generic parameter is of one of its traits.
+        let is_generic = path.path.segments.first().is_some_and(|first| {
+            path.path.segments.len() == 2 && self.frame.scope.generics.iter().any(|known| first.ident == known)
+        });
         let mut several = match &of_trait {
-            Some(_) => self.functions(Some(ty), &text),
-            None => self.own_functions(ty, &text),
+            None if !is_generic => self.own_functions(ty, &text),
+            _ => self.functions(Some(ty), &text),
         };
-        if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
+        if is_generic {
+            several.retain(|function| function.of_trait.is_some());
+        } else if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
             several.retain(|function| function.of_trait == of_trait);
         }
         // Beside those of the module, types that are not its own have others.

@@ -3,6 +3,26 @@
 use super::same;
 
 same! {
+    functions_of_a_parameters_traits {
+        trait Real: Copy { fn sign(self) -> f64; fn signum(self) -> f64; fn of(x: f64) -> Self; fn size(t: &Self) -> f64; }
+        impl Real for f64 {
+            fn sign(self) -> f64 { if self == 0.0 { 0.0 } else { f64::signum(self) } }
+            fn signum(self) -> f64 { if self == 0.0 { 0.0 } else { 3.0 } }
+            fn of(x: f64) -> f64 { x + 0.5 }
+            fn size(t: &f64) -> f64 { t.abs() }
+        }
+        #[derive(Clone, Copy)]
+        struct P(f64);
+        impl P { fn size(t: &P) -> f64 { 100.0 * t.0 } }
+        impl Real for P {
+            fn sign(self) -> f64 { self.0 }
+            fn signum(self) -> f64 { 2.0 * self.0 }
+            fn of(x: f64) -> P { P(x) }
+            fn size(t: &P) -> f64 { t.0 }
+        }
+        fn g<T: Real>(t: T, x: f64) -> f64 { T::size(&t) + T::signum(T::of(x)) + T::sign(t) }
+        pub fn f(x: f64, y: f64) -> f64 { g(x, y) + 10.0 * g(P(y), x) + P::size(&P(x)) + f64::signum(x) }
+    }
     helpers_structs_and_constants {
         const WEIGHTS: [f64; 3] = [1.0, SECOND, -0.5];
         const SECOND: f64 = 2.0 * 0.75;
