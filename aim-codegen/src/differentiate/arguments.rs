@@ -1,5 +1,7 @@
 //! The function's signature: its arguments as inputs of the graph, and its result.
 
+use std::rc::Rc;
+
 use aim_symbolic::{Graph, Scalar};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -8,7 +10,7 @@ use syn::{FnArg, Pat, ReturnType, Signature};
 use super::companion::{Companion, Takes};
 use super::inputs::Inputs;
 use super::items::Items;
-use super::lower::{Algebra, Value};
+use super::lower::{Algebra, Slice, Value};
 use super::manifold::Varies;
 use super::messages;
 use super::options::{Options, Variable};
@@ -80,7 +82,20 @@ impl Arguments {
             let declared = name.as_ref().and_then(|name| sized(&typed.ty, name, options));
             let declared = declared.unwrap_or_else(|| (*typed.ty).clone());
             // Of a generic argument that was said.
-            let known = if generic { Type::parse(&declared, items).ok() } else { known_type(&declared, items, report) };
+            let slice = slice_of(&declared).and_then(|(slice, element)| {
+                let element = Type::parse(element, items).ok().filter(|element| !element.borrowed)?;
+                let precision = element.precision;
+                let mut ty = Type::made(slice.to_token_stream(), Shape::Slice(Box::new(element)), precision);
+                ty.borrowed = true;
+                Some(ty)
+            });
+            let known = if slice.is_some() {
+                slice
+            } else if generic {
+                Type::parse(&declared, items).ok()
+            } else {
+                known_type(&declared, items, report)
+            };
             match known {
                 Some(ty) => {
                     let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
@@ -181,10 +196,16 @@ impl Arguments {
     pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
         let mut declared = Declared { values: Vec::new(), variables: Vec::new() };
         let mut variables = Vec::new();
-        for argument in &self.list {
+        for (place, argument) in self.list.iter().enumerate() {
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
             let numbers = (0..argument.ty.components()).map(|index| a.g.input(&format!("{named}_{index}")));
             let numbers: Vec<Scalar> = numbers.collect();
+            if let (Shape::Slice(element), [len]) = (&argument.ty.shape, numbers.as_slice()) {
+                a.set_extent(*len, 0.0, f64::INFINITY);
+                let slice = Slice { argument: place, element: (**element).clone(), len: *len };
+                declared.values.push(Value::Slice(Rc::new(slice)));
+                continue;
+            }
             let mut inputs = Inputs::new(a, numbers, argument.varies);
             declared.values.push(inputs.value(&argument.ty));
             let by = inputs.variables;
@@ -256,6 +277,13 @@ pub(super) fn pattern_argument(index: usize) -> Ident {
 
 fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
+}
+
+/// A slice that is borrowed, and its element.
+fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
+    let syn::Type::Reference(reference) = ty else { return None };
+    let syn::Type::Slice(slice) = &*reference.elem else { return None };
+    reference.mutability.is_none().then_some((&*reference.elem, &*slice.elem))
 }
 
 /// A slice as the array of the length that the attribute says; `None` of anything else.

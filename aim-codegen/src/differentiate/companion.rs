@@ -1,5 +1,8 @@
 //! [`Companion`]: what can stand beside a function, and what is derived for it.
 
+use std::rc::Rc;
+
+use super::kept_loops::Kept;
 use aim_symbolic::{Graph, Program, Scalar, Variable, Vector, Want};
 
 /// A function beside the user's.
@@ -36,6 +39,13 @@ pub(super) struct Stated {
     /// The value, where it is a vector.
     pub(super) vector: Option<Vector>,
     pub(super) variables: Vec<Scalar>,
+}
+
+impl Stated {
+    /// The derivatives of the numbers by one of what loops leave.
+    pub(super) fn derivatives_by(&self, x: Scalar) -> impl Iterator<Item = Want> {
+        self.values.iter().map(move |&value| Want::Derivative(value, x.into()))
+    }
 }
 
 impl Companion {
@@ -123,4 +133,5 @@ pub(super) struct Derived {
     pub(super) graph: Graph,
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
+    pub(super) kept: Rc<Kept>,
 }

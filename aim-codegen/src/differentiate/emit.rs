@@ -1,6 +1,5 @@
 //! The functions beside the user's: signatures, bodies, and stubs where there was an error.
 
-use aim_symbolic::Program;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 use syn::{Attribute, ItemFn};
@@ -34,7 +33,8 @@ impl Companions<'_> {
         let name = format_ident!("{}_{suffix}{of_lanes}", self.item.sig.ident);
         let (krate, number) = (self.krate, self.number());
         let private = quote!(#krate::__private);
-        let inputs = self.arguments.inputs(companion);
+        let mut inputs = self.arguments.inputs(companion);
+        inputs.extend(derived.map(|derived| derived.outside(self.arguments)).unwrap_or_default());
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);
         let body = program.map(|program| Body {
@@ -43,7 +43,10 @@ impl Companions<'_> {
             private: &private,
             input: &input,
         });
-        let mut outputs: Vec<TokenStream> = body.iter().flat_map(Body::results).collect();
+        let (loops, mut outputs) = match (derived, &body) {
+            (Some(derived), Some(body)) => derived.through_loops(body, &input, result.components()),
+            _ => Default::default(),
+        };
         // The last one tells whether there is a value.
         let is_some = if self.arguments.is_optional { outputs.pop() } else { None };
         let (mut returns, mut value) = self.returned(companion, result, &number, &outputs);
@@ -53,9 +56,9 @@ impl Companions<'_> {
         }
         let body = body.map(|body| {
             let steps = body.steps();
-            quote!(#steps #value)
+            quote!(#loops #steps #value)
         });
-        Some(self.function(&name, companion, &self.doc(companion, suffix, program), &returns, body))
+        Some(self.function(&name, companion, &self.doc(companion, suffix, derived), &returns, body))
     }
 
     /// The type of the numbers.
@@ -154,7 +157,7 @@ impl Companions<'_> {
         self.arguments.variables().into_iter().map(by).unzip()
     }
 
-    fn doc(&self, companion: Companion, suffix: &str, program: Option<&Program>) -> String {
+    fn doc(&self, companion: Companion, suffix: &str, derived: Option<&Derived>) -> String {
         let function = self.item.sig.ident.to_string();
         let name = |variable: &Argument| {
             let name = variable.name.as_ref()?;
@@ -163,7 +166,7 @@ impl Companions<'_> {
         };
         let names: Vec<String> = self.arguments.variables().into_iter().filter_map(name).collect();
         let names = names.join(", ");
-        let count = program.map(|program| format!(" {}.", counted(program.count()))).unwrap_or_default();
+        let count = derived.map(|derived| format!(" {}.", counted(derived.count()))).unwrap_or_default();
         let words = match companion {
             Companion::First if suffix == "jacobian" => format!("The value of `{function}` and its Jacobian"),
             Companion::First => format!("The value of `{function}` and its gradient"),
@@ -202,6 +205,8 @@ impl Companions<'_> {
                 dead_code,
                 unreachable_pub,
                 unused_variables,
+                unused_mut,
+                unused_assignments,
                 clippy::all,
                 clippy::pedantic,
                 clippy::nursery,

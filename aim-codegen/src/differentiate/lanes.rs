@@ -36,6 +36,9 @@ impl Arguments {
         if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
             return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
         }
+        if let Some(slice) = self.list.iter().find(|argument| matches!(argument.ty.shape, Shape::Slice(_))) {
+            return report.refuse(place, messages::no_lanes(&slice.ty.tokens.to_string()));
+        }
         if self.is_optional {
             return report.refuse(place, messages::no_lanes_of_nothing());
         }
@@ -84,6 +87,8 @@ impl Type {
             | Shape::Square(_)
             | Shape::Rigid => array(scalar(), self.components()),
             Shape::Array(element, length) => array(element.in_lanes(), *length),
+            // It was refused.
+            Shape::Slice(element) => element.in_lanes(),
             Shape::Optional(inner) => tuple(vec![scalar(), inner.in_lanes()]),
             Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),
             Shape::Enum(_, variants) => {

@@ -262,6 +262,30 @@ messages! {
         "how often this loop runs is not known here",
         "loops are written out round by round: bound a count, as in `0..n.min(8)` or by `assert!(n <= 8)` before it, and what ends by its values, as in `while n < 20 && error > 1e-9`";
 
+    nested_kept_loop() =>
+        "a loop of which no end is known cannot stand in another one",
+        "bound one of them, as in `0..n.min(8)` or by `assert!(n <= 8)` before it";
+
+    exit_of_kept_loop() =>
+        "a loop of which no end is known cannot be left before it",
+        "bound it, as in `0..n.min(8)`, or keep in a variable whether it has ended, as in `if !done {{ … }}`";
+
+    state_of_kept_loop(kind: &str) =>
+        "{kind} cannot be changed by a loop of which no end is known",
+        "change numbers, vectors and structs of them, or bound the loop, as in `0..n.min(8)`";
+
+    zip_of_kept_loop() =>
+        "what goes over a slice cannot be paired with this",
+        "pair it with another slice, or use `enumerate`";
+
+    element_of_slice() =>
+        "which element of this slice it is cannot be told",
+        "index it by the number of a loop's round, as in `x[i + 1]`, by a known number or from its end, or say how long it is by `lengths`";
+
+    companion_of_kept_loop(key: &str) =>
+        "`{key}` is for functions whose loops have known ends",
+        "bound the loops, as in `0..n.min(8)`, or say how long slices are by `lengths`";
+
     range_too_long(most: i64) =>
         "this range has more than {most} numbers",
         "loops are written out round by round: differentiate one term, and sum its derivatives in a loop around it";

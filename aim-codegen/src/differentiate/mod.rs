@@ -18,6 +18,7 @@ pub(crate) mod file;
 mod given;
 mod inputs;
 mod items;
+mod kept_loops;
 mod lanes;
 mod lower;
 mod manifold;
@@ -30,6 +31,8 @@ mod types;
 #[cfg(test)]
 mod tests;
 
+use std::rc::Rc;
+
 use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -39,6 +42,7 @@ use self::arguments::{Arguments, Declared};
 use self::companion::{Companion, Derived, Stated};
 use self::emit::Companions;
 use self::items::Items;
+use self::kept_loops::Kept;
 use self::lower::{Algebra, Translation, Value};
 use self::options::Options;
 use self::types::{Shape, Type};
@@ -229,21 +233,35 @@ impl Derived {
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
+        let kept = Rc::new(Kept::derive(&algebra, &variables, search));
         let stated = Stated { values: numbers, vector, variables };
+        let is_kept = !kept.is_empty();
+        if is_kept {
+            for (companion, place) in &options.companions {
+                report.error(place, messages::companion_of_kept_loop(companion.key()));
+            }
+            if let Some(place) = &options.lanes {
+                report.error(place, messages::companion_of_kept_loop("lanes"));
+            }
+            if report.count() > errors {
+                return None;
+            }
+        }
         let flag = is_some.map(|is_some| algebra.number_of(&is_some));
         let derive = |companion: Companion| {
             let mut g = algebra.g.clone();
             let taken = arguments.further(companion, &mut g);
             let mut wanted = companion.wanted(&mut g, &stated, &taken);
+            wanted.extend(kept.after().flat_map(|after| stated.derivatives_by(after)));
             if let Some(Value::Integer(flag)) = flag {
                 wanted.push(Want::Value(flag));
             }
             let program = search.program(&g, &wanted);
-            Self { companion, graph: g, wanted, program }
+            Self { companion, graph: g, wanted, program, kept: kept.clone() }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget
-            && !budget.judge(first.program.count(), report)
+            && !budget.judge(first.count(), report)
         {
             return None;
         }

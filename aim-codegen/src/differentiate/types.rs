@@ -28,6 +28,8 @@ pub(super) enum Shape {
     Square(usize),
     Rigid,
     Array(Box<Type>, usize),
+    /// As many elements as there happen to be: of an argument, which is a reference to it.
+    Slice(Box<Type>),
     /// An option: 1 or 0, then the numbers of what is inside, or as many 0.
     Optional(Box<Type>),
     Tuple(Vec<Type>),
@@ -297,7 +299,9 @@ impl Type {
     /// A number type in it that is not this one.
     pub(super) fn other_precision(&self, expected: Precision) -> Option<Precision> {
         match &self.shape {
-            Shape::Array(element, _) | Shape::Optional(element) => element.other_precision(expected),
+            Shape::Array(element, _) | Shape::Slice(element) | Shape::Optional(element) => {
+                element.other_precision(expected)
+            }
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.other_precision(expected)),
             Shape::Struct(_, fields, _) => fields.iter().find_map(|(_, field)| field.other_precision(expected)),
             Shape::Enum(_, variants) => {
@@ -311,7 +315,8 @@ impl Type {
     /// Whether a result may be of this type.
     pub(super) fn is_result(&self) -> bool {
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Optional(_) | Shape::Enum(..) => false,
+            Shape::Truth | Shape::Integer | Shape::Choice(_) => false,
+            Shape::Slice(_) | Shape::Optional(_) | Shape::Enum(..) => false,
             Shape::Array(element, _) => element.is_result(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_result),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_result()),
@@ -336,7 +341,8 @@ impl Type {
     /// How many numbers it is made of.
     pub(super) fn components(&self) -> usize {
         match &self.shape {
-            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar => 1,
+            // Of a slice, how long it is.
+            Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar | Shape::Slice(_) => 1,
             Shape::Planar => 2,
             Shape::Vector => 3,
             Shape::Four | Shape::Quaternion => 4,
@@ -369,6 +375,7 @@ impl Type {
         match &self.shape {
             Shape::Truth => to.push(quote!((#value as ::core::primitive::u8 as ::core::primitive::#number_type))),
             Shape::Integer | Shape::Choice(_) => to.push(quote!((#value as ::core::primitive::#number_type))),
+            Shape::Slice(_) => to.push(quote!((#place.len() as ::core::primitive::#number_type))),
             Shape::Scalar if self.borrowed => to.push(quote!(*#place)),
             Shape::Scalar => to.push(place.clone()),
             Shape::Planar | Shape::Vector | Shape::Four | Shape::Quaternion => {
@@ -434,6 +441,7 @@ impl Type {
     pub(super) fn leaves(&self, each: &mut dyn FnMut(&Self)) {
         match &self.shape {
             Shape::Array(element, length) => (0..*length).for_each(|_| element.leaves(each)),
+            Shape::Slice(_) => each(&Self::made(quote!(::core::primitive::usize), Shape::Integer, None)),
             Shape::Optional(inner) => {
                 each(&Self::truth());
                 inner.leaves(each);
@@ -451,7 +459,7 @@ impl Type {
     /// Whether all of a value of it can be made of numbers.
     pub(super) fn is_whole(&self) -> bool {
         match &self.shape {
-            Shape::Array(element, _) | Shape::Optional(element) => element.is_whole(),
+            Shape::Array(element, _) | Shape::Slice(element) | Shape::Optional(element) => element.is_whole(),
             Shape::Tuple(parts) => parts.iter().all(Self::is_whole),
             Shape::Struct(_, fields, whole) => *whole && fields.iter().all(|(_, field)| field.is_whole()),
             Shape::Enum(_, variants) => variants
@@ -479,6 +487,11 @@ impl Type {
         match &self.shape {
             Shape::Array(element, length) => {
                 let parts: Vec<TokenStream> = (0..*length).map(|_| element.assemble(leaf)).collect();
+                quote!([#(#parts),*])
+            }
+            // Some, wherever one is made up.
+            Shape::Slice(element) => {
+                let parts: Vec<TokenStream> = (0..MADE_UP).map(|_| element.assemble(leaf)).collect();
                 quote!([#(#parts),*])
             }
             Shape::Optional(inner) => {
@@ -530,9 +543,12 @@ impl Type {
                 let parts = take(self.components());
                 quote!(<#ty>::from_cols_array(&[#(#parts),*]))
             }
-            Shape::Array(..) | Shape::Optional(_) | Shape::Tuple(_) | Shape::Struct(..) | Shape::Enum(..) => {
-                TokenStream::new()
-            }
+            Shape::Array(..)
+            | Shape::Slice(_)
+            | Shape::Optional(_)
+            | Shape::Tuple(_)
+            | Shape::Struct(..)
+            | Shape::Enum(..) => TokenStream::new(),
         }
     }
 
@@ -552,6 +568,9 @@ impl Type {
 
 /// More numbers would make a program nobody wants to compile.
 const LONGEST: usize = 1024;
+
+/// How many elements a slice has that is made up.
+const MADE_UP: usize = 4;
 
 const XYZW: [&str; 4] = ["x", "y", "z", "w"];
 const COLUMNS: [&str; 4] = ["x_axis", "y_axis", "z_axis", "w_axis"];

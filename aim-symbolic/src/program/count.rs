@@ -24,6 +24,22 @@ pub struct Count {
     pub series: usize,
 }
 
+impl core::ops::Add for Count {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            add: self.add + other.add,
+            mul: self.mul + other.mul,
+            div: self.div + other.div,
+            sqrt: self.sqrt + other.sqrt,
+            select: self.select + other.select,
+            call: self.call + other.call,
+            series: self.series + other.series,
+        }
+    }
+}
+
 impl Count {
     /// Powers: programs have no such operation.
     pub const POW: usize = 0;

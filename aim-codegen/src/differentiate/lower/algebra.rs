@@ -3,6 +3,7 @@
 use core::ops::{Deref, DerefMut};
 use std::collections::HashMap;
 
+use super::outside::{KeptLoop, Outside};
 use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
 use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
@@ -15,6 +16,10 @@ pub(crate) struct Algebra {
     variables: Vec<Variable>,
     /// The least and the most that inputs can be that are whole numbers.
     extents: HashMap<Scalar, (f64, f64)>,
+    /// Inputs that are not the numbers of arguments, in the order in which they were declared.
+    pub(crate) outside: Vec<(Outside, Scalar)>,
+    /// The loops that stay loops.
+    pub(crate) loops: Vec<KeptLoop>,
 }
 
 impl Deref for Algebra {
@@ -38,12 +43,32 @@ impl Algebra {
     /// An empty graph. Signs and the order of operands stay as the user wrote them; lowering sees to both.
     pub(crate) fn new() -> Self {
         let rules = Rules { without: &[NEGATIONS, ORDER], turned: None };
-        Self { fold: Fold::new(Graph::new(), &rules), variables: Vec::new(), extents: HashMap::new() }
+        Self {
+            fold: Fold::new(Graph::new(), &rules),
+            variables: Vec::new(),
+            extents: HashMap::new(),
+            outside: Vec::new(),
+            loops: Vec::new(),
+        }
     }
 
     /// Derivatives will be taken by this input.
     pub(crate) fn differentiate_by(&mut self, input: Scalar) {
         self.variables.push(input.into());
+    }
+
+    /// The input that comes from there.
+    pub(crate) fn outside(&mut self, which: Outside) -> Scalar {
+        if let Some((_, input)) = self.outside.iter().find(|(known, _)| *known == which) {
+            return *input;
+        }
+        let name = format!("outside_{}", self.outside.len());
+        let input = self.g.input(&name);
+        self.outside.push((which, input));
+        if which == Outside::Round {
+            self.set_extent(input, 0.0, f64::INFINITY);
+        }
+        input
     }
 
     /// This input is a whole number from here to there.

@@ -39,12 +39,18 @@ impl Translation<'_> {
         call: &ExprMethodCall,
         expected: &Expected,
     ) -> Option<Value> {
+        let errors = self.report.count();
+        if let Some(value) = self.rounds_method(receiver, call, expected) {
+            return Some(value);
+        }
+        if self.report.count() > errors {
+            return Some(Value::Unknown);
+        }
         let items = match receiver {
             Value::Iterator(items) => return Some(self.iterator_method(items, call, expected)),
             Value::Array(_) | Value::List(_) => receiver.clone().items()?,
             _ => return None,
         };
-        let errors = self.report.count();
         let value = match receiver {
             Value::Array(values) => self.array_method(values, call),
             _ => None,

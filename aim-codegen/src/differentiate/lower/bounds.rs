@@ -16,14 +16,14 @@ pub(super) struct Bound {
 
 /// `k x + c`
 #[derive(Clone, Copy)]
-struct Linear {
-    x: Option<Scalar>,
-    k: f64,
-    c: f64,
+pub(super) struct Linear {
+    pub(super) x: Option<Scalar>,
+    pub(super) k: f64,
+    pub(super) c: f64,
 }
 
 impl Linear {
-    fn of(a: &Algebra, mut s: Scalar) -> Self {
+    pub(super) fn of(a: &Algebra, mut s: Scalar) -> Self {
         let (mut k, mut c) = (1.0, 0.0);
         loop {
             if let Some(constant) = a.constant_of(s) {

@@ -144,6 +144,9 @@ impl Translation<'_> {
                 return self.inline(&index.index, &own, vec![base, place]);
             }
         }
+        if let (Value::Slice(slice), Value::Integer(place)) = (&base, &place) {
+            return self.element_of(slice, *place, &index.index);
+        }
         let Some(known) = self.algebra.known_index(&place) else {
             return match place {
                 Value::Integer(place) => {

@@ -277,6 +277,13 @@ impl Translation<'_> {
             return over;
         }
         let kind = over.describe();
+        let over = match over {
+            Value::Slice(slice) => Value::Rounds(Rc::new(slice.rounds(self.algebra, 0))),
+            over => over,
+        };
+        if let Value::Rounds(rounds) = &over {
+            return self.kept_for(e, rounds);
+        }
         let items = match over {
             Value::Reference(place) => self.references(&place).and_then(Value::items),
             over => over.items(),

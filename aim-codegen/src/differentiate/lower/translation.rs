@@ -35,6 +35,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) rounds_run: usize,
     /// Whether the iterator that is made next is gone through to its end at once.
     pub(super) is_drained: bool,
+    /// Whether a loop is being run that stays one.
+    pub(super) is_in_kept_loop: bool,
 }
 
 impl<'a> Translation<'a> {
@@ -56,6 +58,7 @@ impl<'a> Translation<'a> {
             constants: Vec::new(),
             rounds_run: 0,
             is_drained: false,
+            is_in_kept_loop: false,
         }
     }
 

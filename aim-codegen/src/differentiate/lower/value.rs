@@ -7,6 +7,7 @@ use syn::{Expr, Member, Pat};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
+use super::kept::{Rounds, Slice};
 use super::map::{Affine, Map, Quaternion};
 
 /// What an expression stands for.
@@ -43,6 +44,10 @@ pub(crate) enum Value {
     List(Vec<Element>),
     /// What an iterator goes over.
     Iterator(Vec<Element>),
+    /// An argument of as many elements as there happen to be.
+    Slice(Rc<Slice>),
+    /// What a loop goes over whose rounds are not written out.
+    Rounds(Rc<Rounds>),
     /// Of an expression that control does not come out of.
     Never,
     /// What an error was reported for: nothing more is said about it.
@@ -204,7 +209,8 @@ impl Value {
             Self::Type(_) => "a type".into(),
             Self::Reference(_) => "a reference that changes what it refers to".into(),
             Self::List(_) => "a list whose length arguments decide".into(),
-            Self::Iterator(_) => "an iterator".into(),
+            Self::Iterator(_) | Self::Rounds(_) => "an iterator".into(),
+            Self::Slice(_) => "a slice".into(),
             Self::Never | Self::Unknown => "an expression".into(),
         }
     }
@@ -216,7 +222,7 @@ impl Value {
 
     /// Whether a variable can have this value in one branch and another one in another.
     pub(super) fn is_selectable(&self) -> bool {
-        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_))
+        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_) | Self::Slice(_) | Self::Rounds(_))
     }
 
     /// The value of what is made of these where one of them is not there; `None` where all are.

@@ -4,6 +4,8 @@
 mod adaptors;
 mod consumers;
 
+use std::rc::Rc;
+
 use aim_symbolic::Scalar;
 use syn::{Expr, ExprMethodCall, ExprRange, Ident, RangeLimits};
 
@@ -11,6 +13,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
+use super::kept::Rounds;
 use super::value::{Element, Optional, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
@@ -121,7 +124,7 @@ pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
 /// Whether a function that is passed to a method of this value is called later, or not with each element.
 pub(super) fn is_lazy(receiver: &Value, name: &Ident) -> bool {
     let is_later = |method: &Method| method.calls && matches!(method.course, Course::InStep | Course::Later);
-    matches!(receiver, Value::Iterator(_)) && method(name).is_some_and(is_later)
+    matches!(receiver, Value::Iterator(_) | Value::Rounds(_)) && method(name).is_some_and(is_later)
 }
 
 impl Element {
@@ -199,16 +202,18 @@ impl Translation<'_> {
         }
         let [first, last] = ends[..] else { return Value::Unknown };
         let mut extents = Extents::new(self.algebra, self.frame.facts());
-        let [least, most] = [(extents.of(first).least, start), (extents.of(last).most, end)].map(|(end, bound)| {
+        let [least, most] = [extents.of(first).least, extents.of(last).most].map(|end| {
             // Whole numbers beyond these are longer ranges than any.
             #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
-            if end.is_finite() { Ok(end as i64) } else { Err(bound) }
+            end.is_finite().then_some(end as i64)
         });
-        let (least, most) = match (least, most) {
-            (Ok(least), Ok(most)) => (least, most),
-            (Err(unknown), _) | (_, Err(unknown)) => return self.refuse(unknown, messages::rounds_unknown()),
-        };
         let is_closed = matches!(range.limits, RangeLimits::Closed(_));
+        let (Some(least), Some(most)) = (least, most) else {
+            let (a, one) = (&mut *self.algebra, if is_closed { 1.0 } else { 0.0 });
+            let (count, more) = (a.sub(last, first), a.number(one));
+            let count = a.add(count, more);
+            return Value::Rounds(Rc::new(Rounds::counting(a, first, count)));
+        };
         let most = if is_closed { most.saturating_add(1) } else { most };
         if most.saturating_sub(least) > LONGEST {
             return self.refuse(range, messages::range_too_long(LONGEST));

@@ -1,0 +1,485 @@
+//! Loops that stay loops: over slices, and to whole numbers of which no bound is known. One round is run, which stands for all: the
+//! variables that it changes are inputs of it, and what they are after it is what the next round finds.
+
+use std::rc::Rc;
+
+use quote::ToTokens;
+use syn::{Expr, ExprForLoop, ExprMethodCall};
+
+use super::algebra::Algebra;
+use super::bounds::Linear;
+use super::condition::Condition;
+use super::expected::Expected;
+use super::frame::Target;
+use super::map::{Map, Quaternion};
+use super::outside::{At, KeptLoop, Outside, State};
+use super::value::{Element, Optional, Struct, Value};
+use super::{Translation, operators, strip};
+use crate::differentiate::inputs::Inputs;
+use crate::differentiate::manifold::Varies;
+use crate::differentiate::messages;
+use crate::differentiate::types::Type;
+
+use aim_symbolic::Scalar;
+
+/// An argument of as many elements as there happen to be.
+#[derive(Clone)]
+pub(crate) struct Slice {
+    /// The argument's place among all.
+    pub(crate) argument: usize,
+    pub(crate) element: Type,
+    pub(crate) len: Scalar,
+}
+
+impl core::fmt::Debug for Slice {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Slice").field("argument", &self.argument).finish_non_exhaustive()
+    }
+}
+
+/// What a loop goes over that stays one: an element that stands for all.
+#[derive(Clone, Debug)]
+pub(crate) struct Rounds {
+    pub(crate) count: Scalar,
+    pub(crate) item: Element,
+    /// The slice that it goes over as it is, and from which element on.
+    source: Option<(Rc<Slice>, i64)>,
+}
+
+const METHODS: &[&str] = &[
+    "iter",
+    "copied",
+    "cloned",
+    "enumerate",
+    "map",
+    "filter",
+    "zip",
+    "skip",
+    "take",
+    "sum",
+    "product",
+    "fold",
+    "for_each",
+    "count",
+    "any",
+    "all",
+];
+
+impl Slice {
+    fn element(&self, a: &mut Algebra, at: At) -> Value {
+        let inputs = (0..self.element.components())
+            .map(|number| a.outside(Outside::Element { argument: self.argument, at, number }));
+        let inputs = inputs.collect();
+        Inputs::new(a, inputs, Varies::Nothing).value(&self.element)
+    }
+
+    /// Its elements from this one on.
+    pub(super) fn rounds(self: Rc<Self>, a: &mut Algebra, first: i64) -> Rounds {
+        let item = Element::new(self.element(a, At::Round(first)));
+        let Value::Integer(skipped) = a.integer(first) else { unreachable!("a whole number is one") };
+        let count = a.sub(self.len, skipped);
+        Rounds { count, item, source: Some((self, first)) }
+    }
+}
+
+impl Rounds {
+    /// Numbers from one on.
+    pub(super) fn counting(a: &mut Algebra, first: Scalar, count: Scalar) -> Self {
+        let round = a.outside(Outside::Round);
+        let number = a.add(round, first);
+        Self { count, item: Element::new(Value::Integer(number)), source: None }
+    }
+}
+
+/// What a number is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Number,
+    Whole,
+    Flag,
+}
+
+impl Value {
+    /// The numbers that it is made of; `None` of what is made of something else.
+    fn numbers(&self, a: &mut Algebra) -> Option<Vec<(Scalar, Kind)>> {
+        let each = |values: &[&Self], a: &mut Algebra| {
+            let numbers: Option<Vec<_>> = values.iter().map(|value| value.numbers(a)).collect();
+            Some(numbers?.concat())
+        };
+        let plain = |numbers: &[Scalar]| Some(numbers.iter().map(|&number| (number, Kind::Number)).collect());
+        match self {
+            Self::Scalar(x) => plain(&[*x]),
+            Self::Integer(x) => Some(vec![(*x, Kind::Whole)]),
+            Self::Truth(condition) => match a.number_of(condition) {
+                Self::Integer(flag) => Some(vec![(flag, Kind::Flag)]),
+                _ => None,
+            },
+            Self::Planar(v) => plain(&a.parts(*v)[..2]),
+            Self::Vector(v) => plain(&a.parts(*v)),
+            Self::Four(parts) => plain(parts),
+            Self::Quaternion(q) => {
+                let (u, w) = q.parts?;
+                plain(&[a.parts(u).as_slice(), &[w]].concat())
+            }
+            Self::Matrix(m) => {
+                let columns = m.columns(a).map(|column| a.parts(column));
+                plain(columns.as_flattened())
+            }
+            Self::Square(columns) => plain(&columns.concat()),
+            Self::Tuple(values) | Self::Array(values) => each(&values.iter().collect::<Vec<_>>(), a),
+            Self::Struct(of) => each(&of.fields.iter().map(|(_, value)| value).collect::<Vec<_>>(), a),
+            Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
+            _ => None,
+        }
+    }
+
+    /// The same value of other numbers.
+    fn of_numbers(&self, a: &mut Algebra, from: &mut impl Iterator<Item = Scalar>) -> Option<Self> {
+        fn take<const N: usize>(from: &mut impl Iterator<Item = Scalar>) -> Option<[Scalar; N]> {
+            let taken: Vec<Scalar> = from.take(N).collect();
+            taken.try_into().ok()
+        }
+        let mut each = |values: &[Self], a: &mut Algebra| -> Option<Vec<Self>> {
+            values.iter().map(|value| value.of_numbers(a, from)).collect()
+        };
+        Some(match self {
+            Self::Tuple(values) => Self::Tuple(each(values, a)?),
+            Self::Array(values) => Self::Array(each(values, a)?),
+            Self::Struct(of) => {
+                let values: Vec<Self> = of.fields.iter().map(|(_, value)| value.clone()).collect();
+                let names = of.fields.iter().map(|(name, _)| name.clone());
+                let fields = names.zip(each(&values, a)?).collect();
+                Self::Struct(Rc::new(Struct { name: of.name.clone(), fields }))
+            }
+            Self::Optional(optional) => {
+                let parts = each(&[Self::Truth(optional.is_some.clone()), optional.value.clone()], a)?;
+                let [Self::Truth(is_some), value] = <[Self; 2]>::try_from(parts).ok()? else { return None };
+                Self::Optional(Rc::new(Optional { is_some, value }))
+            }
+            Self::Scalar(_) => Self::Scalar(from.next()?),
+            Self::Integer(_) => Self::Integer(from.next()?),
+            Self::Truth(_) => Self::Truth(Condition::Less(a.number(0.0), from.next()?)),
+            Self::Planar(_) => {
+                let ([x, y], zero) = (take(from)?, a.number(0.0));
+                Self::Planar(a.vector([x, y, zero]))
+            }
+            Self::Vector(_) => Self::Vector(a.vector(take(from)?)),
+            Self::Four(_) => Self::Four(take(from)?),
+            Self::Quaternion(_) => {
+                let u = a.vector(take(from)?);
+                Self::Quaternion(Quaternion::from_parts(u, from.next()?))
+            }
+            Self::Matrix(_) => {
+                let columns = [take(from)?, take(from)?, take(from)?];
+                Self::Matrix(Map::Columns(columns.map(|column| a.vector(column))))
+            }
+            Self::Square(columns) => {
+                Self::Square(columns.iter().map(|column| from.by_ref().take(column.len()).collect()).collect())
+            }
+            _ => return None,
+        })
+    }
+}
+
+impl Translation<'_> {
+    /// A `for` loop over rounds that are not written out.
+    pub(super) fn kept_for(&mut self, e: &ExprForLoop, rounds: &Rounds) -> Value {
+        self.kept_loop(&e.for_token, rounds, |this, item| {
+            this.bind(&e.pat, item);
+            this.block(&e.body)
+        })
+    }
+
+    /// Runs one round of a loop, for all of them.
+    pub(super) fn kept_loop(
+        &mut self,
+        place: &impl ToTokens,
+        rounds: &Rounds,
+        mut round: impl FnMut(&mut Self, Value) -> Value,
+    ) -> Value {
+        if core::mem::replace(&mut self.is_in_kept_loop, true) {
+            return self.refuse(place, messages::nested_kept_loop());
+        }
+        let states = self.states(place, rounds, &mut round);
+        self.is_in_kept_loop = false;
+        let Some(states) = states else { return Value::Unknown };
+        self.algebra.loops.push(KeptLoop { count: rounds.count, states });
+        Value::nothing()
+    }
+
+    /// The numbers that a round changes; their variables are what they are after the last one. `None` after an error.
+    fn states(
+        &mut self,
+        place: &impl ToTokens,
+        rounds: &Rounds,
+        round: &mut impl FnMut(&mut Self, Value) -> Value,
+    ) -> Option<Vec<State>> {
+        let number = self.algebra.loops.len();
+        // What a round changes may lead it to change more.
+        let mut changed: Vec<usize> = Vec::new();
+        let after = loop {
+            let mut inputs = 0..;
+            let mut before = Vec::with_capacity(changed.len());
+            for &variable in &changed {
+                let value = self.frame.value(variable).clone();
+                let a = &mut *self.algebra;
+                let numbers = value.numbers(a).map(|numbers| numbers.len());
+                let taken: Vec<Scalar> = inputs
+                    .by_ref()
+                    .take(numbers.unwrap_or_default())
+                    .map(|k| a.outside(Outside::Before(number, k)))
+                    .collect();
+                match value.of_numbers(a, &mut taken.into_iter()) {
+                    Some(value) if numbers.is_some() => before.push((variable, value)),
+                    _ => {
+                        self.refuse(place, messages::state_of_kept_loop(&value.describe()));
+                        return None;
+                    }
+                }
+            }
+            let after = self.one_round(place, rounds, before, round)?;
+            let more: Vec<usize> =
+                after.iter().map(|(variable, _)| *variable).filter(|it| !changed.contains(it)).collect();
+            if more.is_empty() {
+                break after;
+            }
+            changed.extend(more);
+        };
+        let mut states = Vec::new();
+        for variable in changed {
+            let first = self.frame.value(variable).clone();
+            let next = after
+                .iter()
+                .find(|(known, _)| *known == variable)
+                .map_or_else(|| first.clone(), |(_, next)| next.clone());
+            let a = &mut *self.algebra;
+            let (Some(numbers), Some(nexts)) = (first.numbers(a), next.numbers(a)) else {
+                self.refuse(place, messages::state_of_kept_loop(&next.describe()));
+                return None;
+            };
+            if !numbers.iter().map(|(_, kind)| kind).eq(nexts.iter().map(|(_, kind)| kind)) {
+                self.refuse(place, messages::variable_of_two_kinds());
+                return None;
+            }
+            let mut left = Vec::new();
+            for ((first, kind), (next, _)) in numbers.into_iter().zip(nexts) {
+                let k = states.len();
+                let [before, after] =
+                    [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
+                states.push(State { first, before, next, after, varies: kind == Kind::Number });
+                left.push(after);
+            }
+            let value = first.of_numbers(a, &mut left.into_iter())?;
+            self.frame.assign(variable, value);
+        }
+        Some(states)
+    }
+
+    /// What a round makes of the variables that are given; `None` after an error.
+    fn one_round(
+        &mut self,
+        place: &impl ToTokens,
+        rounds: &Rounds,
+        before: Vec<(usize, Value)>,
+        round: &mut impl FnMut(&mut Self, Value) -> Value,
+    ) -> Option<Vec<(usize, Value)>> {
+        let (errors, exits, loops) = (self.report.count(), self.frame.exits(), self.frame.loops());
+        let (whole, once) = (Target::Loop(loops), Target::Round(loops));
+        self.frame.begin_branch(Condition::Known(true));
+        self.frame.take(before);
+        self.frame.begin(whole, None);
+        let depth = self.frame.depth();
+        self.frame.begin(once, None);
+        let Element { is_there, value } = rounds.item.clone();
+        let done = self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing());
+        self.frame.leave(depth);
+        let is_one_kind = self.frame.end(self.algebra, !done.is_never()).is_some();
+        let is_left = self.frame.has_exits(whole);
+        self.frame.end(self.algebra, true);
+        let after = self.frame.end_branch();
+        if self.report.count() > errors {
+            return None;
+        }
+        if is_left || self.frame.exits() > exits {
+            self.refuse(place, messages::exit_of_kept_loop());
+            return None;
+        }
+        if !is_one_kind {
+            self.refuse(place, messages::variable_of_two_kinds());
+            return None;
+        }
+        Some(after)
+    }
+
+    /// The element of a slice; an error where it is not clear which one it is.
+    pub(super) fn element_of(&mut self, slice: &Slice, index: Scalar, place: &impl ToTokens) -> Value {
+        let a = &mut *self.algebra;
+        let round = a.outside(Outside::Round);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
+        let at = match Linear::of(a, index) {
+            Linear { x: None, c, .. } if c >= 0.0 => Some(At::First(c as usize)),
+            Linear { x: Some(x), k, c } if k == 1.0 && x == round && self.is_in_kept_loop => Some(At::Round(c as i64)),
+            Linear { x: Some(x), k, c } if k == 1.0 && x == slice.len && c < 0.0 => Some(At::Last(-c as usize)),
+            _ => None,
+        };
+        match at {
+            Some(at) => slice.element(self.algebra, at),
+            None => self.refuse(place, messages::element_of_slice()),
+        }
+    }
+
+    /// A method of a slice, or of an iterator over one; `None` of any other receiver.
+    pub(super) fn rounds_method(
+        &mut self,
+        receiver: &Value,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let rounds = match (receiver, name.as_str(), arguments.as_slice()) {
+            (Value::Slice(slice), "len", []) => return Some(Value::Integer(slice.len)),
+            (Value::Slice(slice), "is_empty", []) => {
+                let zero = self.algebra.number(0.0);
+                return Some(Value::Truth(Condition::at_most(self.algebra, slice.len, zero)));
+            }
+            (Value::Slice(slice), "windows", [count]) => {
+                let count = self.known_count(count)?;
+                let a = &mut *self.algebra;
+                let rounds = slice.clone().rounds(a, i64::try_from(count).ok()? - 1);
+                let window =
+                    (0..count).map(|k| slice.element(a, At::Round(i64::try_from(k).unwrap_or_default()))).collect();
+                let item = Element::new(Value::Array(window));
+                return Some(Value::Rounds(Rc::new(Rounds { item, source: None, ..rounds })));
+            }
+            (Value::Slice(slice), ..) => slice.clone().rounds(self.algebra, 0),
+            (Value::Rounds(rounds), ..) => (**rounds).clone(),
+            _ => return None,
+        };
+        let is_whole = matches!(rounds.item.is_there, Condition::Known(true));
+        let made = match (name.as_str(), arguments.as_slice()) {
+            ("iter" | "into_iter" | "copied" | "cloned", []) => rounds,
+            ("enumerate", []) if is_whole => {
+                let number = self.algebra.outside(Outside::Round);
+                let value = Value::Tuple(vec![Value::Integer(number), rounds.item.value]);
+                Rounds { item: Element::new(value), source: None, ..rounds }
+            }
+            ("map", [function]) => {
+                let mapped = self.mapped(call, function, vec![rounds.item.clone()])?;
+                Rounds { item: mapped.into_iter().next()?, source: None, ..rounds }
+            }
+            ("filter", [function]) => {
+                let kept = self.kept(call, function, &[rounds.item.clone()])?;
+                Rounds { item: kept.into_iter().next()?, source: None, ..rounds }
+            }
+            ("skip", [count]) if let Some((slice, first)) = &rounds.source => {
+                let count = i64::try_from(self.known_count(count)?).ok()?;
+                slice.clone().rounds(self.algebra, first + count)
+            }
+            ("take", [count]) if is_whole => {
+                let count = self.count(count)?;
+                Rounds { count: self.smaller(rounds.count, count), ..rounds }
+            }
+            ("zip", [other]) if is_whole => {
+                let other = match strip(other) {
+                    Expr::Range(range) if range.end.is_none() => None,
+                    other => Some(self.expression(other)),
+                };
+                let other = match other {
+                    Some(Value::Slice(slice)) => slice.rounds(self.algebra, 0),
+                    Some(Value::Rounds(other)) if matches!(other.item.is_there, Condition::Known(true)) => {
+                        (*other).clone()
+                    }
+                    Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
+                    None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
+                };
+                let value = Value::Tuple(vec![rounds.item.value, other.item.value]);
+                let count = self.smaller(rounds.count, other.count);
+                Rounds { count, item: Element::new(value), source: None }
+            }
+            ("for_each", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                return Some(
+                    self.kept_loop(&call.method, &rounds, |this, item| {
+                        this.inline(&call.method, &function, vec![item])
+                    }),
+                );
+            }
+            ("fold", [start, function]) => {
+                let start = self.expression_as(start, expected);
+                let function = self.function_argument(function, 2)?;
+                return Some(self.gathered(call, &rounds, start, |this, folded, item| {
+                    this.inline(&call.method, &function, vec![folded, item])
+                }));
+            }
+            ("sum" | "product", []) => {
+                let expected = self.expected_of_call(call, expected);
+                let of_items = self.type_name(&rounds.item.value);
+                let ty = of_items.as_deref().or(expected.name());
+                let neutral = ty.and_then(|ty| super::place_types::neutral(self.algebra, ty, name == "sum"));
+                let Some(neutral) = neutral else { return Some(self.refuse(&call.method, messages::empty_sum(&name))) };
+                let operator: syn::BinOp = if name == "sum" { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
+                return Some(self.gathered(call, &rounds, neutral, |this, total, item| {
+                    operators::binary(this.algebra, &operator, &total, &item).unwrap_or_else(|| {
+                        this.refuse(
+                            &call.method,
+                            messages::no_operation(&operator, &total.describe(), &item.describe()),
+                        )
+                    })
+                }));
+            }
+            ("count" | "len", []) => {
+                let (zero, one) = (self.algebra.integer(0), self.algebra.integer(1));
+                return Some(self.gathered(call, &rounds, zero, |this, total, _| {
+                    let plus = syn::parse_quote!(+);
+                    operators::binary(this.algebra, &plus, &total, &one).unwrap_or(Value::Unknown)
+                }));
+            }
+            ("any" | "all", [function]) => {
+                let (function, is_any) = (self.function_argument(function, 1)?, name == "any");
+                let start = Value::Truth(Condition::Known(!is_any));
+                return Some(self.gathered(call, &rounds, start, |this, so_far, item| {
+                    match (so_far, this.inline(&call.method, &function, vec![item])) {
+                        (Value::Truth(so_far), Value::Truth(holds)) => {
+                            Value::Truth(if is_any { so_far.or(holds) } else { so_far.and(holds) })
+                        }
+                        (_, other) => {
+                            this.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()))
+                        }
+                    }
+                }));
+            }
+            _ => return Some(self.refuse(&call.method, messages::unknown_method(&name, "a slice", METHODS))),
+        };
+        Some(Value::Rounds(Rc::new(made)))
+    }
+
+    /// What rounds make of a value, each of what the one before has made.
+    fn gathered(
+        &mut self,
+        call: &ExprMethodCall,
+        rounds: &Rounds,
+        start: Value,
+        mut next: impl FnMut(&mut Self, Value, Value) -> Value,
+    ) -> Value {
+        let variable = self.frame.depth();
+        // It has no name.
+        self.frame.declare(String::new(), start);
+        let done = self.kept_loop(&call.method, rounds, |this, item| {
+            let before = this.frame.value(variable).clone();
+            let next = next(this, before, item);
+            if next.is_unknown() {
+                return next;
+            }
+            this.frame.assign(variable, next);
+            Value::nothing()
+        });
+        let made = self.frame.value(variable).clone();
+        self.frame.leave(variable);
+        if done.is_unknown() { done } else { made }
+    }
+
+    fn smaller(&mut self, x: Scalar, y: Scalar) -> Scalar {
+        Condition::less(self.algebra, x, y).select(self.algebra, x, y)
+    }
+}
