@@ -27,7 +27,9 @@ struct Stage {
     /// What is there before the first round: the states, how many rounds there are, and derivatives by the variables and by what
     /// the loops before have left.
     entry: Program,
-    /// What a round makes of the states, and derivatives by the variables, the states, and what the loops before have left.
+    /// Whether a round may be the last one.
+    leaves: bool,
+    /// What a round makes of the states, whether it is the last one, and derivatives by the variables, the states, and what the loops before have left.
     round: Program,
 }
 
@@ -51,11 +53,11 @@ impl Kept {
             let first = kept.states.iter().map(|state| state.first).chain([kept.count]).map(Want::Value);
             let slopes = varying.iter().flat_map(|state| by(state.first, &[variables, &left]));
             let entry = search.program(&algebra.g, &first.chain(slopes).collect::<Vec<_>>());
-            let next = kept.states.iter().map(|state| Want::Value(state.next));
+            let next = kept.states.iter().map(|state| state.next).chain(kept.leaves).map(Want::Value);
             let slopes = varying.iter().flat_map(|state| by(state.next, &[variables, &before, &left]));
             let round = search.program(&algebra.g, &next.chain(slopes).collect::<Vec<_>>());
             left.extend(varying.iter().map(|state| state.after));
-            loops.push(Stage { states: kept.states.clone(), entry, round });
+            loops.push(Stage { states: kept.states.clone(), leaves: kept.leaves.is_some(), entry, round });
         }
         let outside = algebra.outside.iter().map(|(which, _)| *which).collect();
         Self { loops, outside, variables: variables.len() }
@@ -129,10 +131,10 @@ impl Kept {
             let own: Vec<(usize, usize)> = stage.varying().map(|k| (l, k)).collect();
             let slopes: Vec<Ident> =
                 own.iter().flat_map(|&(l, k)| (0..self.variables).map(move |j| slope(l, k, j))).collect();
-            let block = |program: &Program, before: &[(usize, usize)], counts: bool| {
+            let block = |program: &Program, before: &[(usize, usize)], has_more: bool| {
                 let body = Body { program, number, private, input };
                 let (steps, results) = (body.steps(), body.results().collect::<Vec<_>>());
-                let (values, rest) = program.outputs().split_at(stage.states.len() + usize::from(counts));
+                let (values, rest) = program.outputs().split_at(stage.states.len() + usize::from(has_more));
                 let derivatives = rest.chunks(self.variables + before.len()).take(own.len());
                 let chained = derivatives.flat_map(|row| {
                     let row: Vec<Value> = row.to_vec();
@@ -146,11 +148,16 @@ impl Kept {
             };
             let (entry, count, rounds) =
                 (block(&stage.entry, &left, true), local(&format!("count{l}")), round_number());
-            let of_round = block(&stage.round, &[own.as_slice(), &left].concat(), false);
+            let of_round = block(&stage.round, &[own.as_slice(), &left].concat(), stage.leaves);
+            let leaves = stage.leaves.then(|| local("leaves"));
+            let end = leaves.iter().map(|leaves| quote!(if #leaves > 0.0 { break; }));
+            let (declared, leaves) = (leaves.iter().map(|leaves| quote!(let #leaves;)), leaves.iter());
             code.extend(quote! {
                 let (#(mut #states,)* #count, #(mut #slopes,)*) = #entry;
                 for #rounds in 0..(#count as ::core::primitive::usize) {
-                    (#(#states,)* #(#slopes,)*) = #of_round;
+                    #(#declared)*
+                    (#(#states,)* #(#leaves,)* #(#slopes,)*) = #of_round;
+                    #(#end)*
                 }
             });
             left.extend(own);

@@ -36,7 +36,7 @@ impl Target {
     }
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Exit {
     target: Target,
     condition: Condition,
@@ -47,7 +47,7 @@ struct Exit {
 }
 
 /// Something that control can be led to the end of, as it was when it began.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Region {
     target: Target,
     label: Option<String>,
@@ -58,7 +58,7 @@ struct Region {
 }
 
 /// A function under interpretation.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Frame {
     pub(super) id: FrameId,
     /// The names in scope, the innermost last.
@@ -288,6 +288,20 @@ impl Frame {
     /// The number of ways out so far.
     pub(super) fn exits(&self) -> usize {
         self.exits.len()
+    }
+
+    /// Where control has been led to this end.
+    pub(super) fn exit_condition(&self, target: Target) -> Condition {
+        let exits = self.exits.iter().filter(|exit| exit.target == target);
+        exits.map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or)
+    }
+
+    /// Takes the ways out of the function that there are beyond so many, with their conditions and what is returned; `None` where
+    /// there are others, or variables are lent.
+    pub(super) fn take_returns(&mut self, count: usize) -> Option<Vec<(Condition, Value)>> {
+        let exits = self.exits.split_off(count);
+        let fits = self.lent.is_empty() && exits.iter().all(|exit| exit.target == Target::Function);
+        fits.then(|| exits.into_iter().map(|exit| (exit.condition, exit.value)).collect())
     }
 
     /// Takes the ways out back that there are beyond so many.

@@ -4,7 +4,7 @@
 use std::rc::Rc;
 
 use quote::ToTokens;
-use syn::{Expr, ExprForLoop, ExprMethodCall};
+use syn::{Expr, ExprForLoop, ExprLoop, ExprMethodCall, ExprWhile, Label};
 
 use super::algebra::Algebra;
 use super::bounds::Linear;
@@ -89,6 +89,14 @@ impl Rounds {
         let number = a.add(round, first);
         Self { count, item: Element::new(Value::Integer(number)), source: None }
     }
+}
+
+/// How a round ends the loop.
+struct Ends {
+    /// Where it leaves it.
+    leaves: Condition,
+    /// Where it returns from the function, and what.
+    returns: Vec<(Condition, Value)>,
 }
 
 /// What a number is.
@@ -184,40 +192,134 @@ impl Value {
 impl Translation<'_> {
     /// A `for` loop over rounds that are not written out.
     pub(super) fn kept_for(&mut self, e: &ExprForLoop, rounds: &Rounds) -> Value {
-        self.kept_loop(&e.for_token, rounds, |this, item| {
+        self.kept_loop(&e.for_token, e.label.as_ref(), rounds, |this, item| {
             this.bind(&e.pat, item);
             this.block(&e.body)
         })
+    }
+
+    /// `while`, as long as it takes.
+    pub(super) fn kept_while(&mut self, e: &ExprWhile) -> Value {
+        let rounds = self.rounds_without_end();
+        self.kept_loop(&e.while_token, e.label.as_ref(), &rounds, |this, _| {
+            let whole = Target::Loop(this.frame.loops() - 1);
+            let Some(condition) = this.condition(&e.cond) else { return Value::Unknown };
+            let end = |this: &mut Self| {
+                this.frame.exit(whole, Value::nothing());
+                Value::Never
+            };
+            match this.branch(&e.while_token, Some(condition), |_| Value::nothing(), end) {
+                Value::Never => Value::Never,
+                _ => this.block(&e.body),
+            }
+        })
+    }
+
+    /// `loop`, as long as it takes.
+    pub(super) fn kept_endless(&mut self, e: &ExprLoop) -> Value {
+        let rounds = self.rounds_without_end();
+        self.kept_loop(&e.loop_token, e.label.as_ref(), &rounds, |this, _| this.block(&e.body))
+    }
+
+    fn rounds_without_end(&mut self) -> Rounds {
+        Rounds { count: self.algebra.number(f64::INFINITY), item: Element::new(Value::nothing()), source: None }
     }
 
     /// Runs one round of a loop, for all of them.
     pub(super) fn kept_loop(
         &mut self,
         place: &impl ToTokens,
+        label: Option<&Label>,
         rounds: &Rounds,
         mut round: impl FnMut(&mut Self, Value) -> Value,
     ) -> Value {
         if core::mem::replace(&mut self.is_in_kept_loop, true) {
             return self.refuse(place, messages::nested_kept_loop());
         }
-        let states = self.states(place, rounds, &mut round);
+        let label = label.map(|label| label.name.ident.to_string());
+        let ran = self.states(place, label.as_deref(), rounds, &mut round);
         self.is_in_kept_loop = false;
-        let Some(states) = states else { return Value::Unknown };
-        self.algebra.loops.push(KeptLoop { count: rounds.count, states });
+        let Some((mut states, ends)) = ran else { return Value::Unknown };
+        let mut leaves = ends.leaves;
+        let mut returned = None;
+        if !ends.returns.is_empty() {
+            // What is returned, and whether, are states, too: after the loop control goes on to the end of the function.
+            let returns = ends
+                .returns
+                .iter()
+                .map(|(condition, _)| condition.clone())
+                .fold(Condition::Known(false), Condition::or);
+            leaves = leaves.or(returns.clone());
+            let Some(found) = self.returned(place, &mut states, &returns, &ends.returns) else { return Value::Unknown };
+            returned = Some(found);
+        }
+        let a = &mut *self.algebra;
+        let leaves = match &leaves {
+            Condition::Known(false) => None,
+            leaves => match a.number_of(leaves) {
+                Value::Integer(leaves) => Some(leaves),
+                _ => None,
+            },
+        };
+        // Not where control does not come: it might not end there.
+        let reached = self.frame.facts().cloned().fold(Condition::Known(true), Condition::and);
+        let zero = a.number(0.0);
+        let count = reached.select(a, rounds.count, zero);
+        a.loops.push(KeptLoop { count, states, leaves });
+        if let Some((is_returned, value)) = returned {
+            self.frame.begin_branch(is_returned.clone());
+            self.frame.exit(Target::Function, value);
+            self.frame.end_branch();
+            self.frame.assume(is_returned.not());
+        }
         Value::nothing()
+    }
+
+    /// Makes states of what a round returns from the function: whether it has returned, and the value; `None` after an error.
+    fn returned(
+        &mut self,
+        place: &impl ToTokens,
+        states: &mut Vec<State>,
+        returns: &Condition,
+        values: &[(Condition, Value)],
+    ) -> Option<(Condition, Value)> {
+        let number = self.algebra.loops.len();
+        // The first that was met counts.
+        let (last, rest) = values.split_last()?;
+        let value = rest
+            .iter()
+            .rev()
+            .try_fold(last.1.clone(), |other, (condition, value)| value.select(self.algebra, condition, &other));
+        let a = &mut *self.algebra;
+        let Some((value, numbers)) = value.and_then(|value| Some((value.clone(), value.numbers(a)?))) else {
+            self.refuse(place, messages::state_of_kept_loop(&last.1.describe()));
+            return None;
+        };
+        let Value::Integer(flag) = a.number_of(returns) else { return None };
+        let mut left = Vec::new();
+        for (next, kind) in [(flag, Kind::Flag)].into_iter().chain(numbers) {
+            let k = states.len();
+            let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
+            states.push(State { first: a.number(0.0), before, next, after, varies: kind == Kind::Number });
+            left.push(after);
+        }
+        let mut left = left.into_iter();
+        let is_returned = Condition::Less(a.number(0.0), left.next()?);
+        Some((is_returned, value.of_numbers(a, &mut left)?))
     }
 
     /// The numbers that a round changes; their variables are what they are after the last one. `None` after an error.
     fn states(
         &mut self,
         place: &impl ToTokens,
+        label: Option<&str>,
         rounds: &Rounds,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> Option<Vec<State>> {
+    ) -> Option<(Vec<State>, Ends)> {
         let number = self.algebra.loops.len();
         // What a round changes may lead it to change more.
         let mut changed: Vec<usize> = Vec::new();
-        let after = loop {
+        let (after, ends) = loop {
             let mut inputs = 0..;
             let mut before = Vec::with_capacity(changed.len());
             for &variable in &changed {
@@ -237,11 +339,11 @@ impl Translation<'_> {
                     }
                 }
             }
-            let after = self.one_round(place, rounds, before, round)?;
+            let (after, ends) = self.one_round(place, label, rounds, before, round)?;
             let more: Vec<usize> =
                 after.iter().map(|(variable, _)| *variable).filter(|it| !changed.contains(it)).collect();
             if more.is_empty() {
-                break after;
+                break (after, ends);
             }
             changed.extend(more);
         };
@@ -272,43 +374,53 @@ impl Translation<'_> {
             let value = first.of_numbers(a, &mut left.into_iter())?;
             self.frame.assign(variable, value);
         }
-        Some(states)
+        Some((states, ends))
     }
 
     /// What a round makes of the variables that are given; `None` after an error.
     fn one_round(
         &mut self,
         place: &impl ToTokens,
+        label: Option<&str>,
         rounds: &Rounds,
         before: Vec<(usize, Value)>,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> Option<Vec<(usize, Value)>> {
+    ) -> Option<(Vec<(usize, Value)>, Ends)> {
         let (errors, exits, loops) = (self.report.count(), self.frame.exits(), self.frame.loops());
         let (whole, once) = (Target::Loop(loops), Target::Round(loops));
         self.frame.begin_branch(Condition::Known(true));
         self.frame.take(before);
-        self.frame.begin(whole, None);
+        self.frame.begin(whole, label.map(str::to_owned));
         let depth = self.frame.depth();
         self.frame.begin(once, None);
         let Element { is_there, value } = rounds.item.clone();
         let done = self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing());
         self.frame.leave(depth);
-        let is_one_kind = self.frame.end(self.algebra, !done.is_never()).is_some();
-        let is_left = self.frame.has_exits(whole);
-        self.frame.end(self.algebra, true);
+        let goes_on = !done.is_never() || self.frame.has_exits(once);
+        let inner = self.frame.end(self.algebra, !done.is_never());
+        let leaves = self.frame.exit_condition(whole);
+        let outer = self.frame.end(self.algebra, goes_on);
         let after = self.frame.end_branch();
         if self.report.count() > errors {
             return None;
         }
-        if is_left || self.frame.exits() > exits {
+        let Some(returns) = self.frame.take_returns(exits) else {
             self.refuse(place, messages::exit_of_kept_loop());
             return None;
+        };
+        match (inner, outer) {
+            (Some(_), Some(Value::Never)) => {}
+            (Some(_), Some(Value::Tuple(brought))) if brought.is_empty() => {}
+            (Some(_), Some(_)) => {
+                self.refuse(place, messages::exit_of_kept_loop());
+                return None;
+            }
+            _ => {
+                self.refuse(place, messages::variable_of_two_kinds());
+                return None;
+            }
         }
-        if !is_one_kind {
-            self.refuse(place, messages::variable_of_two_kinds());
-            return None;
-        }
-        Some(after)
+        Some((after, Ends { leaves, returns }))
     }
 
     /// The element of a slice; an error where it is not clear which one it is.
@@ -358,7 +470,7 @@ impl Translation<'_> {
         };
         let is_whole = matches!(rounds.item.is_there, Condition::Known(true));
         let made = match (name.as_str(), arguments.as_slice()) {
-            ("iter" | "into_iter" | "copied" | "cloned", []) => rounds,
+            ("iter" | "into_iter" | "copied" | "cloned" | "clone", []) => rounds,
             ("enumerate", []) if is_whole => {
                 let number = self.algebra.outside(Outside::Round);
                 let value = Value::Tuple(vec![Value::Integer(number), rounds.item.value]);
@@ -399,11 +511,9 @@ impl Translation<'_> {
             }
             ("for_each", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                return Some(
-                    self.kept_loop(&call.method, &rounds, |this, item| {
-                        this.inline(&call.method, &function, vec![item])
-                    }),
-                );
+                return Some(self.kept_loop(&call.method, None, &rounds, |this, item| {
+                    this.inline(&call.method, &function, vec![item])
+                }));
             }
             ("fold", [start, function]) => {
                 let start = self.expression_as(start, expected);
@@ -465,7 +575,7 @@ impl Translation<'_> {
         let variable = self.frame.depth();
         // It has no name.
         self.frame.declare(String::new(), start);
-        let done = self.kept_loop(&call.method, rounds, |this, item| {
+        let done = self.kept_loop(&call.method, None, rounds, |this, item| {
             let before = this.frame.value(variable).clone();
             let next = next(this, before, item);
             if next.is_unknown() {

@@ -33,6 +33,8 @@ pub(crate) struct KeptLoop {
     /// How many rounds there are, if it is more than 0.
     pub(crate) count: Scalar,
     pub(crate) states: Vec<State>,
+    /// 1 where a round is the last one, if one may be.
+    pub(crate) leaves: Option<Scalar>,
 }
 
 /// A number that a round changes.

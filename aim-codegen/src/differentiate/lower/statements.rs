@@ -316,6 +316,44 @@ impl Translation<'_> {
     }
 
     pub(super) fn while_loop(&mut self, e: &ExprWhile) -> Value {
+        let written = |this: &mut Self| this.written_while(e);
+        self.written_or_kept(core::ptr::from_ref(e).cast(), written, |this| this.kept_while(e))
+    }
+
+    pub(super) fn endless_loop(&mut self, e: &ExprLoop) -> Value {
+        let written = |this: &mut Self| this.written_loop(e);
+        self.written_or_kept(core::ptr::from_ref(e).cast(), written, |this| this.kept_endless(e))
+    }
+
+    /// Writes a loop out, round by round; or, if no end of it comes in sight, keeps it.
+    fn written_or_kept(
+        &mut self,
+        place: *const (),
+        written: impl FnOnce(&mut Self) -> Value,
+        kept: impl FnOnce(&mut Self) -> Value,
+    ) -> Value {
+        if self.is_in_kept_loop {
+            return written(self);
+        }
+        if !self.endless.contains(&place) {
+            let (frame, errors, rounds) = (self.frame.clone(), self.report.count(), self.rounds_run);
+            let (nodes, loops) = (self.algebra.g.len(), self.algebra.loops.len());
+            self.is_endless = false;
+            let value = written(self);
+            if !core::mem::take(&mut self.is_endless) {
+                return value;
+            }
+            self.frame = frame;
+            self.report.forget(errors);
+            self.rounds_run = rounds;
+            self.algebra.loops.truncate(loops);
+            self.given_up += self.algebra.g.len() - nodes;
+            self.endless.push(place);
+        }
+        kept(self)
+    }
+
+    fn written_while(&mut self, e: &ExprWhile) -> Value {
         let label = e.label.as_ref().map(|label| &label.name);
         let whole = Target::Loop(self.frame.loops());
         let mut open_rounds = 0;
@@ -324,6 +362,7 @@ impl Translation<'_> {
             Some(Condition::Known(true)) => Round::Of(this.block(&e.body)),
             // As far as is known it goes on until something else ends it.
             Some(_) if open_rounds == MOST_OPEN_ROUNDS || this.is_too_large() => {
+                this.is_endless = true;
                 Round::Of(this.refuse(&e.cond, messages::rounds_unknown()))
             }
             Some(condition) => {
@@ -339,7 +378,7 @@ impl Translation<'_> {
         })
     }
 
-    pub(super) fn endless_loop(&mut self, e: &ExprLoop) -> Value {
+    fn written_loop(&mut self, e: &ExprLoop) -> Value {
         let label = e.label.as_ref().map(|label| &label.name);
         self.rounds(&e.loop_token, label, |this| Round::Of(this.block(&e.body)))
     }
@@ -382,6 +421,7 @@ impl Translation<'_> {
             }
             self.rounds_run += 1;
             if self.rounds_run > MOST_ROUNDS || self.is_too_large() {
+                self.is_endless = true;
                 value = self.refuse_too_large(token);
                 break;
             }
@@ -397,7 +437,7 @@ impl Translation<'_> {
 
     /// Whether the graph has outgrown its bound.
     pub(super) fn is_too_large(&self) -> bool {
-        self.algebra.g.len() > MOST_NODES
+        self.algebra.g.len() - self.given_up > MOST_NODES
     }
 
     /// Reports that the graph has outgrown its bound.

@@ -37,6 +37,12 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_drained: bool,
     /// Whether a loop is being run that stays one.
     pub(super) is_in_kept_loop: bool,
+    /// Whether a loop has just been given up, as no end of it is in sight.
+    pub(super) is_endless: bool,
+    /// The loops that were given up before, by where they are.
+    pub(super) endless: Vec<*const ()>,
+    /// How many nodes of the graph are of loops that were given up.
+    pub(super) given_up: usize,
 }
 
 impl<'a> Translation<'a> {
@@ -59,6 +65,9 @@ impl<'a> Translation<'a> {
             rounds_run: 0,
             is_drained: false,
             is_in_kept_loop: false,
+            is_endless: false,
+            endless: Vec::new(),
+            given_up: 0,
         }
     }
 

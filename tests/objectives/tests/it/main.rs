@@ -13,6 +13,7 @@ mod energies;
 mod exponential;
 mod fields;
 mod harness;
+mod kept;
 mod language;
 mod least_squares;
 mod lengths;

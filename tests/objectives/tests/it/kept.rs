@@ -1,0 +1,271 @@
+//! Loops that stay loops: over slices, to numbers of which no bound is known, and as long as it takes.
+
+#[aim::differentiate(check = true)]
+mod functions {
+    use aim::glam::{DQuat, DVec3};
+
+    #[differentiate(wrt(a, b))]
+    pub(super) fn line(a: f64, b: f64, x: &[f64], y: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (x, y) in x.iter().zip(y) {
+            let r = a * x + b - y;
+            sum += r * r;
+        }
+        sum / x.len() as f64
+    }
+
+    #[differentiate(wrt(mean, width))]
+    pub(super) fn likelihood(mean: f64, width: f64, x: &[f64]) -> f64 {
+        x.iter().map(|x| 0.5 * ((x - mean) / width).powi(2) + width.ln()).sum()
+    }
+
+    /// Two loops, of which the second uses what the first has left, and what the round before was.
+    #[differentiate(wrt(base, shock, decay))]
+    pub(super) fn volatility(base: f64, shock: f64, decay: f64, scale: f64, returns: &[f64]) -> [f64; 2] {
+        let mean = scale * returns.iter().map(|r| r * decay).sum::<f64>() / returns.len() as f64;
+        let mut variance = base * base + 0.1;
+        let mut sum = 0.0;
+        for i in 1..returns.len() {
+            variance = base + shock * (returns[i - 1] - mean).powi(2) + decay * variance;
+            if returns[i] > 0.5 {
+                continue;
+            }
+            sum += (returns[i] - mean).powi(2) * variance;
+        }
+        [sum, variance]
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn iterated(x: f64, n: usize) -> f64 {
+        let mut y = x;
+        for _ in 0..n {
+            y = 1.5 * y * (1.0 - y);
+        }
+        y
+    }
+
+    #[differentiate(wrt(k))]
+    pub(super) fn smooth(k: f64, x: &[f64]) -> f64 {
+        let rough: f64 = x.windows(2).map(|w| (w[1] - k * w[0]).powi(2)).sum();
+        let late = x.iter().skip(1).enumerate().filter(|(_, x)| **x > 0.0).map(|(i, x)| k * x * i as f64).sum::<f64>();
+        rough + late + x[0] * k + x[x.len() - 1] * k * k
+    }
+
+    /// Newton's method, until it has converged.
+    #[differentiate(wrt(a))]
+    pub(super) fn cube_root(a: f64) -> f64 {
+        let mut x = 1.0;
+        while (x * x * x - a).abs() > 1e-13 {
+            x -= (x * x * x - a) / (3.0 * x * x);
+        }
+        // The slope is that of a round, after the last one, too.
+        x - (x * x * x - a) / (3.0 * x * x)
+    }
+
+    /// Kepler's equation.
+    #[differentiate(wrt(mean, eccentricity))]
+    pub(super) fn anomaly(mean: f64, eccentricity: f64) -> Option<f64> {
+        if !(0.0..0.9).contains(&eccentricity) {
+            return None;
+        }
+        let mut x = mean;
+        let mut rounds = 0;
+        loop {
+            let step = (x - eccentricity * x.sin() - mean) / (1.0 - eccentricity * x.cos());
+            x -= step;
+            rounds += 1;
+            if step.abs() < 1e-9 {
+                break;
+            }
+        }
+        if rounds > 1000 { None } else { Some(x) }
+    }
+
+    /// Returned from inside of the loop.
+    #[differentiate(wrt(x, limit))]
+    pub(super) fn crossing(x: &[f64; 2], limit: f64, values: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (i, value) in values.iter().enumerate() {
+            let next = sum + value * x[0] + x[1];
+            if next > limit {
+                return i as f64 + (limit - sum) / (next - sum);
+            }
+            if next < -4.0 {
+                break;
+            }
+            sum = next;
+        }
+        sum
+    }
+
+    #[derive(Clone, Copy)]
+    pub(super) struct State {
+        pub(super) place: DVec3,
+        pub(super) speed: DVec3,
+        pub(super) is_down: bool,
+        pub(super) hits: usize,
+    }
+
+    /// A ball that bounces, its state a struct.
+    #[differentiate(wrt(start, drag))]
+    pub(super) fn ball(start: DVec3, drag: f64, turn: DQuat, steps: usize) -> DVec3 {
+        let speed = turn * DVec3::new(0.0, 0.5, 0.25);
+        let mut state = State { place: start, speed, is_down: false, hits: 0 };
+        (0..steps).for_each(|_| {
+            state.speed += DVec3::Y * -0.5 - state.speed * drag;
+            state.place += 0.25 * state.speed;
+            state.is_down = state.place.y < 0.0;
+            if state.is_down {
+                state.place.y = -state.place.y;
+                state.speed.y *= -0.5;
+                state.hits += 1;
+            }
+        });
+        state.place * (1.0 + state.hits as f64) + if state.is_down { DVec3::X } else { DVec3::ZERO }
+    }
+
+    #[derive(Clone, Copy)]
+    pub(super) struct Sample {
+        pub(super) at: [f64; 2],
+        pub(super) weight: Option<f64>,
+        pub(super) is_used: bool,
+    }
+
+    /// Samples that are left out, and a loop that is written out around.
+    #[differentiate(wrt(tangent(turn), bias))]
+    pub(super) fn samples(turn: DQuat, bias: f64, samples: &[Sample]) -> f64 {
+        let used = samples.iter().filter(|sample| sample.is_used);
+        let mut total = bias;
+        for axis in [DVec3::X, DVec3::Z] {
+            let rotated = turn * axis;
+            total += used
+                .clone()
+                .map(|sample| {
+                    let r = rotated.x * sample.at[0] + rotated.y * sample.at[1] - bias;
+                    sample.weight.unwrap_or(2.0) * r * r
+                })
+                .sum::<f64>();
+        }
+        let any = samples.iter().any(|sample| sample.at[0] > bias);
+        let most = samples.iter().fold(f64::NEG_INFINITY, |most, sample| most.max(sample.at[1] * bias));
+        if any { total + most } else { total }
+    }
+
+    /// A loop that would not end where control does not come.
+    #[differentiate(wrt(x))]
+    pub(super) fn guarded(x: f64) -> f64 {
+        if x < 1.0 {
+            return x;
+        }
+        let mut y = x;
+        while y > 1.0 {
+            y = y * y - 1.25 * y.powi(3) * 0.5;
+        }
+        y
+    }
+}
+
+use functions::{Sample, State};
+
+/// (f(x + h) − f(x − h)) / 2h.
+fn difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
+    let h = 1e-6;
+    (f(x + h) - f(x - h)) / (2.0 * h)
+}
+
+fn assert_near(found: f64, expected: f64) {
+    assert!((found - expected).abs() < 1e-7 * (1.0 + expected.abs()), "{found}, expected {expected}");
+}
+
+#[test]
+fn slices_of_any_length() {
+    let (x, y) = ([0.1, 0.5, 0.9, -1.0, 2.0], [0.3, 0.2, 0.1, 1.0]);
+    for n in 1..=5 {
+        let x = &x[..n];
+        let (value, (by_a, by_b)) = functions::line_gradient(0.3, 0.2, x, &y);
+        assert_near(value, functions::line(0.3, 0.2, x, &y));
+        assert_near(by_a, difference(|a| functions::line(a, 0.2, x, &y), 0.3));
+        assert_near(by_b, difference(|b| functions::line(0.3, b, x, &y), 0.2));
+        let (value, (by_k,)) = functions::smooth_gradient(0.3, x);
+        assert_near(value, functions::smooth(0.3, x));
+        assert_near(by_k, difference(|k| functions::smooth(k, x), 0.3));
+        let (values, (by_base, by_shock, by_decay)) = functions::volatility_jacobian(0.3, 0.2, 0.4, 0.7, x);
+        let expected = functions::volatility(0.3, 0.2, 0.4, 0.7, x);
+        for k in 0..2 {
+            assert_near(values[k], expected[k]);
+            assert_near(by_base[k], difference(|b| functions::volatility(b, 0.2, 0.4, 0.7, x)[k], 0.3));
+            assert_near(by_shock[k], difference(|s| functions::volatility(0.3, s, 0.4, 0.7, x)[k], 0.2));
+            assert_near(by_decay[k], difference(|d| functions::volatility(0.3, 0.2, d, 0.7, x)[k], 0.4));
+        }
+    }
+    // Nothing to sum.
+    assert_eq!(functions::likelihood_gradient(0.3, 0.2, &[]), (0.0, (0.0, 0.0)));
+    let many: Vec<f64> = (0..100_000).map(|k| f64::from(k) * 1e-5).collect();
+    let (value, (by_mean, _)) = functions::likelihood_gradient(0.3, 0.2, &many);
+    assert_near(value, functions::likelihood(0.3, 0.2, &many));
+    assert_near(by_mean, -many.iter().map(|x| (x - 0.3) / 0.04).sum::<f64>());
+}
+
+#[test]
+fn as_many_rounds_as_it_takes() {
+    for a in [0.2, 1.0, 5.0, 1000.0_f64] {
+        let (value, (slope,)) = functions::cube_root_gradient(a);
+        assert_near(value, a.cbrt());
+        assert_near(slope, a.cbrt() / (3.0 * a));
+    }
+    for (mean, e) in [(0.3, 0.2), (2.0, 0.8), (-1.0, 0.5)] {
+        let (value, (by_mean, by_e)) = functions::anomaly_gradient(mean, e).expect("it is an orbit");
+        let (x, slope) = (value, 1.0 / (1.0 - e * value.cos()));
+        assert_near(x - e * x.sin(), mean);
+        assert!((by_mean - slope).abs() < 1e-4 && (by_e - x.sin() * slope).abs() < 1e-4, "{by_mean}, {by_e}");
+    }
+    assert!(functions::anomaly_gradient(1.0, 2.0).is_none());
+    for n in [0, 1, 7, 300] {
+        let (value, (slope,)) = functions::iterated_gradient(0.3, n);
+        assert_near(value, functions::iterated(0.3, n));
+        assert_near(slope, difference(|x| functions::iterated(x, n), 0.3));
+    }
+    for x in [0.5, 0.99, 1.1] {
+        let (value, (slope,)) = functions::guarded_gradient(x);
+        assert_near(value, functions::guarded(x));
+        assert_near(slope, difference(functions::guarded, x));
+    }
+}
+
+#[test]
+fn ways_out() {
+    let values = [0.5, 0.25, 1.0, -3.0, 2.0, -40.0, 3.0];
+    for limit in [0.1, 0.7, 1.2, 1.9, 5.0, 100.0] {
+        for x in [[1.0, 0.1], [0.5, 0.4], [1.5, -0.2]] {
+            let (value, (by_x, by_limit)) = functions::crossing_gradient(&x, limit, &values);
+            assert_near(value, functions::crossing(&x, limit, &values));
+            assert_near(by_limit, difference(|limit| functions::crossing(&x, limit, &values), limit));
+            assert_near(by_x[0], difference(|a| functions::crossing(&[a, x[1]], limit, &values), x[0]));
+            assert_near(by_x[1], difference(|b| functions::crossing(&[x[0], b], limit, &values), x[1]));
+        }
+    }
+}
+
+#[test]
+fn structs_go_from_round_to_round() {
+    use aim::glam::{DQuat, DVec3};
+    let turn = DQuat::from_rotation_z(0.3);
+    for steps in [0, 1, 5, 40] {
+        let start = DVec3::new(0.1, 0.6, -0.2);
+        let (value, (by_start, by_drag)) = functions::ball_jacobian(start, 0.05, turn, steps);
+        assert!((value - functions::ball(start, 0.05, turn, steps)).length() < 1e-12);
+        for k in 0..3 {
+            assert_near(by_drag[k], difference(|drag| functions::ball(start, drag, turn, steps)[k], 0.05));
+            let moved = |y: f64| functions::ball(DVec3::new(0.1, y, -0.2), 0.05, turn, steps)[k];
+            assert_near(by_start.col(1)[k], difference(moved, 0.6));
+        }
+    }
+    let sample = |x, y, weight, is_used| Sample { at: [x, y], weight, is_used };
+    let samples = [sample(0.5, 0.2, None, true), sample(1.0, -0.3, Some(0.5), true), sample(9.0, 9.0, None, false)];
+    for bias in [0.2, 3.0, 20.0] {
+        let (value, (_, by_bias)) = functions::samples_gradient(turn, bias, &samples);
+        assert_near(value, functions::samples(turn, bias, &samples));
+        assert_near(by_bias, difference(|bias| functions::samples(turn, bias, &samples), bias));
+    }
+    let _ = State { place: DVec3::X, speed: DVec3::X, is_down: true, hits: 0 };
+}
