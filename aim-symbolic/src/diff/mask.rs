@@ -69,7 +69,8 @@ impl Masks {
         let mut masks = Self::default();
         masks.need(Node::Scalar(output), Mask::ALWAYS);
         for &node in order.iter().rev().filter(|&&node| active.contains(node)) {
-            let mask = masks.of_node(node);
+            // What is only compared has no adjoint, and its parts are not needed for it.
+            let Some(mask) = masks.needed.copied(node) else { continue };
             match node {
                 Node::Scalar(s) => match g.scalar_node(s) {
                     ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {

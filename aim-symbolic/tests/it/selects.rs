@@ -166,3 +166,30 @@ fn what_has_no_value_in_the_branch_not_taken_stays_there() {
         }
     }
 }
+
+#[test]
+fn two_guards_keep_out_what_has_no_value() {
+    let mut g = Graph::new();
+    let [a, b] = ["a", "b"].map(|name| g.input(name));
+    let (zero, tenth, three, minus) = (g.constant(0.0), g.constant(0.1), g.constant(3.0), g.constant(-1.0));
+    let root = g.sqrt(a);
+    let f = g.div(b, root);
+    let size = {
+        let negative = g.neg(f);
+        g.select_less(f, zero, negative, f)
+    };
+    let sin = g.call(Function::Sin, f);
+    let inner = g.select_less(tenth, size, three, sin);
+    let z = g.select_less(zero, a, inner, minus);
+    // −b cos(f) / 2a√a where both guards let it pass.
+    let f = 0.005 / f64::sqrt(0.25);
+    for (at_a, at_b, slope) in [
+        (-1.0, 0.5, 0.0),
+        (0.0, 0.5, 0.0),
+        (0.25, 0.5, 0.0),
+        (0.25, 0.005, -0.5 * f / 0.25 * f.cos()),
+        (-1.0, 0.0, 0.0),
+    ] {
+        assert_near(&at(&g, z, &[a.into()], &[at_a, at_b]), &[slope]);
+    }
+}
