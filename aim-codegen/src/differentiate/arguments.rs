@@ -82,7 +82,8 @@ impl Arguments {
             let declared = name.as_ref().and_then(|name| sized(&typed.ty, name, options));
             let declared = declared.unwrap_or_else(|| (*typed.ty).clone());
             // Of a generic argument that was said.
-            let slice = slice_of(&declared).and_then(|(slice, element)| {
+            let is_variable = name.as_ref().is_some_and(|name| place_among(options.wrt.as_deref(), name).is_some());
+            let slice = slice_of(&declared).filter(|_| !is_variable).and_then(|(slice, element)| {
                 let element = Type::parse(element, items).ok().filter(|element| !element.borrowed)?;
                 let precision = element.precision;
                 let mut ty = Type::made(slice.to_token_stream(), Shape::Slice(Box::new(element)), precision);

@@ -151,6 +151,10 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
     let items = module.map(Items::of).unwrap_or_default();
     let arguments = Arguments::check(&function.sig, &options, &items, report);
     let derived = Derived::all(function, &options, &arguments, &items, search, report)?;
+    if derived.iter().any(|derived| !derived.kept.is_empty()) {
+        report.error_in(&function.sig.ident, messages::kept_loop_elsewhere(name));
+        return None;
+    }
     let result = arguments.result.as_ref()?;
     let outputs = Outputs {
         name,

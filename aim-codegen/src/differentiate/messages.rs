@@ -267,8 +267,8 @@ messages! {
         "bound one of them, as in `0..n.min(8)` or by `assert!(n <= 8)` before it";
 
     exit_of_kept_loop() =>
-        "a loop of which no end is known cannot be left before it",
-        "bound it, as in `0..n.min(8)`, or keep in a variable whether it has ended, as in `if !done {{ … }}`";
+        "a loop of which no end is known cannot be left with a value, or to the end of another loop",
+        "assign the value to a variable and leave this loop alone, or bound the loop, as in `0..n.min(8)`";
 
     state_of_kept_loop(kind: &str) =>
         "{kind} cannot be changed by a loop of which no end is known",
@@ -282,13 +282,13 @@ messages! {
         "which element of this slice it is cannot be told",
         "index it by the number of a loop's round, as in `x[i + 1]`, by a known number or from its end, or say how long it is by `lengths`";
 
+    kept_loop_elsewhere(name: &str) =>
+        "`{name}` has a loop of which no end is known, which is written in Rust alone",
+        "bound it, as in `0..n.min(8)`, or say how long slices are by `lengths`";
+
     companion_of_kept_loop(key: &str) =>
         "`{key}` is for functions whose loops have known ends",
         "bound the loops, as in `0..n.min(8)`, or say how long slices are by `lengths`";
-
-    range_too_long(most: i64) =>
-        "this range has more than {most} numbers",
-        "loops are written out round by round: differentiate one term, and sum its derivatives in a loop around it";
 
     too_large(nodes: usize, rounds: usize) =>
         "written out, this is more than {nodes} operations or {rounds} rounds of loops",

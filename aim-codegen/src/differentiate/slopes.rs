@@ -13,9 +13,6 @@ use crate::emit::body::local;
 impl Type {
     /// Why there are no derivatives by a value of this type, or by its tangent; `None` if there are.
     pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
-        if let Shape::Slice(element) = &self.shape {
-            return Some(messages::slice(&element.tokens.to_string()));
-        }
         if self.dimension() == 0 {
             return Some(messages::constant_variable(name));
         }

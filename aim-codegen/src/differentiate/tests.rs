@@ -106,6 +106,34 @@ fn long_sums_are_no_trouble() {
 }
 
 #[test]
+fn what_kept_loops_cannot_do_is_refused() {
+    for (options, body, what) in [
+        ("wrt(x)", "let mut s = x; for a in v { for b in v { s += a * b; } } s", "in another one"),
+        ("wrt(x)", "let mut s = vec![]; for a in v { s.push(a * x); } s[0]", "two kinds"),
+        ("wrt(x)", "let mut i = 0; let mut s = x; for a in v { s += a * v[i]; i += 2; } s", "which element"),
+        ("wrt(x)", "loop { if v[0] > x { break x; } }", "cannot be left"),
+        ("wrt(x)", "'a: loop { for a in v { if a > &x { break 'a; } } }; x", "of another loop"),
+        ("wrt(v)", "v[0] * x", "how long this is"),
+        ("wrt(x), hessian", "v.iter().map(|a| a * x).sum()", "known ends"),
+        ("wrt(x), lanes", "x * n as f32", "lanes"),
+        ("wrt(x)", "x * v.iter().rev().sum::<f32>()", "`rev` of a slice"),
+        (
+            "wrt(x)",
+            "let mut s = 0.0; let t: f32 = v.iter().map(|a| { s += a; s }).sum(); x * t * s",
+            "whether and when",
+        ),
+        ("wrt(x)", "v.iter().zip([x; 4]).map(|(a, b)| a * b).sum()", "cannot be paired"),
+    ] {
+        let expansion = expand(options, &format!("fn f(x: f32, v: &[f32], n: usize) -> f32 {{ {body} }}"));
+        assert!(errors(&expansion) > 0, "{body}: {expansion}");
+        assert!(expansion.contains(what), "{body}: {expansion}");
+    }
+    let source = "#[differentiate(wrt(x))] fn f(x: f32, v: &[f32]) -> f32 { v.iter().map(|a| a * x).sum() }";
+    let errors = Differentiated::from_file("f.rs", source, "f").expect_err("C is straight lines");
+    assert!(errors.to_string().contains("in Rust alone"), "{errors}");
+}
+
+#[test]
 fn what_cannot_be_told_is_refused() {
     for (body, what) in [
         ("let mut t = 0.0; let mut s = x; while t < 1.0 { s += x * 0.1; t += 0.1; } s", "rounding"),

@@ -153,6 +153,23 @@ impl Translation<'_> {
                 }
                 x.fields.iter().zip(&y.fields).map(|((_, x), (_, y))| (x, y)).collect()
             }
+            (Value::Planar(_), Value::Planar(_))
+            | (Value::Vector(_), Value::Vector(_))
+            | (Value::Four(_), Value::Four(_))
+            | (Value::Quaternion(_), Value::Quaternion(_)) => {
+                let [x, y] = [left, right].map(|value| value.elements(self.algebra));
+                if x.is_empty() {
+                    return None;
+                }
+                let mut all = Condition::Known(true);
+                for (x, y) in x.iter().zip(&y) {
+                    match operators::binary(self.algebra, &syn::parse_quote!(==), x, y)? {
+                        Value::Truth(equal) => all = all.and(equal),
+                        other => return Some(other),
+                    }
+                }
+                return Some(Value::Truth(all));
+            }
             (Value::Array(x), Value::Array(y)) | (Value::Tuple(x), Value::Tuple(y)) if x.len() == y.len() => {
                 x.iter().zip(y).collect()
             }

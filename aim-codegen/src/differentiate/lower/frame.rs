@@ -296,6 +296,12 @@ impl Frame {
         exits.map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or)
     }
 
+    /// Whether control brings a value to this end.
+    pub(super) fn brings(&self, target: Target) -> bool {
+        let mut exits = self.exits.iter().filter(|exit| exit.target == target);
+        exits.any(|exit| !matches!(&exit.value, Value::Tuple(values) if values.is_empty()))
+    }
+
     /// Takes the ways out of the function that there are beyond so many, with their conditions and what is returned; `None` where
     /// there are others, or variables are lent.
     pub(super) fn take_returns(&mut self, count: usize) -> Option<Vec<(Condition, Value)>> {

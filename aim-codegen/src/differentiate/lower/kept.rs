@@ -399,6 +399,7 @@ impl Translation<'_> {
         let goes_on = !done.is_never() || self.frame.has_exits(once);
         let inner = self.frame.end(self.algebra, !done.is_never());
         let leaves = self.frame.exit_condition(whole);
+        let brings = self.frame.brings(whole);
         let outer = self.frame.end(self.algebra, goes_on);
         let after = self.frame.end_branch();
         if self.report.count() > errors {
@@ -408,19 +409,13 @@ impl Translation<'_> {
             self.refuse(place, messages::exit_of_kept_loop());
             return None;
         };
-        match (inner, outer) {
-            (Some(_), Some(Value::Never)) => {}
-            (Some(_), Some(Value::Tuple(brought))) if brought.is_empty() => {}
-            (Some(_), Some(_)) => {
-                self.refuse(place, messages::exit_of_kept_loop());
-                return None;
-            }
-            _ => {
-                self.refuse(place, messages::variable_of_two_kinds());
-                return None;
-            }
-        }
-        Some((after, Ends { leaves, returns }))
+        let text = match (inner, outer) {
+            _ if brings => messages::exit_of_kept_loop(),
+            (Some(_), Some(_)) => return Some((after, Ends { leaves, returns })),
+            _ => messages::variable_of_two_kinds(),
+        };
+        self.refuse(place, text);
+        None
     }
 
     /// The element of a slice; an error where it is not clear which one it is.

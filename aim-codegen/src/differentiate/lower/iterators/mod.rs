@@ -21,6 +21,9 @@ use crate::differentiate::messages;
 /// The longest range.
 const LONGEST: i64 = 10_000;
 
+/// The longest range that may end before its end and is written out.
+const LONGEST_OPEN: i64 = 300;
+
 /// When a method asks its iterator for elements.
 #[derive(Clone, Copy, PartialEq)]
 enum Course {
@@ -208,16 +211,16 @@ impl Translation<'_> {
             end.is_finite().then_some(end as i64)
         });
         let is_closed = matches!(range.limits, RangeLimits::Closed(_));
-        let (Some(least), Some(most)) = (least, most) else {
+        let rounds = least.zip(most).map_or(i64::MAX, |(least, most)| most.saturating_sub(least));
+        let is_known = [first, last].into_iter().all(|end| self.algebra.constant_of(end).is_some());
+        let is_written = rounds <= if is_known { LONGEST } else { LONGEST_OPEN };
+        let (true, Some(least), Some(most)) = (is_written, least, most) else {
             let (a, one) = (&mut *self.algebra, if is_closed { 1.0 } else { 0.0 });
             let (count, more) = (a.sub(last, first), a.number(one));
             let count = a.add(count, more);
             return Value::Rounds(Rc::new(Rounds::counting(a, first, count)));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
-        if most.saturating_sub(least) > LONGEST {
-            return self.refuse(range, messages::range_too_long(LONGEST));
-        }
         let mut items = Vec::new();
         for i in least..most {
             let Value::Integer(number) = self.algebra.integer(i) else { continue };

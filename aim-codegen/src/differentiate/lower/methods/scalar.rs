@@ -35,7 +35,8 @@ functions! {
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     cbrt(x: Scalar) = x.signum() * x.abs().powf(1.0 / 3.0);
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
-    exp_m1(x: Scalar) = 2.0 * (0.5 * x).sinh() * (0.5 * x).exp();
+    // Where no digits are lost, nothing overflows on the way.
+    exp_m1(x: Scalar) = if x < -1.0 { x.exp() - 1.0 } else { 2.0 * (0.5 * x).sinh() * (0.5 * x).exp() };
     exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
     ln_1p(x: Scalar) -> Scalar { by_artanh(a, x, ["2.0", "1.0 / (2.0 + x)", "(1.0 + x).ln()"])? }
@@ -45,7 +46,7 @@ functions! {
     sinh(x: Scalar) -> Scalar { a.call(Sinh, x) }
     cosh(x: Scalar) -> Scalar { a.call(Cosh, x) }
     tanh(x: Scalar) -> Scalar { a.call(Tanh, x) }
-    asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x * x).sqrt()", ASINH])? }
+    asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x.clamp(-1.0, 1.0) * x.clamp(-1.0, 1.0)).sqrt()", ASINH])? }
     acosh(x: Scalar) = (x - 1.0 + (x - 1.0).sqrt() * (x + 1.0).sqrt()).ln_1p();
     atanh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0", "0.5 * ((1.0 + x) / (1.0 - x)).ln()"])? }
     floor(x: Scalar) -> Scalar { a.call(Floor, x) }
