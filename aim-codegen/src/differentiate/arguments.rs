@@ -203,7 +203,10 @@ impl Arguments {
             let numbers: Vec<Scalar> = numbers.collect();
             if let (Shape::Slice(element), [len]) = (&argument.ty.shape, numbers.as_slice()) {
                 a.set_extent(*len, 0.0, f64::INFINITY);
-                let slice = Slice { argument: place, element: (**element).clone(), len: *len };
+                let (components, element) = (element.components(), element.clone());
+                let make =
+                    Rc::new(move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing).value(&element));
+                let slice = Slice { argument: place, components, make, len: *len };
                 declared.values.push(Value::Slice(Rc::new(slice)));
                 continue;
             }
@@ -248,6 +251,14 @@ impl Arguments {
             declared.extend((0..ty.dimension()).map(|index| g.input(&format!("{name}_{index}"))));
         }
         declared
+    }
+
+    /// A slice among the arguments: what it is called, and the type of its elements.
+    pub(super) fn slice(&self, place: usize) -> (&TokenStream, &Type) {
+        match &self.list[place] {
+            Argument { called, ty: Type { shape: Shape::Slice(element), .. }, .. } => (called, element),
+            Argument { ty, .. } => unreachable!("elements are of slices, not of {}", ty.tokens),
+        }
     }
 
     /// The names of a companion's inputs in emitted code, in the order in which they are declared.

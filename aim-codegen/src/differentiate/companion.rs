@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::kept_loops::Kept;
-use aim_symbolic::{Graph, Program, Scalar, Variable, Vector, Want};
+use aim_symbolic::{Count, Graph, Program, Scalar, Variable, Vector, Want};
 
 /// A function beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,6 +123,13 @@ impl Companion {
                 value.chain(projected).chain(triangle(&Want::Normal)).collect()
             }
         }
+    }
+}
+
+impl Derived {
+    /// The operations of all of it, those of a round of a loop once.
+    pub(super) fn count(&self) -> Count {
+        self.program.count() + self.kept.count()
     }
 }
 

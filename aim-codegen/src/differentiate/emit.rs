@@ -34,7 +34,8 @@ impl Companions<'_> {
         let (krate, number) = (self.krate, self.number());
         let private = quote!(#krate::__private);
         let mut inputs = self.arguments.inputs(companion);
-        inputs.extend(derived.map(|derived| derived.outside(self.arguments)).unwrap_or_default());
+        let (precision, slice) = (self.arguments.precision(), |place| self.arguments.slice(place));
+        inputs.extend(derived.iter().flat_map(|derived| derived.kept.inputs(precision, &slice)));
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);
         let body = program.map(|program| Body {
@@ -44,7 +45,7 @@ impl Companions<'_> {
             input: &input,
         });
         let (loops, mut outputs) = match (derived, &body) {
-            (Some(derived), Some(body)) => derived.through_loops(body, &input, result.components()),
+            (Some(derived), Some(body)) => derived.kept.through_loops(body, &input, result.components()),
             _ => Default::default(),
         };
         // The last one tells whether there is a value.

@@ -1,15 +1,12 @@
 //! Loops that stay loops: what is derived of them, and their code. The numbers that a round changes go from round to round with their
 //! derivatives by the variables: where a round makes s' of s and x, ds'/dx = ∂s'/∂x + ∂s'/∂s ds/dx.
 
-use aim_symbolic::{Count, Op, Program, Scalar, Value, Want};
+use aim_symbolic::{Count, Graph, Op, Program, Scalar, Value, Want};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::Search;
-use super::arguments::Arguments;
-use super::companion::Derived;
 use super::lower::{Algebra, At, Outside, State};
-use super::types::Shape;
+use super::types::{Precision, Type};
 use crate::emit::body::{Arithmetic, Body, local};
 
 /// The loops of a function.
@@ -41,7 +38,12 @@ impl Stage {
 }
 
 impl Kept {
-    pub(super) fn derive(algebra: &Algebra, variables: &[Scalar], search: Search) -> Self {
+    /// Those of a function's graph, with `program` for what is wanted of it.
+    pub(super) fn derive(
+        algebra: &Algebra,
+        variables: &[Scalar],
+        program: &dyn Fn(&Graph, &[Want]) -> Program,
+    ) -> Self {
         let mut loops: Vec<Stage> = Vec::new();
         let mut left: Vec<Scalar> = Vec::new();
         for kept in &algebra.loops {
@@ -52,10 +54,10 @@ impl Kept {
             let before: Vec<Scalar> = varying.iter().map(|state| state.before).collect();
             let first = kept.states.iter().map(|state| state.first).chain([kept.count]).map(Want::Value);
             let slopes = varying.iter().flat_map(|state| by(state.first, &[variables, &left]));
-            let entry = search.program(&algebra.g, &first.chain(slopes).collect::<Vec<_>>());
+            let entry = program(&algebra.g, &first.chain(slopes).collect::<Vec<_>>());
             let next = kept.states.iter().map(|state| state.next).chain(kept.leaves).map(Want::Value);
             let slopes = varying.iter().flat_map(|state| by(state.next, &[variables, &before, &left]));
-            let round = search.program(&algebra.g, &next.chain(slopes).collect::<Vec<_>>());
+            let round = program(&algebra.g, &next.chain(slopes).collect::<Vec<_>>());
             left.extend(varying.iter().map(|state| state.after));
             loops.push(Stage { states: kept.states.clone(), leaves: kept.leaves.is_some(), entry, round });
         }
@@ -73,8 +75,12 @@ impl Kept {
     }
 
     /// The inputs that come from outside of the arguments' numbers.
-    fn inputs(&self, arguments: &Arguments) -> Vec<TokenStream> {
-        let number = format_ident!("{}", arguments.precision().name());
+    pub(super) fn inputs<'a>(
+        &self,
+        precision: Precision,
+        slice: &dyn Fn(usize) -> (&'a TokenStream, &'a Type),
+    ) -> Vec<TokenStream> {
+        let number = format_ident!("{}", precision.name());
         let round = round_number();
         let input = |which: &Outside| match *which {
             Outside::Round => quote!((#round as ::core::primitive::#number)),
@@ -83,11 +89,9 @@ impl Kept {
                 quote!(#state)
             }
             Outside::Element { argument, at, number } => {
-                let argument = &arguments.list[argument];
-                let (called, value) = (&argument.called, local("element"));
-                let Shape::Slice(element) = &argument.ty.shape else { unreachable!("elements are of slices") };
+                let ((called, element), value) = (slice(argument), local("element"));
                 let mut numbers = Vec::new();
-                element.numbers(&quote!((*#value)), arguments.precision(), &mut numbers);
+                element.numbers(&quote!((*#value)), precision, &mut numbers);
                 let (number, literal) = (&numbers[number], Literal::usize_unsuffixed);
                 let index = match at {
                     At::First(index) => {
@@ -187,12 +191,7 @@ fn chain(body: &Body<'_>, direct: &[Value], by_states: &[Value], states: &[(usiz
     if terms.is_empty() { quote!(0.0) } else { quote!(#(#terms)+*) }
 }
 
-impl Derived {
-    /// The operations of all of it, those of a round once.
-    pub(super) fn count(&self) -> Count {
-        self.program.count() + self.kept.count()
-    }
-
+impl Kept {
     /// The code before the function's own program, and the outputs of that, with the derivatives through loops in those by
     /// the variables.
     pub(super) fn through_loops(
@@ -202,12 +201,12 @@ impl Derived {
         size: usize,
     ) -> (TokenStream, Vec<TokenStream>) {
         let results: Vec<TokenStream> = body.results().collect();
-        if self.kept.is_empty() {
+        if self.is_empty() {
             return (TokenStream::new(), results);
         }
         let states: Vec<(usize, usize)> =
-            self.kept.loops.iter().enumerate().flat_map(|(l, stage)| stage.varying().map(move |k| (l, k))).collect();
-        let count = self.kept.variables;
+            self.loops.iter().enumerate().flat_map(|(l, stage)| stage.varying().map(move |k| (l, k))).collect();
+        let count = self.variables;
         let outputs = body.program.outputs();
         let (values, rest) = outputs.split_at(size);
         let (direct, rest) = rest.split_at(size * count);
@@ -218,12 +217,7 @@ impl Derived {
         });
         let outputs = results[..values.len()].iter().cloned().chain(chained);
         let outputs = outputs.chain(results[results.len() - flag.len()..].iter().cloned()).collect();
-        (self.kept.code(body.number, body.private, inputs), outputs)
-    }
-
-    /// The inputs of its programs that come from outside of the arguments' numbers.
-    pub(super) fn outside(&self, arguments: &Arguments) -> Vec<TokenStream> {
-        self.kept.inputs(arguments)
+        (self.code(body.number, body.private, inputs), outputs)
     }
 }
 

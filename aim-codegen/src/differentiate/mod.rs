@@ -233,7 +233,7 @@ impl Derived {
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
-        let kept = Rc::new(Kept::derive(&algebra, &variables, search));
+        let kept = Rc::new(Kept::derive(&algebra, &variables, &|g, wanted| search.program(g, wanted)));
         let stated = Stated { values: numbers, vector, variables };
         let is_kept = !kept.is_empty();
         if is_kept {

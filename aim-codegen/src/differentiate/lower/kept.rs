@@ -13,38 +13,11 @@ use super::expected::Expected;
 use super::frame::Target;
 use super::map::{Map, Quaternion};
 use super::outside::{At, KeptLoop, Outside, State};
-use super::value::{Element, Optional, Struct, Value};
+use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
 use super::{Translation, operators, strip};
-use crate::differentiate::inputs::Inputs;
-use crate::differentiate::manifold::Varies;
 use crate::differentiate::messages;
-use crate::differentiate::types::Type;
 
 use aim_symbolic::Scalar;
-
-/// An argument of as many elements as there happen to be.
-#[derive(Clone)]
-pub(crate) struct Slice {
-    /// The argument's place among all.
-    pub(crate) argument: usize,
-    pub(crate) element: Type,
-    pub(crate) len: Scalar,
-}
-
-impl core::fmt::Debug for Slice {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Slice").field("argument", &self.argument).finish_non_exhaustive()
-    }
-}
-
-/// What a loop goes over that stays one: an element that stands for all.
-#[derive(Clone, Debug)]
-pub(crate) struct Rounds {
-    pub(crate) count: Scalar,
-    pub(crate) item: Element,
-    /// The slice that it goes over as it is, and from which element on.
-    source: Option<(Rc<Slice>, i64)>,
-}
 
 const METHODS: &[&str] = &[
     "iter",
@@ -67,10 +40,9 @@ const METHODS: &[&str] = &[
 
 impl Slice {
     fn element(&self, a: &mut Algebra, at: At) -> Value {
-        let inputs = (0..self.element.components())
-            .map(|number| a.outside(Outside::Element { argument: self.argument, at, number }));
-        let inputs = inputs.collect();
-        Inputs::new(a, inputs, Varies::Nothing).value(&self.element)
+        let of = |number| Outside::Element { argument: self.argument, at, number };
+        let inputs = (0..self.components).map(|number| a.outside(of(number))).collect();
+        (self.make)(a, inputs)
     }
 
     /// Its elements from this one on.
@@ -476,7 +448,7 @@ impl Translation<'_> {
                 Rounds { item: mapped.into_iter().next()?, source: None, ..rounds }
             }
             ("filter", [function]) => {
-                let kept = self.kept(call, function, &[rounds.item.clone()])?;
+                let kept = self.kept(call, function, core::slice::from_ref(&rounds.item))?;
                 Rounds { item: kept.into_iter().next()?, source: None, ..rounds }
             }
             ("skip", [count]) if let Some((slice, first)) = &rounds.source => {

@@ -380,7 +380,17 @@ impl Translation<'_> {
 
     fn written_loop(&mut self, e: &ExprLoop) -> Value {
         let label = e.label.as_ref().map(|label| &label.name);
-        self.rounds(&e.loop_token, label, |this| Round::Of(this.block(&e.body)))
+        let whole = Target::Loop(self.frame.loops());
+        let mut open_rounds = 0;
+        self.rounds(&e.loop_token, label, |this| {
+            open_rounds += usize::from(this.frame.has_exits(whole));
+            // As far as is known it goes on.
+            if open_rounds > MOST_OPEN_ROUNDS {
+                this.is_endless = true;
+                return Round::Of(this.refuse(&e.loop_token, messages::rounds_unknown()));
+            }
+            Round::Of(this.block(&e.body))
+        })
     }
 
     /// Runs the rounds of a loop.

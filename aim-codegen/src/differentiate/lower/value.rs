@@ -7,7 +7,6 @@ use syn::{Expr, Member, Pat};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
-use super::kept::{Rounds, Slice};
 use super::map::{Affine, Map, Quaternion};
 
 /// What an expression stands for.
@@ -59,6 +58,33 @@ pub(crate) enum Value {
 pub(crate) struct Element {
     pub(crate) is_there: Condition,
     pub(crate) value: Value,
+}
+
+/// An argument of as many elements as there happen to be.
+#[derive(Clone)]
+pub(crate) struct Slice {
+    /// The argument's place among all.
+    pub(crate) argument: usize,
+    /// How many numbers an element has.
+    pub(crate) components: usize,
+    /// An element of these numbers.
+    pub(crate) make: Rc<dyn Fn(&mut Algebra, Vec<Scalar>) -> Value>,
+    pub(crate) len: Scalar,
+}
+
+impl core::fmt::Debug for Slice {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Slice").field("argument", &self.argument).finish_non_exhaustive()
+    }
+}
+
+/// What a loop goes over that stays one: an element that stands for all.
+#[derive(Clone, Debug)]
+pub(crate) struct Rounds {
+    pub(crate) count: Scalar,
+    pub(crate) item: Element,
+    /// The slice that it goes over as it is, and from which element on.
+    pub(crate) source: Option<(Rc<Slice>, i64)>,
 }
 
 /// Columns of as many numbers.

@@ -107,6 +107,11 @@ mod functions {
         Ok([square, gain * cube])
     }
 
+    #[differentiate(wrt(v))]
+    pub(super) fn off_zero(v: DVec3, home: DVec3) -> f64 {
+        if v == DVec3::ZERO || v == home { 7.0 } else { 1.0 / v.length_squared() }
+    }
+
     pub(super) struct Joint {
         pub(super) is_mirrored: bool,
         pub(super) turn: DQuat,
@@ -258,4 +263,13 @@ fn results_that_may_be_nothing() {
     assert_eq!(functions::powers_vjp(2.0, Some(0.5), [1.0, 2.0]), Some(([4.0, 4.0], (16.0, Some(16.0)))));
     let (_, by, normal) = functions::powers_gauss_newton(2.0, Some(0.5)).expect("these are small");
     assert_eq!((by, normal), ((40.0, Some(32.0)), [[52.0, 48.0], [48.0, 64.0]]));
+}
+
+#[test]
+fn vectors_that_are_compared() {
+    use aim::glam::DVec3;
+    let home = DVec3::new(1.0, 2.0, 3.0);
+    assert_eq!(functions::off_zero_gradient(DVec3::ZERO, home), (7.0, (DVec3::ZERO,)));
+    assert_eq!(functions::off_zero_gradient(home, home), (7.0, (DVec3::ZERO,)));
+    assert_eq!(functions::off_zero_gradient(DVec3::Y * 2.0, home), (0.25, (DVec3::Y * -0.25,)));
 }

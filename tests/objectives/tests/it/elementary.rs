@@ -14,6 +14,10 @@ macro_rules! functions {
             pub(super) fn asinh(x: $real) -> $real {
                 x.asinh()
             }
+            #[differentiate(wrt(x))]
+            pub(super) fn exp_m1(x: $real) -> $real {
+                x.exp_m1()
+            }
             #[differentiate(wrt(x), hessian)]
             pub(super) fn acosh(x: $real) -> $real {
                 x.acosh()
@@ -148,4 +152,25 @@ fn roundings_are_flat() {
             assert_eq!(single::roundings_jacobian(x), (single::roundings(x), ([0.0, 0.0, 0.0, 0.0, 1.0],)), "{x}");
         }
     }
+}
+
+#[test]
+fn nothing_overflows_far_out() {
+    for x in [-1e300, -1e5, -1420.0, -177.5, -40.0, -1.5, -0.5, -1e-9, 0.0, 1e-9, 2.0, 80.0] {
+        let (value, (slope,)) = double::exp_m1_gradient(x);
+        assert!((value - x.exp_m1()).abs() <= 1e-14 * x.exp_m1().abs(), "{x}: {value}");
+        assert!((slope - x.exp()).abs() <= 1e-14 * x.exp(), "{x}: {slope}");
+        if x > -1e30 {
+            let (value, (slope,)) = single::exp_m1_gradient(x as f32);
+            assert!((f64::from(value) - x.exp_m1()).abs() <= 1e-5 * x.exp_m1().abs(), "{x}: {value}");
+            assert!((f64::from(slope) - x.exp()).abs() <= 1e-5 * x.exp() + 1e-37, "{x}: {slope}");
+        }
+    }
+    for x in [1e20, -1e160, 1e300_f64] {
+        let (value, (slope,), _) = double::asinh_hessian(x);
+        assert!((value - x.asinh()).abs() <= 1e-14 * x.abs().asinh(), "{x}: {value}");
+        assert!((slope - 1.0 / x.abs()).abs() <= 1e-12 / x.abs(), "{x}: {slope}");
+    }
+    let (value, (slope,), _) = single::asinh_hessian(1e20);
+    assert!((value - 46.744_85).abs() < 1e-4 && (slope - 1e-20).abs() < 1e-25, "{value}, {slope}");
 }

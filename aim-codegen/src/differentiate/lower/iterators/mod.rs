@@ -13,8 +13,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::kept::Rounds;
-use super::value::{Element, Optional, Value};
+use super::value::{Element, Optional, Rounds, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
