@@ -141,4 +141,6 @@ pub(super) struct Derived {
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
     pub(super) kept: Rc<Kept>,
+    /// Names that are taken for mathematical constants.
+    pub(super) taken_for_known: Vec<String>,
 }

@@ -57,7 +57,8 @@ impl Companions<'_> {
         }
         let body = body.map(|body| {
             let steps = body.steps();
-            quote!(#loops #steps #value)
+            let known = derived.iter().flat_map(|derived| &derived.taken_for_known).map(|name| sure_of(name));
+            quote!(#(#known)* #loops #steps #value)
         });
         Some(self.function(&name, companion, &self.doc(companion, suffix, derived), &returns, body))
     }
@@ -219,6 +220,19 @@ impl Companions<'_> {
                 #body
             }
         }
+    }
+}
+
+/// A constant of this name has the value of the mathematical one.
+fn sure_of(name: &str) -> TokenStream {
+    let (constant, text) =
+        (format_ident!("{name}"), format!("`{name}` is not the mathematical constant, which it was taken for"));
+    quote! {
+        const _: () = ::core::assert!(
+            #constant as ::core::primitive::f64 == ::core::f64::consts::#constant
+                || #constant as ::core::primitive::f64 == ::core::f32::consts::#constant as ::core::primitive::f64,
+            #text
+        );
     }
 }
 

@@ -257,7 +257,14 @@ impl Derived {
                 wanted.push(Want::Value(flag));
             }
             let program = search.program(&g, &wanted);
-            Self { companion, graph: g, wanted, program, kept: kept.clone() }
+            Self {
+                companion,
+                graph: g,
+                wanted,
+                program,
+                kept: kept.clone(),
+                taken_for_known: algebra.taken_for_known.clone(),
+            }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget

@@ -20,6 +20,8 @@ pub(crate) struct Algebra {
     pub(crate) outside: Vec<(Outside, Scalar)>,
     /// The loops that stay loops.
     pub(crate) loops: Vec<KeptLoop>,
+    /// Names of mathematical constants that are imported elsewhere.
+    pub(crate) taken_for_known: Vec<String>,
 }
 
 impl Deref for Algebra {
@@ -49,6 +51,7 @@ impl Algebra {
             extents: HashMap::new(),
             outside: Vec::new(),
             loops: Vec::new(),
+            taken_for_known: Vec::new(),
         }
     }
 

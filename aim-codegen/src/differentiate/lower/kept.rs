@@ -113,6 +113,34 @@ impl Value {
         }
     }
 
+    /// The same value, with what another one has inside of options that are nothing: of numbers that are 0.
+    fn shaped_like(&self, a: &mut Algebra, other: &Self) -> Self {
+        match (self, other) {
+            (Self::Optional(nothing), Self::Optional(something)) => {
+                let value = match (&nothing.value, &something.value) {
+                    (Self::Never, inner) => {
+                        let zero = a.number(0.0);
+                        inner.of_numbers(a, &mut core::iter::repeat(zero)).unwrap_or(Self::Never)
+                    }
+                    (value, inner) => value.shaped_like(a, inner),
+                };
+                Self::Optional(Rc::new(Optional { is_some: nothing.is_some.clone(), value }))
+            }
+            (Self::Struct(of), Self::Struct(other)) if of.fields.len() == other.fields.len() => {
+                let fields = of.fields.iter().zip(&other.fields);
+                let fields = fields.map(|((name, value), (_, other))| (name.clone(), value.shaped_like(a, other)));
+                Self::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
+            }
+            (Self::Tuple(values), Self::Tuple(others)) if values.len() == others.len() => {
+                Self::Tuple(values.iter().zip(others).map(|(value, other)| value.shaped_like(a, other)).collect())
+            }
+            (Self::Array(values), Self::Array(others)) if values.len() == others.len() => {
+                Self::Array(values.iter().zip(others).map(|(value, other)| value.shaped_like(a, other)).collect())
+            }
+            (value, _) => value.clone(),
+        }
+    }
+
     /// The same value of other numbers.
     fn of_numbers(&self, a: &mut Algebra, from: &mut impl Iterator<Item = Scalar>) -> Option<Self> {
         fn take<const N: usize>(from: &mut impl Iterator<Item = Scalar>) -> Option<[Scalar; N]> {
@@ -212,8 +240,10 @@ impl Translation<'_> {
         let ran = self.states(place, label.as_deref(), rounds, &mut round);
         self.is_in_kept_loop = false;
         let Some((mut states, ends)) = ran else { return Value::Unknown };
-        let mut leaves = ends.leaves;
-        let mut returned = None;
+        let (mut leaves, mut returned) = (ends.leaves, None);
+        // Control comes out of it by a way out alone.
+        let goes_on =
+            self.algebra.constant_of(rounds.count) != Some(f64::INFINITY) || !matches!(leaves, Condition::Known(false));
         if !ends.returns.is_empty() {
             // What is returned, and whether, are states, too: after the loop control goes on to the end of the function.
             let returns = ends
@@ -244,7 +274,7 @@ impl Translation<'_> {
             self.frame.end_branch();
             self.frame.assume(is_returned.not());
         }
-        Value::nothing()
+        if goes_on { Value::nothing() } else { Value::Never }
     }
 
     /// Makes states of what a round returns from the function: whether it has returned, and the value; `None` after an error.
@@ -290,13 +320,14 @@ impl Translation<'_> {
     ) -> Option<(Vec<State>, Ends)> {
         let number = self.algebra.loops.len();
         // What a round changes may lead it to change more.
-        let mut changed: Vec<usize> = Vec::new();
+        let mut changed: Vec<(usize, Value)> = Vec::new();
         let (after, ends) = loop {
             let mut inputs = 0..;
             let mut before = Vec::with_capacity(changed.len());
-            for &variable in &changed {
-                let value = self.frame.value(variable).clone();
+            for (variable, made) in &changed {
+                let variable = *variable;
                 let a = &mut *self.algebra;
+                let value = self.frame.value(variable).shaped_like(a, made);
                 let numbers = value.numbers(a).map(|numbers| numbers.len());
                 let taken: Vec<Scalar> = inputs
                     .by_ref()
@@ -312,21 +343,24 @@ impl Translation<'_> {
                 }
             }
             let (after, ends) = self.one_round(place, label, rounds, before, round)?;
-            let more: Vec<usize> =
-                after.iter().map(|(variable, _)| *variable).filter(|it| !changed.contains(it)).collect();
+            let is_known = |variable: usize| changed.iter().any(|(known, _)| *known == variable);
+            let more: Vec<(usize, Value)> =
+                after.iter().filter(|(variable, _)| !is_known(*variable)).cloned().collect();
             if more.is_empty() {
                 break (after, ends);
             }
             changed.extend(more);
         };
         let mut states = Vec::new();
-        for variable in changed {
+        for (variable, _) in changed {
             let first = self.frame.value(variable).clone();
             let next = after
                 .iter()
                 .find(|(known, _)| *known == variable)
                 .map_or_else(|| first.clone(), |(_, next)| next.clone());
             let a = &mut *self.algebra;
+            let first = first.shaped_like(a, &next);
+            let next = next.shaped_like(a, &first);
             let (Some(numbers), Some(nexts)) = (first.numbers(a), next.numbers(a)) else {
                 self.refuse(place, messages::state_of_kept_loop(&next.describe()));
                 return None;

@@ -252,6 +252,16 @@ impl Translation<'_> {
                 if path == ["None"] {
                     return Some(Value::none());
                 }
+                if let [name] = path.as_slice()
+                    && let Some(value) = numbers::mathematical(name).filter(|_| name.len() > 1)
+                    && self.frame.scope.module.is_empty()
+                {
+                    // It is imported where this cannot be seen: the companion makes sure of its value.
+                    if !self.algebra.taken_for_known.contains(name) {
+                        self.algebra.taken_for_known.push(name.clone());
+                    }
+                    return Some(Value::Scalar(self.algebra.number(value)));
+                }
                 let [before @ .., module, name] = path.as_slice() else { return None };
                 let is_known = module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64");
                 let value = if is_known { numbers::mathematical(name) } else { None };

@@ -151,6 +151,39 @@ mod functions {
         if any { total + most } else { total }
     }
 
+    /// What the round before has left, if there was one.
+    #[differentiate(wrt(gain, decay))]
+    pub(super) fn controlled(gain: f64, decay: f64, errors: &[f64]) -> f64 {
+        let mut last: Option<f64> = None;
+        let mut sum = 0.0;
+        for error in errors {
+            let change = match last {
+                Some(last) => error - last * decay,
+                None => 0.0,
+            };
+            sum += gain * change * change + error;
+            last = Some(*error * gain);
+        }
+        sum + last.unwrap_or(0.0)
+    }
+
+    fn friction(reynolds: f64) -> f64 {
+        let mut x = 8.0;
+        loop {
+            let next = 2.0 * (reynolds / x).ln() - 0.8;
+            if (next - x).abs() < 1e-12 {
+                return 1.0 / (next * next);
+            }
+            x = next;
+        }
+    }
+
+    #[differentiate(wrt(reynolds))]
+    pub(super) fn resistance(reynolds: f64) -> f64 {
+        let laminar = 64.0 / reynolds;
+        if reynolds < 2300.0 { laminar } else { friction(reynolds) }
+    }
+
     /// A loop that would not end where control does not come.
     #[differentiate(wrt(x))]
     pub(super) fn guarded(x: f64) -> f64 {
@@ -268,4 +301,41 @@ fn structs_go_from_round_to_round() {
         assert_near(by_bias, difference(|bias| functions::samples(turn, bias, &samples), bias));
     }
     let _ = State { place: DVec3::X, speed: DVec3::X, is_down: true, hits: 0 };
+}
+
+#[test]
+fn what_was_nothing_and_what_is_returned() {
+    let errors = [0.5, -0.25, 1.0];
+    for n in 0..=3 {
+        let errors = &errors[..n];
+        let (value, (by_gain, by_decay)) = functions::controlled_gradient(0.7, 0.9, errors);
+        assert_near(value, functions::controlled(0.7, 0.9, errors));
+        assert_near(by_gain, difference(|gain| functions::controlled(gain, 0.9, errors), 0.7));
+        assert_near(by_decay, difference(|decay| functions::controlled(0.7, decay, errors), 0.9));
+    }
+    for reynolds in [1.0, 100.0, 5e3, 1e6] {
+        let (value, (slope,)) = functions::resistance_gradient(reynolds);
+        assert_near(value, functions::resistance(reynolds));
+        // That of the rounds is not all of it, but for a last part.
+        let h = 1e-3 * reynolds;
+        let expected = (functions::resistance(reynolds + h) - functions::resistance(reynolds - h)) / (2.0 * h);
+        assert!((slope - expected).abs() < 1e-4 * expected.abs(), "{reynolds}: {slope}, not {expected}");
+    }
+}
+
+use std::f64::consts::{PI, TAU as TURN};
+
+const FRAC_PI_2: f64 = std::f64::consts::FRAC_PI_2;
+
+/// Constants that are imported elsewhere.
+#[aim::differentiate(wrt(x))]
+fn turned(x: f64) -> f64 {
+    (PI * x).sin() + FRAC_PI_2
+}
+
+#[test]
+fn constants_from_elsewhere() {
+    let (value, (slope,)) = turned_gradient(0.25);
+    assert!((value - turned(0.25)).abs() < 1e-15 && (slope - PI * (PI / 4.0).cos()).abs() < 1e-14);
+    assert!((TURN - 2.0 * PI).abs() < 1e-15);
 }
