@@ -60,6 +60,9 @@ pub(crate) struct Element {
     pub(crate) value: Value,
 }
 
+/// Makes a value of its numbers.
+pub(crate) type Make = dyn Fn(&mut Algebra, Vec<Scalar>) -> Value;
+
 /// An argument of as many elements as there happen to be.
 #[derive(Clone)]
 pub(crate) struct Slice {
@@ -68,7 +71,7 @@ pub(crate) struct Slice {
     /// How many numbers an element has.
     pub(crate) components: usize,
     /// An element of these numbers.
-    pub(crate) make: Rc<dyn Fn(&mut Algebra, Vec<Scalar>) -> Value>,
+    pub(crate) make: Rc<Make>,
     pub(crate) len: Scalar,
 }
 
