@@ -485,9 +485,10 @@ impl Translation<'_> {
                 let kept = self.kept(call, function, core::slice::from_ref(&rounds.item))?;
                 Rounds { item: kept.into_iter().next()?, source: None, ..rounds }
             }
-            ("skip", [count]) if let Some((slice, first)) = &rounds.source => {
+            ("skip", [count]) if rounds.source.is_some() => {
+                let (slice, first) = rounds.source?;
                 let count = i64::try_from(self.known_count(count)?).ok()?;
-                slice.clone().rounds(self.algebra, first + count)
+                slice.rounds(self.algebra, first + count)
             }
             ("take", [count]) if is_whole => {
                 let count = self.count(count)?;
