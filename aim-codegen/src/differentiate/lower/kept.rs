@@ -469,6 +469,7 @@ impl Translation<'_> {
             (Value::Rounds(rounds), ..) => (**rounds).clone(),
             _ => return None,
         };
+        let kind = if matches!(receiver, Value::Slice(_)) { "a slice" } else { "an iterator of which no end is known" };
         let is_whole = matches!(rounds.item.is_there, Condition::Known(true));
         let made = match (name.as_str(), arguments.as_slice()) {
             ("iter" | "into_iter" | "copied" | "cloned" | "clone", []) => rounds,
@@ -561,7 +562,7 @@ impl Translation<'_> {
                     }
                 }));
             }
-            _ => return Some(self.refuse(&call.method, messages::unknown_method(&name, "a slice", METHODS))),
+            _ => return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS))),
         };
         Some(Value::Rounds(Rc::new(made)))
     }
