@@ -4,8 +4,10 @@
 //! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's: the numbers of each argument become
 //!    inputs of a graph ([`inputs`]), and rotations that derivatives are taken by get steps there ([`manifold`]).
 //! 2. [`lower`] runs the body, statement by statement, and builds its value there. What is a rotation stays one.
-//! 3. The graph is differentiated and compiled as the objectives of rigs are.
-//! 4. [`emit`] writes the programs as functions of the same arguments.
+//! 3. The graph is differentiated and compiled as the objectives of rigs are; of loops that stay loops ([`kept_loops`]) what is
+//!    before them, a round, and what is after them.
+//! 4. [`emit`] writes the programs as functions of the same arguments. Derivatives by values of which a part does not vary keep
+//!    that part ([`slopes`]).
 //!
 //! Every error is collected, with its place. The function or module itself is always emitted as it was written.
 
