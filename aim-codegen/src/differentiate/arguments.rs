@@ -52,7 +52,7 @@ pub(super) struct Arguments {
     pub(super) faulty: Vec<Ident>,
     /// The result's type, or what may be inside of it, where that is one of ours.
     pub(super) result: Option<Type>,
-    /// Whether the result may be nothing: an option, or a `Result`, of whose errors nothing is known.
+    /// True of a result that may be nothing: an option, or a `Result`, of whose errors nothing is known.
     pub(super) is_optional: bool,
     /// Whether an error was reported of the signature.
     pub(super) is_wrong: bool,
@@ -81,9 +81,8 @@ impl Arguments {
                 name.as_ref().map_or_else(|| pattern_argument(index).to_token_stream(), ToTokens::to_token_stream);
             let declared = name.as_ref().and_then(|name| sized(&typed.ty, name, options));
             let declared = declared.unwrap_or_else(|| (*typed.ty).clone());
-            // Of a generic argument that was said.
-            let is_variable = name.as_ref().is_some_and(|name| place_among(options.wrt.as_deref(), name).is_some());
-            let slice = slice_of(&declared).filter(|_| !is_variable).and_then(|(slice, element)| {
+            let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
+            let slice = slice_of(&declared).filter(|_| variable.is_none()).and_then(|(slice, element)| {
                 let element = Type::parse(element, items).ok().filter(|element| !element.borrowed)?;
                 let precision = element.precision;
                 let mut ty = Type::made(slice.to_token_stream(), Shape::Slice(Box::new(element)), precision);
@@ -93,13 +92,13 @@ impl Arguments {
             let known = if slice.is_some() {
                 slice
             } else if generic {
+                // What is wrong with it was said.
                 Type::parse(&declared, items).ok()
             } else {
                 known_type(&declared, items, report)
             };
             match known {
                 Some(ty) => {
-                    let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
                     let varies = variable.map_or(Varies::Nothing, |(_, variable)| options.varies(variable));
                     let slope = match varies {
                         Varies::Tangent(_) => ty.tangent(options.krate.as_ref().unwrap_or(&TokenStream::new())),
@@ -300,11 +299,10 @@ fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
 
 /// A slice as the array of the length that the attribute says; `None` of anything else.
 fn sized(ty: &syn::Type, name: &Ident, options: &Options) -> Option<syn::Type> {
-    let syn::Type::Reference(reference) = ty else { return None };
-    let syn::Type::Slice(slice) = &*reference.elem else { return None };
+    let (_, element) = slice_of(ty)?;
     let (_, length) = options.lengths.iter().find(|(word, _)| is(name, word))?;
-    let (element, length) = (&slice.elem, Literal::usize_unsuffixed(*length));
-    reference.mutability.is_none().then(|| syn::parse_quote!(&[#element; #length]))
+    let length = Literal::usize_unsuffixed(*length);
+    Some(syn::parse_quote!(&[#element; #length]))
 }
 
 /// The type of what an optional result is, if it is something.

@@ -1,4 +1,4 @@
-//! What the generic parameters of an item stand for where it is named with arguments.
+//! The arguments that an item's generic parameters stand for where it is named.
 
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::quote;
@@ -7,7 +7,7 @@ use super::items::{Items, Parameter};
 use super::lower::Scope;
 use super::{lower, names};
 
-/// What the generic parameters of a struct or an enum stand for.
+/// Generic parameters of a struct or an enum, and the arguments that they stand for.
 pub(super) type Given = Vec<(String, TokenStream)>;
 
 /// The arguments of a type, by its parameters; `None` where there are not as many.

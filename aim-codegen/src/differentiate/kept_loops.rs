@@ -13,20 +13,21 @@ use crate::emit::body::{Arithmetic, Body, local};
 #[derive(Default)]
 pub(super) struct Kept {
     loops: Vec<Stage>,
-    /// Where the inputs come from that are not the numbers of arguments, after which all of them stand.
+    /// The sources of the inputs that are not the numbers of arguments, after which all of them stand.
     outside: Vec<Outside>,
-    /// How many variables there are.
+    /// The number of the variables.
     variables: usize,
 }
 
 struct Stage {
     states: Vec<State>,
-    /// What is there before the first round: the states, how many rounds there are, and derivatives by the variables and by what
+    /// The program before the first round: the states, how many rounds there are, and derivatives by the variables and by what
     /// the loops before have left.
     entry: Program,
-    /// Whether a round may be the last one.
+    /// True if a round may be the last one.
     leaves: bool,
-    /// What a round makes of the states, whether it is the last one, and derivatives by the variables, the states, and what the loops before have left.
+    /// The program of a round: the states after it, whether it is the last one, and derivatives by the variables, the states, and
+    /// what the loops before have left.
     round: Program,
 }
 

@@ -142,7 +142,7 @@ impl Translation<'_> {
                 return Some(self.inline(operator, &own, vec![left.clone(), right.clone()]));
             }
         }
-        let parts: Vec<(&Value, &Value)> = match (left, right) {
+        let parts: Vec<(Value, Value)> = match (left, right) {
             (Value::Struct(x), Value::Struct(y)) if x.name == y.name => {
                 if self.items.enumeration(&x.name).is_some() {
                     return self.equal_variants(operator, x, y);
@@ -151,7 +151,7 @@ impl Translation<'_> {
                 if self.items.structure(&x.name)?.fields.len() != x.fields.len() {
                     return None;
                 }
-                x.fields.iter().zip(&y.fields).map(|((_, x), (_, y))| (x, y)).collect()
+                x.fields.iter().zip(&y.fields).map(|((_, x), (_, y))| (x.clone(), y.clone())).collect()
             }
             (Value::Planar(_), Value::Planar(_))
             | (Value::Vector(_), Value::Vector(_))
@@ -161,17 +161,10 @@ impl Translation<'_> {
                 if x.is_empty() {
                     return None;
                 }
-                let mut all = Condition::Known(true);
-                for (x, y) in x.iter().zip(&y) {
-                    match operators::binary(self.algebra, &syn::parse_quote!(==), x, y)? {
-                        Value::Truth(equal) => all = all.and(equal),
-                        other => return Some(other),
-                    }
-                }
-                return Some(Value::Truth(all));
+                x.into_iter().zip(y).collect()
             }
             (Value::Array(x), Value::Array(y)) | (Value::Tuple(x), Value::Tuple(y)) if x.len() == y.len() => {
-                x.iter().zip(y).collect()
+                x.iter().cloned().zip(y.iter().cloned()).collect()
             }
             (Value::Optional(x), Value::Optional(y)) => {
                 let (one, other) = (x.is_some.clone(), y.is_some.clone());
@@ -188,7 +181,7 @@ impl Translation<'_> {
         };
         let mut all = Condition::Known(true);
         for (x, y) in parts {
-            match self.equal(operator, x, y)? {
+            match self.equal(operator, &x, &y)? {
                 Value::Truth(equal) => all = all.and(equal),
                 other => return Some(other),
             }

@@ -3,6 +3,7 @@
 
 use std::rc::Rc;
 
+use aim_symbolic::Scalar;
 use quote::ToTokens;
 use syn::{Expr, ExprForLoop, ExprLoop, ExprMethodCall, ExprWhile, Label};
 
@@ -14,10 +15,8 @@ use super::frame::Target;
 use super::map::{Map, Quaternion};
 use super::outside::{At, KeptLoop, Outside, State};
 use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
-use super::{Translation, operators, strip};
+use super::{Translation, strip};
 use crate::differentiate::messages;
-
-use aim_symbolic::Scalar;
 
 const METHODS: &[&str] = &[
     "iter",
@@ -189,6 +188,14 @@ impl Value {
     }
 }
 
+/// Adds a state of the next loop: what it is before the first round, and what a round makes of it. What is left of it.
+fn add_state(a: &mut Algebra, states: &mut Vec<State>, first: Scalar, next: Scalar, kind: Kind) -> Scalar {
+    let (number, k) = (a.loops.len(), states.len());
+    let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
+    states.push(State { first, before, next, after, varies: kind == Kind::Number });
+    after
+}
+
 impl Translation<'_> {
     /// A `for` loop over rounds that are not written out.
     pub(super) fn kept_for(&mut self, e: &ExprForLoop, rounds: &Rounds) -> Value {
@@ -285,7 +292,6 @@ impl Translation<'_> {
         returns: &Condition,
         values: &[(Condition, Value)],
     ) -> Option<(Condition, Value)> {
-        let number = self.algebra.loops.len();
         // The first that was met counts.
         let (last, rest) = values.split_last()?;
         let value = rest
@@ -300,10 +306,8 @@ impl Translation<'_> {
         let Value::Integer(flag) = a.number_of(returns) else { return None };
         let mut left = Vec::new();
         for (next, kind) in [(flag, Kind::Flag)].into_iter().chain(numbers) {
-            let k = states.len();
-            let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
-            states.push(State { first: a.number(0.0), before, next, after, varies: kind == Kind::Number });
-            left.push(after);
+            let zero = a.number(0.0);
+            left.push(add_state(a, states, zero, next, kind));
         }
         let mut left = left.into_iter();
         let is_returned = Condition::Less(a.number(0.0), left.next()?);
@@ -371,11 +375,7 @@ impl Translation<'_> {
             }
             let mut left = Vec::new();
             for ((first, kind), (next, _)) in numbers.into_iter().zip(nexts) {
-                let k = states.len();
-                let [before, after] =
-                    [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
-                states.push(State { first, before, next, after, varies: kind == Kind::Number });
-                left.push(after);
+                left.push(add_state(a, &mut states, first, next, kind));
             }
             let value = first.of_numbers(a, &mut left.into_iter())?;
             self.frame.assign(variable, value);
@@ -533,19 +533,13 @@ impl Translation<'_> {
                 let Some(neutral) = neutral else { return Some(self.refuse(&call.method, messages::empty_sum(&name))) };
                 let operator: syn::BinOp = if name == "sum" { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
                 return Some(self.gathered(call, &rounds, neutral, |this, total, item| {
-                    operators::binary(this.algebra, &operator, &total, &item).unwrap_or_else(|| {
-                        this.refuse(
-                            &call.method,
-                            messages::no_operation(&operator, &total.describe(), &item.describe()),
-                        )
-                    })
+                    this.operation(&call.method, &operator, &total, &item)
                 }));
             }
             ("count" | "len", []) => {
                 let (zero, one) = (self.algebra.integer(0), self.algebra.integer(1));
                 return Some(self.gathered(call, &rounds, zero, |this, total, _| {
-                    let plus = syn::parse_quote!(+);
-                    operators::binary(this.algebra, &plus, &total, &one).unwrap_or(Value::Unknown)
+                    this.operation(&call.method, &syn::parse_quote!(+), &total, &one)
                 }));
             }
             ("any" | "all", [function]) => {

@@ -354,7 +354,7 @@ impl Translation<'_> {
                 Some(Err(text)) => self.refuse(&binary.op, text),
                 None => match self.equality(&binary.op, &left, &right) {
                     Some(value) => value,
-                    None => self.operation(binary, &binary.op, &left, &right),
+                    None => self.operation(&binary.op, &binary.op, &left, &right),
                 },
             };
         };
@@ -374,16 +374,22 @@ impl Translation<'_> {
             Some(Ok(function)) => self.inline(&binary.op, &function, vec![Value::Reference(Rc::new(place)), right]),
             Some(Err(text)) => self.refuse(&binary.op, text),
             None => {
-                let value = self.operation(binary, &operator, &left, &right);
+                let value = self.operation(&binary.op, &operator, &left, &right);
                 self.write(&binary.left, &place, value)
             }
         }
     }
 
     /// What an operator that the language knows makes of two values.
-    fn operation(&mut self, binary: &syn::ExprBinary, operator: &syn::BinOp, left: &Value, right: &Value) -> Value {
+    pub(super) fn operation(
+        &mut self,
+        place: &impl ToTokens,
+        operator: &syn::BinOp,
+        left: &Value,
+        right: &Value,
+    ) -> Value {
         if operators::compares(operator) && self.is_ambiguous(left, right) {
-            return self.refuse(&binary.op, messages::rounded_constants());
+            return self.refuse(place, messages::rounded_constants());
         }
         let value = operators::binary(self.algebra, operator, left, right);
         if let Value::Integer(_) = left
@@ -393,10 +399,10 @@ impl Translation<'_> {
                 .any(|value| self.is_too_large_to_count(value))
             && !matches!(value, Some(Value::Truth(_)))
         {
-            return self.refuse(&binary.op, messages::large_whole_number());
+            return self.refuse(place, messages::large_whole_number());
         }
         value.unwrap_or_else(|| {
-            self.refuse(&binary.op, messages::no_operation(operator, &left.describe(), &right.describe()))
+            self.refuse(place, messages::no_operation(operator, &left.describe(), &right.describe()))
         })
     }
 

@@ -11,7 +11,7 @@ use super::super::expected::Expected;
 use super::super::functions::each_word;
 use super::super::place_types::neutral;
 use super::super::value::{Callable, Element, Value};
-use super::super::{Translation, operators, strip};
+use super::super::{Translation, strip};
 use super::ranks;
 use crate::differentiate::messages;
 
@@ -228,9 +228,7 @@ impl Translation<'_> {
             };
             let next = match &total {
                 None => term,
-                Some(total) => operators::binary(self.algebra, &operator, total, &term).unwrap_or_else(|| {
-                    self.refuse(&call.method, messages::no_operation(&operator, &total.describe(), &term.describe()))
-                }),
+                Some(total) => self.operation(&call.method, &operator, total, &term),
             };
             if next.is_unknown() {
                 return Value::Unknown;
