@@ -205,7 +205,7 @@ impl Arguments {
                 let (components, element) = (element.components(), element.clone());
                 let make =
                     Rc::new(move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing).value(&element));
-                let slice = Slice { argument: place, components, make, len: *len };
+                let slice = Slice { argument: place, components, make, first: a.number(0.0), len: *len };
                 declared.values.push(Value::Slice(Rc::new(slice)));
                 continue;
             }

@@ -35,7 +35,10 @@ impl Companions<'_> {
         let private = quote!(#krate::__private);
         let mut inputs = self.arguments.inputs(companion);
         let (precision, slice) = (self.arguments.precision(), |place| self.arguments.slice(place));
-        inputs.extend(derived.iter().flat_map(|derived| derived.kept.inputs(precision, &slice)));
+        if let Some(derived) = derived {
+            let arithmetic = (Arithmetic::Generic(&number), &private);
+            derived.kept.add_inputs(&mut inputs, arithmetic, precision, &slice);
+        }
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);
         let body = program.map(|program| Body {

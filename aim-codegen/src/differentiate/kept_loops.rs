@@ -1,11 +1,13 @@
 //! Loops that stay loops: what is derived of them, and their code. The numbers that a round changes go from round to round with their
 //! derivatives by the variables: where a round makes s' of s and x, ds'/dx = ∂s'/∂x + ∂s'/∂s ds/dx.
 
+use std::rc::Rc;
+
 use aim_symbolic::{Count, Graph, Op, Program, Scalar, Value, Want};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
-use super::lower::{Algebra, At, Outside, State};
+use super::lower::{Algebra, At, KeptLoop, Outside, State};
 use super::types::{Precision, Type};
 use crate::emit::body::{Arithmetic, Body, local};
 
@@ -13,29 +15,59 @@ use crate::emit::body::{Arithmetic, Body, local};
 #[derive(Default)]
 pub(super) struct Kept {
     loops: Vec<Stage>,
-    /// The sources of the inputs that are not the numbers of arguments, after which all of them stand.
-    outside: Vec<Outside>,
+    /// The sources of the inputs that are not the numbers of arguments, after which all of them stand; with the programs for the
+    /// numbers of elements that are chosen.
+    outside: Vec<(Outside, Option<Rc<Program>>)>,
     /// The number of the variables.
     variables: usize,
+    /// The states that loops have left at the end.
+    left: Vec<Varying>,
 }
 
 struct Stage {
+    /// The loop in a round of which it stands.
+    within: Option<usize>,
     states: Vec<State>,
     /// The program before the first round: the states, how many rounds there are, and derivatives by the variables and by what
-    /// the loops before have left.
+    /// is seen there.
     entry: Program,
+    seen: Vec<Varying>,
     /// True if a round may be the last one.
     leaves: bool,
-    /// The program of a round: the states after it, whether it is the last one, and derivatives by the variables, the states, and
-    /// what the loops before have left.
+    /// The program of a round: the states after it, whether it is the last one, and derivatives by the variables and by what is
+    /// seen in a round: its own states, too, and what loops in it have left.
     round: Program,
+    seen_in_round: Vec<Varying>,
 }
 
-impl Stage {
-    /// The numbers of the states that have derivatives.
-    fn varying(&self) -> impl Iterator<Item = usize> {
-        self.states.iter().enumerate().filter(|(_, state)| state.varies).map(|(k, _)| k)
+/// A state that has derivatives: the input that it is, its loop's number and its own.
+#[derive(Clone, Copy)]
+struct Varying {
+    input: Scalar,
+    l: usize,
+    k: usize,
+}
+
+/// The states of a loop that have derivatives, by what they are in a round, or after it.
+fn varying(loops: &[KeptLoop], l: usize, input: fn(&State) -> Scalar) -> impl Iterator<Item = Varying> {
+    let states = loops[l].states.iter().enumerate().filter(|(_, state)| state.varies);
+    states.map(move |(k, state)| Varying { input: input(state), l, k })
+}
+
+/// What the loops have left that stand in a round of one, or in none, before the one of this number.
+fn left(loops: &[KeptLoop], within: Option<usize>, before: usize) -> Vec<Varying> {
+    let earlier = (0..before).filter(|&l| loops[l].within == within);
+    earlier.flat_map(|l| varying(loops, l, |state| state.after)).collect()
+}
+
+/// The states that are seen before a loop: of the loops around it, and of those before it there.
+fn seen(loops: &[KeptLoop], l: usize) -> Vec<Varying> {
+    let mut seen = left(loops, loops[l].within, l);
+    if let Some(around) = loops[l].within {
+        seen.extend(self::seen(loops, around));
+        seen.extend(varying(loops, around, |state| state.before));
     }
+    seen
 }
 
 impl Kept {
@@ -45,25 +77,45 @@ impl Kept {
         variables: &[Scalar],
         program: &dyn Fn(&Graph, &[Want]) -> Program,
     ) -> Self {
-        let mut loops: Vec<Stage> = Vec::new();
-        let mut left: Vec<Scalar> = Vec::new();
-        for kept in &algebra.loops {
-            let varying: Vec<&State> = kept.states.iter().filter(|state| state.varies).collect();
-            let by = |value: Scalar, inputs: &[&[Scalar]]| -> Vec<Want> {
-                inputs.concat().into_iter().map(|input| Want::Derivative(value, input.into())).collect()
+        let all = &algebra.loops;
+        let stage = |(l, kept): (usize, &KeptLoop)| {
+            // The values, and the derivatives of those that have some.
+            let wanted = |values: &dyn Fn(&State) -> Scalar, more: Option<Scalar>, seen: &[Varying]| {
+                let numbers = kept.states.iter().map(values).chain(more).map(Want::Value);
+                let by: Vec<Scalar> =
+                    variables.iter().copied().chain(seen.iter().map(|varying| varying.input)).collect();
+                let slopes = kept.states.iter().filter(|state| state.varies).flat_map(|state| {
+                    let value = values(state);
+                    by.iter().map(move |&input| Want::Derivative(value, input.into()))
+                });
+                program(&algebra.g, &numbers.chain(slopes).collect::<Vec<_>>())
             };
-            let before: Vec<Scalar> = varying.iter().map(|state| state.before).collect();
-            let first = kept.states.iter().map(|state| state.first).chain([kept.count]).map(Want::Value);
-            let slopes = varying.iter().flat_map(|state| by(state.first, &[variables, &left]));
-            let entry = program(&algebra.g, &first.chain(slopes).collect::<Vec<_>>());
-            let next = kept.states.iter().map(|state| state.next).chain(kept.leaves).map(Want::Value);
-            let slopes = varying.iter().flat_map(|state| by(state.next, &[variables, &before, &left]));
-            let round = program(&algebra.g, &next.chain(slopes).collect::<Vec<_>>());
-            left.extend(varying.iter().map(|state| state.after));
-            loops.push(Stage { states: kept.states.clone(), leaves: kept.leaves.is_some(), entry, round });
+            let seen = seen(all, l);
+            let entry = wanted(&|state| state.first, Some(kept.count), &seen);
+            let mut seen_in_round = seen.clone();
+            seen_in_round.extend(varying(all, l, |state| state.before));
+            seen_in_round.extend(left(all, Some(l), all.len()));
+            let round = wanted(&|state| state.next, kept.leaves, &seen_in_round);
+            let (states, leaves) = (kept.states.clone(), kept.leaves.is_some());
+            Stage { within: kept.within, states, leaves, entry, seen, round, seen_in_round }
+        };
+        let mut numbers: Vec<(Scalar, Rc<Program>)> = Vec::new();
+        let outside = algebra.outside.iter().map(|(which, _)| {
+            let Outside::Element { at: At::Chosen(index), .. } = *which else { return (*which, None) };
+            let known = numbers.iter().find(|(known, _)| *known == index).map(|(_, program)| program.clone());
+            let program = known.unwrap_or_else(|| {
+                let made = Rc::new(program(&algebra.g, &[Want::Value(index)]));
+                numbers.push((index, made.clone()));
+                made
+            });
+            (*which, Some(program))
+        });
+        Self {
+            outside: outside.collect(),
+            loops: all.iter().enumerate().map(stage).collect(),
+            variables: variables.len(),
+            left: left(all, None, all.len()),
         }
-        let outside = algebra.outside.iter().map(|(which, _)| *which).collect();
-        Self { loops, outside, variables: variables.len() }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -72,54 +124,60 @@ impl Kept {
 
     /// What the loops have left that has derivatives.
     pub(super) fn after(&self) -> impl Iterator<Item = Scalar> {
-        self.loops.iter().flat_map(|stage| stage.varying().map(|k| stage.states[k].after))
+        self.left.iter().map(|varying| varying.input)
     }
 
-    /// The inputs that come from outside of the arguments' numbers.
-    pub(super) fn inputs<'a>(
+    /// Appends the inputs that come from outside of the arguments' numbers.
+    pub(super) fn add_inputs<'a>(
         &self,
+        inputs: &mut Vec<TokenStream>,
+        (number, private): (Arithmetic<'_>, &TokenStream),
         precision: Precision,
         slice: &dyn Fn(usize) -> (&'a TokenStream, &'a Type),
-    ) -> Vec<TokenStream> {
-        let number = format_ident!("{}", precision.name());
-        let round = round_number();
-        let input = |which: &Outside| match *which {
-            Outside::Round => quote!((#round as ::core::primitive::#number)),
-            Outside::Before(l, k) | Outside::After(l, k) => {
-                let state = state(l, k);
-                quote!(#state)
-            }
-            Outside::Element { argument, at, number } => {
-                let ((called, element), value) = (slice(argument), local("element"));
-                let mut numbers = Vec::new();
-                element.numbers(&quote!((*#value)), precision, &mut numbers);
-                let (number, literal) = (&numbers[number], Literal::usize_unsuffixed);
-                let index = match at {
-                    At::First(index) => {
-                        let index = literal(index);
-                        quote!(#index)
-                    }
-                    At::Last(back) => {
-                        let back = literal(back);
-                        quote!(#called.len().wrapping_sub(#back))
-                    }
-                    At::Round(more) => {
-                        let size = Literal::u64_unsuffixed(more.unsigned_abs());
-                        match more {
-                            0 => quote!(#round),
-                            1.. => quote!(#round + #size),
-                            _ => quote!(#round.wrapping_sub(#size)),
+    ) {
+        let name = format_ident!("{}", precision.name());
+        for (which, program) in &self.outside {
+            let input = match *which {
+                Outside::Round(l) => {
+                    let round = round_number(l);
+                    quote!((#round as ::core::primitive::#name))
+                }
+                Outside::Before(l, k) | Outside::After(l, k) => {
+                    let state = state(l, k);
+                    quote!(#state)
+                }
+                Outside::Element { argument, at, number: component } => {
+                    let ((called, element), value) = (slice(argument), local("element"));
+                    let mut numbers = Vec::new();
+                    element.numbers(&quote!((*#value)), precision, &mut numbers);
+                    let component = &numbers[component];
+                    let index = match (at, program) {
+                        (At::Round(l, more), _) => {
+                            let (round, size) = (round_number(l), Literal::u64_unsuffixed(more.unsigned_abs()));
+                            match more {
+                                0 => quote!(#round),
+                                1.. => quote!(#round + #size),
+                                _ => quote!(#round.wrapping_sub(#size)),
+                            }
                         }
-                    }
-                };
-                // Where the function would panic, it is 0.
-                quote!((match #called.get(#index) {
-                    ::core::option::Option::Some(#value) => #number,
-                    ::core::option::Option::None => 0.0,
-                }))
-            }
-        };
-        self.outside.iter().map(input).collect()
+                        (At::Chosen(_), Some(program)) => {
+                            let input = |i: usize| inputs[i].clone();
+                            let body = Body { program, number, private, input: &input };
+                            let (steps, results) = (body.steps(), body.results());
+                            quote!({ #steps #(#results)* } as ::core::primitive::usize)
+                        }
+                        (At::Known(index), _) => Literal::usize_unsuffixed(index).into_token_stream(),
+                        (At::Chosen(_), None) => unreachable!("a number that is chosen has a program"),
+                    };
+                    // Where the function would panic, it is 0.
+                    quote!((match #called.get(#index) {
+                        ::core::option::Option::Some(#value) => #component,
+                        ::core::option::Option::None => 0.0,
+                    }))
+                }
+            };
+            inputs.push(input);
+        }
     }
 
     /// The operations of all programs but the function's own, those of a round once.
@@ -127,61 +185,63 @@ impl Kept {
         self.loops.iter().fold(Count::default(), |count, stage| count + stage.entry.count() + stage.round.count())
     }
 
-    /// The code of the loops.
-    fn code(&self, number: Arithmetic<'_>, private: &TokenStream, input: &dyn Fn(usize) -> TokenStream) -> TokenStream {
+    /// The code of the loops that stand in a round of this one, or in none.
+    fn code(
+        &self,
+        within: Option<usize>,
+        number: Arithmetic<'_>,
+        private: &TokenStream,
+        input: &dyn Fn(usize) -> TokenStream,
+    ) -> TokenStream {
         let mut code = TokenStream::new();
-        let mut left: Vec<(usize, usize)> = Vec::new();
-        for (l, stage) in self.loops.iter().enumerate() {
+        for (l, stage) in self.loops.iter().enumerate().filter(|(_, stage)| stage.within == within) {
             let states: Vec<Ident> = (0..stage.states.len()).map(|k| state(l, k)).collect();
-            let own: Vec<(usize, usize)> = stage.varying().map(|k| (l, k)).collect();
+            let varying = stage.states.iter().enumerate().filter(|(_, state)| state.varies);
             let slopes: Vec<Ident> =
-                own.iter().flat_map(|&(l, k)| (0..self.variables).map(move |j| slope(l, k, j))).collect();
-            let block = |program: &Program, before: &[(usize, usize)], has_more: bool| {
+                varying.flat_map(|(k, _)| (0..self.variables).map(move |j| slope(l, k, j))).collect();
+            let block = |program: &Program, seen: &[Varying], has_more: bool, inner: TokenStream| {
                 let body = Body { program, number, private, input };
                 let (steps, results) = (body.steps(), body.results().collect::<Vec<_>>());
                 let (values, rest) = program.outputs().split_at(stage.states.len() + usize::from(has_more));
-                let derivatives = rest.chunks(self.variables + before.len()).take(own.len());
-                let chained = derivatives.flat_map(|row| {
-                    let row: Vec<Value> = row.to_vec();
-                    (0..self.variables).map({
-                        let body = &body;
-                        move |j| chain(body, &row[..self.variables], &row[self.variables..], before, j)
-                    })
+                let chained = rest.chunks((self.variables + seen.len()).max(1)).flat_map(|row| {
+                    let (direct, by_seen) = row.split_at(self.variables);
+                    let body = &body;
+                    (0..self.variables).map(move |j| chain(body, direct[j], by_seen, seen, j))
                 });
                 let (chained, values) = (chained.collect::<Vec<_>>(), &results[..values.len()]);
-                quote!({ #steps (#(#values,)* #(#chained,)*) })
+                quote!({ #inner #steps (#(#values,)* #(#chained,)*) })
             };
-            let (entry, count, rounds) =
-                (block(&stage.entry, &left, true), local(&format!("count{l}")), round_number());
-            let of_round = block(&stage.round, &[own.as_slice(), &left].concat(), stage.leaves);
+            let (count, round) = (local(&format!("count{l}")), round_number(l));
+            let entry = block(&stage.entry, &stage.seen, true, TokenStream::new());
+            let inner = self.code(Some(l), number, private, input);
+            let of_round = block(&stage.round, &stage.seen_in_round, stage.leaves, inner);
             let leaves = stage.leaves.then(|| local("leaves"));
             let end = leaves.iter().map(|leaves| quote!(if #leaves > 0.0 { break; }));
             let (declared, leaves) = (leaves.iter().map(|leaves| quote!(let #leaves;)), leaves.iter());
             code.extend(quote! {
                 let (#(mut #states,)* #count, #(mut #slopes,)*) = #entry;
-                for #rounds in 0..(#count as ::core::primitive::usize) {
+                for #round in 0..(#count as ::core::primitive::usize) {
                     #(#declared)*
                     (#(#states,)* #(#leaves,)* #(#slopes,)*) = #of_round;
                     #(#end)*
                 }
             });
-            left.extend(own);
         }
         code
     }
 }
 
-/// The derivative by the variable `j`, of those by all variables and by states that have derivatives themselves.
-fn chain(body: &Body<'_>, direct: &[Value], by_states: &[Value], states: &[(usize, usize)], j: usize) -> TokenStream {
+/// The derivative by the variable `j`: the direct one, and those by states that have derivatives themselves.
+fn chain(body: &Body<'_>, direct: Value, by_states: &[Value], states: &[Varying], j: usize) -> TokenStream {
     let known = |value: Value| match body.program.ops()[value.index()] {
         Op::Constant(constant) => Some(constant.value()),
         _ => None,
     };
     let mut terms = Vec::new();
-    if known(direct[j]) != Some(0.0) {
-        terms.push(body.operand(direct[j]));
+    if known(direct) != Some(0.0) {
+        terms.push(body.operand(direct));
     }
-    for (&by_state, &(l, k)) in by_states.iter().zip(states) {
+    for (&by_state, &Varying { l, k, .. }) in by_states.iter().zip(states) {
         let (factor, slope) = (body.operand(by_state), slope(l, k, j));
         match known(by_state) {
             Some(0.0) => {}
@@ -205,20 +265,18 @@ impl Kept {
         if self.is_empty() {
             return (TokenStream::new(), results);
         }
-        let states: Vec<(usize, usize)> =
-            self.loops.iter().enumerate().flat_map(|(l, stage)| stage.varying().map(move |k| (l, k))).collect();
         let count = self.variables;
         let outputs = body.program.outputs();
         let (values, rest) = outputs.split_at(size);
         let (direct, rest) = rest.split_at(size * count);
-        let (by_states, flag) = rest.split_at(size * states.len());
+        let (by_states, flag) = rest.split_at(size * self.left.len());
         let chained = (0..count).flat_map(|j| (0..size).map(move |i| (i, j))).map(|(i, j)| {
-            let of_value = |all: &[Value]| -> Vec<Value> { all.iter().skip(i).step_by(size).copied().collect() };
-            chain(body, &of_value(direct), &of_value(by_states), &states, j)
+            let by_states: Vec<Value> = by_states.iter().skip(i).step_by(size).copied().collect();
+            chain(body, direct[size * j + i], &by_states, &self.left, j)
         });
         let outputs = results[..values.len()].iter().cloned().chain(chained);
         let outputs = outputs.chain(results[results.len() - flag.len()..].iter().cloned()).collect();
-        (self.code(body.number, body.private, inputs), outputs)
+        (self.code(None, body.number, body.private, inputs), outputs)
     }
 }
 
@@ -232,6 +290,7 @@ fn slope(l: usize, k: usize, j: usize) -> Ident {
     local(&format!("slope{l}_{k}_{j}"))
 }
 
-fn round_number() -> Ident {
-    local("round")
+/// The number of its round.
+fn round_number(l: usize) -> Ident {
+    local(&format!("round{l}"))
 }

@@ -262,10 +262,6 @@ messages! {
         "how often this loop runs is not known here",
         "loops are written out round by round: bound a count, as in `0..n.min(8)` or by `assert!(n <= 8)` before it, and what ends by its values, as in `while n < 20 && error > 1e-9`";
 
-    nested_kept_loop() =>
-        "a loop of which no end is known cannot stand in another one",
-        "bound one of them, as in `0..n.min(8)` or by `assert!(n <= 8)` before it";
-
     exit_of_kept_loop() =>
         "a loop of which no end is known cannot be left with a value, or to the end of another loop",
         "assign the value to a variable and leave this loop alone, or bound the loop, as in `0..n.min(8)`";
@@ -277,10 +273,6 @@ messages! {
     zip_of_kept_loop() =>
         "what goes over a slice cannot be paired with this",
         "pair it with another slice, or use `enumerate`";
-
-    element_of_slice() =>
-        "which element of this slice it is cannot be told",
-        "index it by the number of a loop's round, as in `x[i + 1]`, by a known number or from its end, or say how long it is by `lengths`";
 
     kept_loop_elsewhere(name: &str) =>
         "`{name}` has a loop of which no end is known, which is written in Rust alone",

@@ -108,18 +108,16 @@ fn long_sums_are_no_trouble() {
 #[test]
 fn what_kept_loops_cannot_do_is_refused() {
     for (options, body, what) in [
-        ("wrt(x)", "let mut s = x; for a in v { for b in v { s += a * b; } } s", "in another one"),
         ("wrt(x)", "let mut s = vec![]; for a in v { s.push(a * x); } s[0]", "two kinds"),
-        ("wrt(x)", "let mut i = 0; let mut s = x; for a in v { s += a * v[i]; i += 2; } s", "which element"),
         ("wrt(x)", "loop { if v[0] > x { break x; } }", "cannot be left"),
         ("wrt(x)", "'a: loop { for a in v { if a > &x { break 'a; } } }; x", "of another loop"),
         ("wrt(v)", "v[0] * x", "how long this is"),
         ("wrt(x), hessian", "v.iter().map(|a| a * x).sum()", "known ends"),
         ("wrt(x), lanes", "x * n as f32", "lanes"),
-        ("wrt(x)", "x * v.iter().rev().sum::<f32>()", "`rev` of an iterator of which no end is known"),
+        ("wrt(x)", "x * v.iter().map(|a| a * x).rev().sum::<f32>()", "`rev` of an iterator of which no end is known"),
         (
             "wrt(x)",
-            "let mut s = 0.0; let t: f32 = v.iter().map(|a| { s += a; s }).sum(); x * t * s",
+            "let mut s = 0.0; let t: f32 = v.iter().zip(v.iter().map(|a| { s += a; s })).map(|(a, b)| a * b).sum(); x * t",
             "whether and when",
         ),
         ("wrt(x)", "v.iter().zip([x; 4]).map(|(a, b)| a * b).sum()", "cannot be paired"),

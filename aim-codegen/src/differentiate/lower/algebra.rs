@@ -68,7 +68,7 @@ impl Algebra {
         let name = format!("outside_{}", self.outside.len());
         let input = self.g.input(&name);
         self.outside.push((which, input));
-        if which == Outside::Round {
+        if matches!(which, Outside::Round(_)) {
             self.set_extent(input, 0.0, f64::INFINITY);
         }
         input

@@ -77,8 +77,6 @@ impl Translation<'_> {
                 return self.inline(&call.method, &function, vec![receiver]);
             }
         }
-        // One round stands for all.
-        let is_drained = is_drained && !matches!(receiver, Value::Rounds(_) | Value::Slice(_));
         let value = if is_drained || !iterators::is_lazy(&receiver, &call.method) {
             self.sequence_method(&receiver, call, expected)
         } else {

@@ -145,7 +145,7 @@ impl Translation<'_> {
             }
         }
         if let (Value::Slice(slice), Value::Integer(place)) = (&base, &place) {
-            return self.element_of(slice, *place, &index.index);
+            return self.element_of(slice, *place);
         }
         let Some(known) = self.algebra.known_index(&place) else {
             return match place {
@@ -162,6 +162,9 @@ impl Translation<'_> {
 
     /// `array[start..end]`. Where there is no such place, and the function panics, it is what there is of it.
     fn slice(&mut self, base: &Value, range: &syn::ExprRange) -> Value {
+        if let Value::Slice(slice) = base {
+            return self.part_of_slice(slice, range).unwrap_or(Value::Unknown);
+        }
         let (Value::Array(_) | Value::List(_), Some(items)) = (base, base.clone().items()) else {
             return self.refuse_known(base, range, messages::index_outside(&base.describe()));
         };

@@ -306,7 +306,7 @@ impl Frame {
     /// there are others, or variables are lent.
     pub(super) fn take_returns(&mut self, count: usize) -> Option<Vec<(Condition, Value)>> {
         let exits = self.exits.split_off(count);
-        let fits = self.lent.is_empty() && exits.iter().all(|exit| exit.target == Target::Function);
+        let fits = exits.is_empty() || self.lent.is_empty() && exits.iter().all(|exit| exit.target == Target::Function);
         fits.then(|| exits.into_iter().map(|exit| (exit.condition, exit.value)).collect())
     }
 

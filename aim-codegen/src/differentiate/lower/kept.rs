@@ -5,62 +5,16 @@ use std::rc::Rc;
 
 use aim_symbolic::Scalar;
 use quote::ToTokens;
-use syn::{Expr, ExprForLoop, ExprLoop, ExprMethodCall, ExprWhile, Label};
+use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 
+use super::Translation;
 use super::algebra::Algebra;
-use super::bounds::Linear;
 use super::condition::Condition;
-use super::expected::Expected;
 use super::frame::Target;
 use super::map::{Map, Quaternion};
-use super::outside::{At, KeptLoop, Outside, State};
-use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
-use super::{Translation, strip};
+use super::outside::{KeptLoop, Outside, State};
+use super::value::{Element, Optional, Rounds, Struct, Value};
 use crate::differentiate::messages;
-
-const METHODS: &[&str] = &[
-    "iter",
-    "copied",
-    "cloned",
-    "enumerate",
-    "map",
-    "filter",
-    "zip",
-    "skip",
-    "take",
-    "sum",
-    "product",
-    "fold",
-    "for_each",
-    "count",
-    "any",
-    "all",
-];
-
-impl Slice {
-    fn element(&self, a: &mut Algebra, at: At) -> Value {
-        let of = |number| Outside::Element { argument: self.argument, at, number };
-        let inputs = (0..self.components).map(|number| a.outside(of(number))).collect();
-        (self.make)(a, inputs)
-    }
-
-    /// Its elements from this one on.
-    pub(super) fn rounds(self: Rc<Self>, a: &mut Algebra, first: i64) -> Rounds {
-        let item = Element::new(self.element(a, At::Round(first)));
-        let Value::Integer(skipped) = a.integer(first) else { unreachable!("a whole number is one") };
-        let count = a.sub(self.len, skipped);
-        Rounds { count, item, source: Some((self, first)) }
-    }
-}
-
-impl Rounds {
-    /// Numbers from one on.
-    pub(super) fn counting(a: &mut Algebra, first: Scalar, count: Scalar) -> Self {
-        let round = a.outside(Outside::Round);
-        let number = a.add(round, first);
-        Self { count, item: Element::new(Value::Integer(number)), source: None }
-    }
-}
 
 /// How a round ends the loop.
 struct Ends {
@@ -188,11 +142,11 @@ impl Value {
     }
 }
 
-/// Adds a state of the next loop: what it is before the first round, and what a round makes of it. What is left of it.
-fn add_state(a: &mut Algebra, states: &mut Vec<State>, first: Scalar, next: Scalar, kind: Kind) -> Scalar {
-    let (number, k) = (a.loops.len(), states.len());
+/// Adds a state to a loop: what it is before the first round, and what a round makes of it. What is left of it.
+fn add_state(a: &mut Algebra, number: usize, first: Scalar, next: Scalar, kind: Kind) -> Scalar {
+    let k = a.loops[number].states.len();
     let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
-    states.push(State { first, before, next, after, varies: kind == Kind::Number });
+    a.loops[number].states.push(State { first, before, next, after, varies: kind == Kind::Number });
     after
 }
 
@@ -207,7 +161,7 @@ impl Translation<'_> {
 
     /// `while`, as long as it takes.
     pub(super) fn kept_while(&mut self, e: &ExprWhile) -> Value {
-        let rounds = self.rounds_without_end();
+        let rounds = Rounds::without_end(self.algebra);
         self.kept_loop(&e.while_token, e.label.as_ref(), &rounds, |this, _| {
             let whole = Target::Loop(this.frame.loops() - 1);
             let Some(condition) = this.condition(&e.cond) else { return Value::Unknown };
@@ -224,12 +178,8 @@ impl Translation<'_> {
 
     /// `loop`, as long as it takes.
     pub(super) fn kept_endless(&mut self, e: &ExprLoop) -> Value {
-        let rounds = self.rounds_without_end();
+        let rounds = Rounds::without_end(self.algebra);
         self.kept_loop(&e.loop_token, e.label.as_ref(), &rounds, |this, _| this.block(&e.body))
-    }
-
-    fn rounds_without_end(&mut self) -> Rounds {
-        Rounds { count: self.algebra.number(f64::INFINITY), item: Element::new(Value::nothing()), source: None }
     }
 
     /// Runs one round of a loop, for all of them.
@@ -240,13 +190,11 @@ impl Translation<'_> {
         rounds: &Rounds,
         mut round: impl FnMut(&mut Self, Value) -> Value,
     ) -> Value {
-        if core::mem::replace(&mut self.is_in_kept_loop, true) {
-            return self.refuse(place, messages::nested_kept_loop());
-        }
+        let number = self.begin_kept_loop(rounds.count);
         let label = label.map(|label| label.name.ident.to_string());
-        let ran = self.states(place, label.as_deref(), rounds, &mut round);
-        self.is_in_kept_loop = false;
-        let Some((mut states, ends)) = ran else { return Value::Unknown };
+        let ran = self.states(place, label.as_deref(), number, rounds, &mut round);
+        self.kept.pop();
+        let Some(ends) = ran else { return Value::Unknown };
         let (mut leaves, mut returned) = (ends.leaves, None);
         // Control comes out of it by a way out alone.
         let goes_on =
@@ -259,7 +207,7 @@ impl Translation<'_> {
                 .map(|(condition, _)| condition.clone())
                 .fold(Condition::Known(false), Condition::or);
             leaves = leaves.or(returns.clone());
-            let Some(found) = self.returned(place, &mut states, &returns, &ends.returns) else { return Value::Unknown };
+            let Some(found) = self.returned(place, number, &returns, &ends.returns) else { return Value::Unknown };
             returned = Some(found);
         }
         let a = &mut *self.algebra;
@@ -274,7 +222,7 @@ impl Translation<'_> {
         let reached = self.frame.facts().cloned().fold(Condition::Known(true), Condition::and);
         let zero = a.number(0.0);
         let count = reached.select(a, rounds.count, zero);
-        a.loops.push(KeptLoop { count, states, leaves });
+        (a.loops[number].count, a.loops[number].leaves) = (count, leaves);
         if let Some((is_returned, value)) = returned {
             self.frame.begin_branch(is_returned.clone());
             self.frame.exit(Target::Function, value);
@@ -284,11 +232,19 @@ impl Translation<'_> {
         if goes_on { Value::nothing() } else { Value::Never }
     }
 
+    /// The number of a loop that is run from here on.
+    pub(super) fn begin_kept_loop(&mut self, count: Scalar) -> usize {
+        let (number, within) = (self.algebra.loops.len(), self.kept.last().copied());
+        self.algebra.loops.push(KeptLoop { within, count, states: Vec::new(), leaves: None });
+        self.kept.push(number);
+        number
+    }
+
     /// Makes states of what a round returns from the function: whether it has returned, and the value; `None` after an error.
     fn returned(
         &mut self,
         place: &impl ToTokens,
-        states: &mut Vec<State>,
+        number: usize,
         returns: &Condition,
         values: &[(Condition, Value)],
     ) -> Option<(Condition, Value)> {
@@ -307,22 +263,22 @@ impl Translation<'_> {
         let mut left = Vec::new();
         for (next, kind) in [(flag, Kind::Flag)].into_iter().chain(numbers) {
             let zero = a.number(0.0);
-            left.push(add_state(a, states, zero, next, kind));
+            left.push(add_state(a, number, zero, next, kind));
         }
         let mut left = left.into_iter();
         let is_returned = Condition::Less(a.number(0.0), left.next()?);
         Some((is_returned, value.of_numbers(a, &mut left)?))
     }
 
-    /// The numbers that a round changes; their variables are what they are after the last one. `None` after an error.
+    /// Finds the numbers that a round changes; their variables are what they are after the last one. `None` after an error.
     fn states(
         &mut self,
         place: &impl ToTokens,
         label: Option<&str>,
+        number: usize,
         rounds: &Rounds,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> Option<(Vec<State>, Ends)> {
-        let number = self.algebra.loops.len();
+    ) -> Option<Ends> {
         // What a round changes may lead it to change more.
         let mut changed: Vec<(usize, Value)> = Vec::new();
         let (after, ends) = loop {
@@ -346,7 +302,9 @@ impl Translation<'_> {
                     }
                 }
             }
-            let (after, ends) = self.one_round(place, label, rounds, before, round)?;
+            // Loops inside of it are run anew.
+            self.algebra.loops.truncate(number + 1);
+            let (after, ends) = self.one_round(place, label, number, rounds, before, round)?;
             let is_known = |variable: usize| changed.iter().any(|(known, _)| *known == variable);
             let more: Vec<(usize, Value)> =
                 after.iter().filter(|(variable, _)| !is_known(*variable)).cloned().collect();
@@ -355,7 +313,6 @@ impl Translation<'_> {
             }
             changed.extend(more);
         };
-        let mut states = Vec::new();
         for (variable, _) in changed {
             let first = self.frame.value(variable).clone();
             let next = after
@@ -375,12 +332,12 @@ impl Translation<'_> {
             }
             let mut left = Vec::new();
             for ((first, kind), (next, _)) in numbers.into_iter().zip(nexts) {
-                left.push(add_state(a, &mut states, first, next, kind));
+                left.push(add_state(a, number, first, next, kind));
             }
             let value = first.of_numbers(a, &mut left.into_iter())?;
             self.frame.assign(variable, value);
         }
-        Some((states, ends))
+        Some(ends)
     }
 
     /// What a round makes of the variables that are given; `None` after an error.
@@ -388,6 +345,7 @@ impl Translation<'_> {
         &mut self,
         place: &impl ToTokens,
         label: Option<&str>,
+        number: usize,
         rounds: &Rounds,
         before: Vec<(usize, Value)>,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
@@ -399,8 +357,12 @@ impl Translation<'_> {
         self.frame.begin(whole, label.map(str::to_owned));
         let depth = self.frame.depth();
         self.frame.begin(once, None);
-        let Element { is_there, value } = rounds.item.clone();
-        let done = self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing());
+        let done = match (rounds.item)(self, number) {
+            Some(Element { is_there, value }) => {
+                self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing())
+            }
+            None => Value::Unknown,
+        };
         self.frame.leave(depth);
         let goes_on = !done.is_never() || self.frame.has_exits(once);
         let inner = self.frame.end(self.algebra, !done.is_never());
@@ -422,171 +384,5 @@ impl Translation<'_> {
         };
         self.refuse(place, text);
         None
-    }
-
-    /// The element of a slice; an error where it is not clear which one it is.
-    pub(super) fn element_of(&mut self, slice: &Slice, index: Scalar, place: &impl ToTokens) -> Value {
-        let a = &mut *self.algebra;
-        let round = a.outside(Outside::Round);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
-        let at = match Linear::of(a, index) {
-            Linear { x: None, c, .. } if c >= 0.0 => Some(At::First(c as usize)),
-            Linear { x: Some(x), k, c } if k == 1.0 && x == round && self.is_in_kept_loop => Some(At::Round(c as i64)),
-            Linear { x: Some(x), k, c } if k == 1.0 && x == slice.len && c < 0.0 => Some(At::Last(-c as usize)),
-            _ => None,
-        };
-        match at {
-            Some(at) => slice.element(self.algebra, at),
-            None => self.refuse(place, messages::element_of_slice()),
-        }
-    }
-
-    /// A method of a slice, or of an iterator over one; `None` of any other receiver.
-    pub(super) fn rounds_method(
-        &mut self,
-        receiver: &Value,
-        call: &ExprMethodCall,
-        expected: &Expected,
-    ) -> Option<Value> {
-        let name = call.method.to_string();
-        let arguments: Vec<&Expr> = call.args.iter().collect();
-        let rounds = match (receiver, name.as_str(), arguments.as_slice()) {
-            (Value::Slice(slice), "len", []) => return Some(Value::Integer(slice.len)),
-            (Value::Slice(slice), "is_empty", []) => {
-                let zero = self.algebra.number(0.0);
-                return Some(Value::Truth(Condition::at_most(self.algebra, slice.len, zero)));
-            }
-            (Value::Slice(slice), "windows", [count]) => {
-                let count = self.known_count(count)?;
-                let a = &mut *self.algebra;
-                let rounds = slice.clone().rounds(a, i64::try_from(count).ok()? - 1);
-                let window =
-                    (0..count).map(|k| slice.element(a, At::Round(i64::try_from(k).unwrap_or_default()))).collect();
-                let item = Element::new(Value::Array(window));
-                return Some(Value::Rounds(Rc::new(Rounds { item, source: None, ..rounds })));
-            }
-            (Value::Slice(slice), ..) => slice.clone().rounds(self.algebra, 0),
-            (Value::Rounds(rounds), ..) => (**rounds).clone(),
-            _ => return None,
-        };
-        let kind = if matches!(receiver, Value::Slice(_)) { "a slice" } else { "an iterator of which no end is known" };
-        let is_whole = matches!(rounds.item.is_there, Condition::Known(true));
-        let made = match (name.as_str(), arguments.as_slice()) {
-            ("iter" | "into_iter" | "copied" | "cloned" | "clone", []) => rounds,
-            ("enumerate", []) if is_whole => {
-                let number = self.algebra.outside(Outside::Round);
-                let value = Value::Tuple(vec![Value::Integer(number), rounds.item.value]);
-                Rounds { item: Element::new(value), source: None, ..rounds }
-            }
-            ("map", [function]) => {
-                let mapped = self.mapped(call, function, vec![rounds.item.clone()])?;
-                Rounds { item: mapped.into_iter().next()?, source: None, ..rounds }
-            }
-            ("filter", [function]) => {
-                let kept = self.kept(call, function, core::slice::from_ref(&rounds.item))?;
-                Rounds { item: kept.into_iter().next()?, source: None, ..rounds }
-            }
-            ("skip", [count]) if rounds.source.is_some() => {
-                let (slice, first) = rounds.source?;
-                let count = i64::try_from(self.known_count(count)?).ok()?;
-                slice.rounds(self.algebra, first + count)
-            }
-            ("take", [count]) if is_whole => {
-                let count = self.count(count)?;
-                Rounds { count: self.smaller(rounds.count, count), ..rounds }
-            }
-            ("zip", [other]) if is_whole => {
-                let other = match strip(other) {
-                    Expr::Range(range) if range.end.is_none() => None,
-                    other => Some(self.expression(other)),
-                };
-                let other = match other {
-                    Some(Value::Slice(slice)) => slice.rounds(self.algebra, 0),
-                    Some(Value::Rounds(other)) if matches!(other.item.is_there, Condition::Known(true)) => {
-                        (*other).clone()
-                    }
-                    Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
-                    None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
-                };
-                let value = Value::Tuple(vec![rounds.item.value, other.item.value]);
-                let count = self.smaller(rounds.count, other.count);
-                Rounds { count, item: Element::new(value), source: None }
-            }
-            ("for_each", [function]) => {
-                let function = self.function_argument(function, 1)?;
-                return Some(self.kept_loop(&call.method, None, &rounds, |this, item| {
-                    this.inline(&call.method, &function, vec![item])
-                }));
-            }
-            ("fold", [start, function]) => {
-                let start = self.expression_as(start, expected);
-                let function = self.function_argument(function, 2)?;
-                return Some(self.gathered(call, &rounds, start, |this, folded, item| {
-                    this.inline(&call.method, &function, vec![folded, item])
-                }));
-            }
-            ("sum" | "product", []) => {
-                let expected = self.expected_of_call(call, expected);
-                let of_items = self.type_name(&rounds.item.value);
-                let ty = of_items.as_deref().or(expected.name());
-                let neutral = ty.and_then(|ty| super::place_types::neutral(self.algebra, ty, name == "sum"));
-                let Some(neutral) = neutral else { return Some(self.refuse(&call.method, messages::empty_sum(&name))) };
-                let operator: syn::BinOp = if name == "sum" { syn::parse_quote!(+) } else { syn::parse_quote!(*) };
-                return Some(self.gathered(call, &rounds, neutral, |this, total, item| {
-                    this.operation(&call.method, &operator, &total, &item)
-                }));
-            }
-            ("count" | "len", []) => {
-                let (zero, one) = (self.algebra.integer(0), self.algebra.integer(1));
-                return Some(self.gathered(call, &rounds, zero, |this, total, _| {
-                    this.operation(&call.method, &syn::parse_quote!(+), &total, &one)
-                }));
-            }
-            ("any" | "all", [function]) => {
-                let (function, is_any) = (self.function_argument(function, 1)?, name == "any");
-                let start = Value::Truth(Condition::Known(!is_any));
-                return Some(self.gathered(call, &rounds, start, |this, so_far, item| {
-                    match (so_far, this.inline(&call.method, &function, vec![item])) {
-                        (Value::Truth(so_far), Value::Truth(holds)) => {
-                            Value::Truth(if is_any { so_far.or(holds) } else { so_far.and(holds) })
-                        }
-                        (_, other) => {
-                            this.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()))
-                        }
-                    }
-                }));
-            }
-            _ => return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS))),
-        };
-        Some(Value::Rounds(Rc::new(made)))
-    }
-
-    /// What rounds make of a value, each of what the one before has made.
-    fn gathered(
-        &mut self,
-        call: &ExprMethodCall,
-        rounds: &Rounds,
-        start: Value,
-        mut next: impl FnMut(&mut Self, Value, Value) -> Value,
-    ) -> Value {
-        let variable = self.frame.depth();
-        // It has no name.
-        self.frame.declare(String::new(), start);
-        let done = self.kept_loop(&call.method, None, rounds, |this, item| {
-            let before = this.frame.value(variable).clone();
-            let next = next(this, before, item);
-            if next.is_unknown() {
-                return next;
-            }
-            this.frame.assign(variable, next);
-            Value::nothing()
-        });
-        let made = self.frame.value(variable).clone();
-        self.frame.leave(variable);
-        if done.is_unknown() { done } else { made }
-    }
-
-    fn smaller(&mut self, x: Scalar, y: Scalar) -> Scalar {
-        Condition::less(self.algebra, x, y).select(self.algebra, x, y)
     }
 }

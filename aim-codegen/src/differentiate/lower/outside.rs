@@ -6,8 +6,8 @@ use aim_symbolic::Scalar;
 /// Where an input comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outside {
-    /// The number of the round, from 0.
-    Round,
+    /// The number of a loop's round, from 0.
+    Round(usize),
     /// A number of an element of the argument of this place, which is a slice.
     Element { argument: usize, at: At, number: usize },
     /// A state of a loop, as it is before a round.
@@ -19,17 +19,19 @@ pub(crate) enum Outside {
 /// Which element of a slice it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum At {
-    /// The one of the round's number and so many more.
-    Round(i64),
+    /// The one of the number of a loop's round, and so many more.
+    Round(usize, i64),
     /// The one of this number.
-    First(usize),
-    /// So many from the end, from 1.
-    Last(usize),
+    Known(usize),
+    /// The one of a number that is computed.
+    Chosen(Scalar),
 }
 
 /// A loop that stays a loop.
 #[derive(Clone, Debug)]
 pub(crate) struct KeptLoop {
+    /// The loop in a round of which it stands.
+    pub(crate) within: Option<usize>,
     /// How many rounds there are, if it is more than 0.
     pub(crate) count: Scalar,
     pub(crate) states: Vec<State>,

@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::{Element, Value};
+use super::value::{Element, Rounds, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
@@ -278,7 +278,7 @@ impl Translation<'_> {
         }
         let kind = over.describe();
         let over = match over {
-            Value::Slice(slice) => Value::Rounds(Rc::new(slice.rounds(self.algebra, 0))),
+            Value::Slice(slice) => Value::Rounds(Rc::new(Rounds::over(self.algebra, slice))),
             over => over,
         };
         if let Value::Rounds(rounds) = &over {
@@ -332,9 +332,6 @@ impl Translation<'_> {
         written: impl FnOnce(&mut Self) -> Value,
         kept: impl FnOnce(&mut Self) -> Value,
     ) -> Value {
-        if self.is_in_kept_loop {
-            return written(self);
-        }
         if !self.endless.contains(&place) {
             let (frame, errors, rounds) = (self.frame.clone(), self.report.count(), self.rounds_run);
             let (nodes, loops) = (self.algebra.g.len(), self.algebra.loops.len());

@@ -35,8 +35,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) rounds_run: usize,
     /// Whether the iterator that is made next is gone through to its end at once.
     pub(super) is_drained: bool,
-    /// Whether a loop is being run that stays one.
-    pub(super) is_in_kept_loop: bool,
+    /// The loops that stay loops and are being run, the innermost last.
+    pub(super) kept: Vec<usize>,
     /// Whether a loop has just been given up, as no end of it is in sight.
     pub(super) is_endless: bool,
     /// The loops that were given up before, by where they are.
@@ -64,7 +64,7 @@ impl<'a> Translation<'a> {
             constants: Vec::new(),
             rounds_run: 0,
             is_drained: false,
-            is_in_kept_loop: false,
+            kept: Vec::new(),
             is_endless: false,
             endless: Vec::new(),
             given_up: 0,

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use aim_symbolic::{Scalar, Vector};
 use syn::{Expr, Member, Pat};
 
+use super::Translation;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map, Quaternion};
@@ -63,7 +64,7 @@ pub(crate) struct Element {
 /// Makes a value of its numbers.
 pub(crate) type Make = dyn Fn(&mut Algebra, Vec<Scalar>) -> Value;
 
-/// An argument of as many elements as there happen to be.
+/// An argument of as many elements as there happen to be, or a part of one.
 #[derive(Clone)]
 pub(crate) struct Slice {
     /// The argument's place among all.
@@ -72,6 +73,8 @@ pub(crate) struct Slice {
     pub(crate) components: usize,
     /// An element of these numbers.
     pub(crate) make: Rc<Make>,
+    /// The number of its first element among the argument's.
+    pub(crate) first: Scalar,
     pub(crate) len: Scalar,
 }
 
@@ -81,13 +84,33 @@ impl core::fmt::Debug for Slice {
     }
 }
 
-/// What a loop goes over that stays one: an element that stands for all.
-#[derive(Clone, Debug)]
+/// Makes the element of a round of the loop of this number, when that is run; `None` after an error.
+pub(crate) type Item = dyn for<'a, 'b> Fn(&'a mut Translation<'b>, usize) -> Option<Element>;
+
+/// What a loop goes over that stays one.
+#[derive(Clone)]
 pub(crate) struct Rounds {
+    /// How many rounds there are, also of elements that are left out.
     pub(crate) count: Scalar,
-    pub(crate) item: Element,
-    /// The slice that it goes over as it is, and from which element on.
-    pub(crate) source: Option<(Rc<Slice>, i64)>,
+    pub(crate) item: Rc<Item>,
+    /// Whether none is left out.
+    pub(crate) is_whole: bool,
+    /// What it goes over as it is.
+    pub(crate) source: Option<Progression>,
+}
+
+impl core::fmt::Debug for Rounds {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Rounds").field("count", &self.count).finish_non_exhaustive()
+    }
+}
+
+/// Whole numbers at even steps, or the elements of a slice that have them.
+#[derive(Clone)]
+pub(crate) struct Progression {
+    pub(crate) slice: Option<Rc<Slice>>,
+    pub(crate) first: Scalar,
+    pub(crate) step: f64,
 }
 
 /// Columns of as many numbers.

@@ -21,6 +21,7 @@ mod limits;
 mod lists;
 mod manifolds;
 mod natural;
+mod nested;
 mod powers;
 mod quotients;
 mod roots;

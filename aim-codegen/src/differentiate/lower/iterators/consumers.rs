@@ -186,7 +186,13 @@ impl Translation<'_> {
     }
 
     /// The one of two that a comparison prefers: of equal ones `min_by` takes the first, `max_by` the last.
-    fn better(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, best: Value, item: Value) -> Value {
+    pub(in crate::differentiate::lower) fn better(
+        &mut self,
+        call: &ExprMethodCall,
+        compare: &Rc<Callable>,
+        best: Value,
+        item: Value,
+    ) -> Value {
         let order = match self.inline(&call.method, compare, vec![best.clone(), item.clone()]) {
             Value::Ordering(order) => order,
             other => return self.refuse_known(&other, &call.method, messages::not_an_ordering(&other.describe())),

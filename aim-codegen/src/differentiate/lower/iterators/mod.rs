@@ -13,7 +13,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::value::{Element, Optional, Rounds, Value};
+use super::value::{Element, Optional, Progression, Rounds, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
@@ -126,7 +126,7 @@ pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
 /// Whether a function that is passed to a method of this value is called later, or not with each element.
 pub(super) fn is_lazy(receiver: &Value, name: &Ident) -> bool {
     let is_later = |method: &Method| method.calls && matches!(method.course, Course::InStep | Course::Later);
-    matches!(receiver, Value::Iterator(_) | Value::Rounds(_)) && method(name).is_some_and(is_later)
+    matches!(receiver, Value::Iterator(_)) && method(name).is_some_and(is_later)
 }
 
 impl Element {
@@ -217,7 +217,7 @@ impl Translation<'_> {
             let (a, one) = (&mut *self.algebra, if is_closed { 1.0 } else { 0.0 });
             let (count, more) = (a.sub(last, first), a.number(one));
             let count = a.add(count, more);
-            return Value::Rounds(Rc::new(Rounds::counting(a, first, count)));
+            return Value::Rounds(Rc::new(Rounds::along(count, Progression { slice: None, first, step: 1.0 })));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
         let mut items = Vec::new();

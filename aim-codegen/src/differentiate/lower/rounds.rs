@@ -1,0 +1,485 @@
+//! What loops go over that stay loops: slices, numbers to an end that arguments say, and iterators over them. An element is made when
+//! the loop is run, for a round that stands for all.
+
+use std::rc::Rc;
+
+use aim_symbolic::{Function, Scalar};
+use syn::{BinOp, Expr, ExprMethodCall, ExprRange, RangeLimits, parse_quote};
+
+use super::algebra::Algebra;
+use super::bounds::Linear;
+use super::condition::Condition;
+use super::expected::Expected;
+use super::frame::Target;
+use super::outside::{At, Outside};
+use super::value::{Callable, Element, Progression, Rounds, Slice, Value};
+use super::{Translation, place_types, strip};
+use crate::differentiate::messages;
+
+const METHODS: &[&str] = &[
+    "iter",
+    "copied",
+    "cloned",
+    "enumerate",
+    "map",
+    "filter",
+    "filter_map",
+    "zip",
+    "rev",
+    "skip",
+    "step_by",
+    "take",
+    "sum",
+    "product",
+    "fold",
+    "reduce",
+    "min_by",
+    "max_by",
+    "last",
+    "for_each",
+    "count",
+    "any",
+    "all",
+    "find",
+    "position",
+];
+
+impl Slice {
+    fn element(&self, this: &mut Translation<'_>, index: Scalar) -> Value {
+        let index = this.algebra.add(self.first, index);
+        let at = this.place_of(index);
+        let of = |number| Outside::Element { argument: self.argument, at, number };
+        let inputs = (0..self.components).map(|number| this.algebra.outside(of(number))).collect();
+        (self.make)(this.algebra, inputs)
+    }
+
+    /// As many elements from the one of this number on.
+    pub(super) fn part(&self, a: &mut Algebra, first: Scalar, len: Scalar) -> Self {
+        Self { first: a.add(self.first, first), len, ..self.clone() }
+    }
+}
+
+impl Progression {
+    /// first + step k
+    fn at(&self, a: &mut Algebra, k: Scalar) -> Scalar {
+        let step = a.number(self.step);
+        let more = a.mul(step, k);
+        a.add(self.first, more)
+    }
+
+    fn value(&self, this: &mut Translation<'_>, number: usize) -> Value {
+        let round = this.algebra.outside(Outside::Round(number));
+        let index = self.at(this.algebra, round);
+        match &self.slice {
+            Some(slice) => slice.element(this, index),
+            None => Value::Integer(index),
+        }
+    }
+}
+
+impl Rounds {
+    /// Over the elements of a slice.
+    pub(super) fn over(a: &mut Algebra, slice: Rc<Slice>) -> Self {
+        let (first, count) = (a.number(0.0), slice.len);
+        Self::along(count, Progression { slice: Some(slice), first, step: 1.0 })
+    }
+
+    pub(super) fn along(count: Scalar, source: Progression) -> Self {
+        let progression = source.clone();
+        let made = Self::of(count, move |this, number| Some(Element::new(progression.value(this, number))));
+        Self { source: Some(source), ..made }
+    }
+
+    /// Until something else ends them.
+    pub(super) fn without_end(a: &mut Algebra) -> Self {
+        Self::of(a.number(f64::INFINITY), |_, _| Some(Element::new(Value::nothing())))
+    }
+
+    fn of(count: Scalar, item: impl Fn(&mut Translation<'_>, usize) -> Option<Element> + 'static) -> Self {
+        Self { count, item: Rc::new(item), is_whole: true, source: None }
+    }
+
+    /// Over what is made of each element.
+    fn then(self, make: impl Fn(&mut Translation<'_>, Element) -> Option<Element> + 'static) -> Self {
+        let Self { count, item, is_whole, .. } = self;
+        let made = Self::of(count, move |this, number| {
+            let element = item(this, number)?;
+            make(this, element)
+        });
+        Self { is_whole, ..made }
+    }
+}
+
+impl Translation<'_> {
+    /// Where an element is.
+    fn place_of(&mut self, index: Scalar) -> At {
+        let a = &*self.algebra;
+        let round = |x: Scalar| {
+            let source = a.outside.iter().find(|(_, input)| *input == x)?;
+            if let Outside::Round(number) = source.0 { Some(number) } else { None }
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
+        match Linear::of(a, index) {
+            Linear { x: None, c, .. } if c >= 0.0 => At::Known(c as usize),
+            Linear { x: Some(x), k, c } if k == 1.0 => {
+                round(x).map_or(At::Chosen(index), |number| At::Round(number, c as i64))
+            }
+            _ => At::Chosen(index),
+        }
+    }
+
+    /// The element of a slice.
+    pub(super) fn element_of(&mut self, slice: &Slice, index: Scalar) -> Value {
+        slice.element(self, index)
+    }
+
+    /// `slice[start..end]`; `None` after an error.
+    pub(super) fn part_of_slice(&mut self, slice: &Slice, range: &ExprRange) -> Option<Value> {
+        let start = match &range.start {
+            Some(start) => self.count(start)?,
+            None => self.algebra.number(0.0),
+        };
+        let end = match &range.end {
+            Some(end) => self.count(end)?,
+            None => slice.len,
+        };
+        let a = &mut *self.algebra;
+        let more = a.number(if matches!(range.limits, RangeLimits::Closed(_)) { 1.0 } else { 0.0 });
+        let len = a.sub(end, start);
+        let len = a.add(len, more);
+        Some(Value::Slice(Rc::new(slice.part(a, start, len))))
+    }
+
+    /// A method of a slice, or of an iterator over one; `None` of any other receiver.
+    pub(super) fn rounds_method(
+        &mut self,
+        receiver: &Value,
+        call: &ExprMethodCall,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let rounds = match (receiver, name.as_str(), arguments.as_slice()) {
+            (Value::Slice(slice), ..) => {
+                if let Some(value) = self.slice_method(slice, &name, &arguments) {
+                    return value;
+                }
+                Rounds::over(self.algebra, slice.clone())
+            }
+            (Value::Rounds(rounds), ..) => (**rounds).clone(),
+            _ => return None,
+        };
+        let errors = self.report.count();
+        let consumed = self.consumed_rounds(&rounds, call, expected);
+        if consumed.is_some() || self.report.count() > errors {
+            return consumed;
+        }
+        let source = rounds.source.clone();
+        let made = match (name.as_str(), arguments.as_slice(), &source) {
+            ("iter" | "into_iter" | "copied" | "cloned" | "clone", [], _) => rounds,
+            ("enumerate", [], _) if rounds.is_whole => Rounds::of(rounds.count, move |this, number| {
+                let Element { value, .. } = (rounds.item)(this, number)?;
+                let round = this.algebra.outside(Outside::Round(number));
+                Some(Element::new(Value::Tuple(vec![Value::Integer(round), value])))
+            }),
+            ("map", [function], _) => {
+                let (function, method) = (self.function_argument(function, 1)?, call.method.clone());
+                rounds.then(move |this, Element { is_there, value }| {
+                    let value = this.under(&method, &is_there, |this| this.inline(&method, &function, vec![value]));
+                    (!value.is_unknown()).then_some(Element { is_there, value })
+                })
+            }
+            ("filter" | "filter_map", [function], _) => {
+                let (function, call) = (self.function_argument(function, 1)?, call.clone());
+                let kept = rounds.then(move |this, item| {
+                    let Element { is_there, value } = item.clone();
+                    let made = this.under(&call, &is_there, |this| this.inline(&call.method, &function, vec![value]));
+                    match made {
+                        Value::Truth(holds) => Some(item.where_too(holds)),
+                        Value::Optional(made) => {
+                            Some(Element { is_there: is_there.and(made.is_some.clone()), value: made.value.clone() })
+                        }
+                        other => {
+                            this.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
+                            None
+                        }
+                    }
+                });
+                Rounds { is_whole: false, ..kept }
+            }
+            ("rev", [], Some(source)) => {
+                let a = &mut *self.algebra;
+                let one = a.number(1.0);
+                let last = a.sub(rounds.count, one);
+                let first = source.at(a, last);
+                Rounds::along(rounds.count, Progression { first, step: -source.step, ..source.clone() })
+            }
+            ("skip", [count], Some(source)) => {
+                let count = self.count(count)?;
+                let first = source.at(self.algebra, count);
+                Rounds::along(self.algebra.sub(rounds.count, count), Progression { first, ..source.clone() })
+            }
+            ("step_by", [count], Some(source)) => {
+                let Some(size) = self.known_count(count)?.checked_sub(1) else {
+                    return Some(self.refuse(*count, messages::index_outside("a loop")));
+                };
+                let count = self.parts(rounds.count, size + 1, size);
+                #[expect(clippy::cast_precision_loss, reason = "it is small")]
+                let step = source.step * (size + 1) as f64;
+                Rounds::along(count, Progression { step, ..source.clone() })
+            }
+            ("take", [count], _) if rounds.is_whole => {
+                let count = self.count(count)?;
+                Rounds { count: self.smaller(rounds.count, count), ..rounds }
+            }
+            ("zip", [other], _) if rounds.is_whole => {
+                let other = match strip(other) {
+                    Expr::Range(range) if range.end.is_none() => None,
+                    other => Some(self.expression(other)),
+                };
+                let other = match other {
+                    Some(Value::Slice(slice)) => Rounds::over(self.algebra, slice),
+                    Some(Value::Rounds(other)) if other.is_whole => (*other).clone(),
+                    Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
+                    None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
+                };
+                let call = call.clone();
+                Rounds::of(self.smaller(rounds.count, other.count), move |this, number| {
+                    // Which of them is asked once more than it has elements is not told apart.
+                    let pair = this.without_effect(&call, |this| {
+                        let [one, other] = [&rounds, &other].map(|rounds| (rounds.item)(this, number));
+                        Some(Value::Tuple(vec![one?.value, other?.value]))
+                    })?;
+                    (!pair.is_unknown()).then(|| Element::new(pair))
+                })
+            }
+            _ => {
+                let kind = if rounds.source.is_some() { "a slice" } else { "an iterator of which no end is known" };
+                return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS)));
+            }
+        };
+        Some(Value::Rounds(Rc::new(made)))
+    }
+
+    /// What a method makes of all rounds; `None` if it is another one, or after an error.
+    fn consumed_rounds(&mut self, rounds: &Rounds, call: &ExprMethodCall, expected: &Expected) -> Option<Value> {
+        let name = call.method.to_string();
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("for_each", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                self.kept_loop(&call.method, None, rounds, |this, item| {
+                    this.inline(&call.method, &function, vec![item])
+                })
+            }
+            ("fold", [start, function]) => {
+                let start = self.expression_as(start, expected);
+                let function = self.function_argument(function, 2)?;
+                self.gathered(call, rounds, start, |this, folded, item| {
+                    this.inline(&call.method, &function, vec![folded, item])
+                })
+            }
+            ("reduce", [function]) => {
+                let function = self.function_argument(function, 2)?;
+                self.best(call, rounds, |this, best, item| this.inline(&call.method, &function, vec![best, item]))
+            }
+            ("min_by" | "max_by", [function]) => {
+                let function = self.function_argument(function, 2)?;
+                self.best(call, rounds, |this, best, item| this.better(call, &function, best, item))
+            }
+            ("last", []) => self.best(call, rounds, |_, _, item| item),
+            ("sum" | "product", []) => {
+                let expected = self.expected_of_call(call, expected);
+                let of_items = if expected.name().is_none() { self.type_of_items(rounds)? } else { None };
+                let ty = expected.name().or(of_items.as_deref());
+                let neutral = ty.and_then(|ty| place_types::neutral(self.algebra, ty, name == "sum"));
+                let Some(neutral) = neutral else { return Some(self.refuse(&call.method, messages::empty_sum(&name))) };
+                let operator: BinOp = if name == "sum" { parse_quote!(+) } else { parse_quote!(*) };
+                self.gathered(call, rounds, neutral, |this, total, item| {
+                    this.operation(&call.method, &operator, &total, &item)
+                })
+            }
+            ("count" | "len", []) => {
+                let (zero, one) = (self.algebra.integer(0), self.algebra.integer(1));
+                self.gathered(call, rounds, zero, |this, total, _| {
+                    this.operation(&call.method, &parse_quote!(+), &total, &one)
+                })
+            }
+            ("any" | "all", [function]) => {
+                let (function, is_any) = (self.function_argument(function, 1)?, name == "any");
+                let truth = |known| Value::Truth(Condition::Known(known));
+                self.sought(call, rounds, truth(!is_any), |this, item| {
+                    let holds = this.answer(call, &function, item)?;
+                    Some((if is_any { holds } else { holds.not() }, truth(is_any)))
+                })
+            }
+            ("find", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                self.sought(call, rounds, Value::none(), |this, item| {
+                    Some((this.answer(call, &function, item.clone())?, Value::some(item)))
+                })
+            }
+            ("position", [function]) if rounds.is_whole => {
+                let function = self.function_argument(function, 1)?;
+                self.sought(call, rounds, Value::none(), |this, item| {
+                    let round = this.algebra.outside(Outside::Round(*this.kept.last()?));
+                    Some((this.answer(call, &function, item)?, Value::some(Value::Integer(round))))
+                })
+            }
+            _ => return None,
+        })
+    }
+
+    /// What a function says of an element; `None` after an error.
+    fn answer(&mut self, call: &ExprMethodCall, function: &Rc<Callable>, item: Value) -> Option<Condition> {
+        match self.inline(&call.method, function, vec![item]) {
+            Value::Truth(holds) => Some(holds),
+            other => {
+                self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
+                None
+            }
+        }
+    }
+
+    /// A method of a slice that those of other iterators do not have; `None` if it is another one.
+    fn slice_method(&mut self, slice: &Rc<Slice>, name: &str, arguments: &[&Expr]) -> Option<Option<Value>> {
+        let (zero, one) = (self.algebra.number(0.0), self.algebra.number(1.0));
+        Some(match (name, arguments) {
+            ("len", []) => Some(Value::Integer(slice.len)),
+            ("is_empty", []) => Some(Value::Truth(Condition::at_most(self.algebra, slice.len, zero))),
+            ("first", []) => Some(self.got(slice, zero)),
+            ("last", []) => {
+                let last = self.algebra.sub(slice.len, one);
+                Some(self.got(slice, last))
+            }
+            ("get", [index]) => self.count(index).map(|index| self.got(slice, index)),
+            ("windows" | "chunks_exact", [size]) => self.known_count(size).map(|size| {
+                let (step, count) = match name {
+                    "windows" => {
+                        #[expect(clippy::cast_precision_loss, reason = "it is small")]
+                        let less = self.algebra.number(size as f64 - 1.0);
+                        (1, self.algebra.sub(slice.len, less))
+                    }
+                    _ => (size, self.parts(slice.len, size, 0)),
+                };
+                let slice = slice.clone();
+                Value::Rounds(Rc::new(Rounds::of(count, move |this, number| {
+                    let round = this.algebra.outside(Outside::Round(number));
+                    let elements = (0..size).map(|k| {
+                        #[expect(clippy::cast_precision_loss, reason = "they are small")]
+                        let [step, k] = [step, k].map(|number| this.algebra.number(number as f64));
+                        let index = this.algebra.mul(step, round);
+                        let index = this.algebra.add(index, k);
+                        slice.element(this, index)
+                    });
+                    Some(Element::new(Value::Array(elements.collect())))
+                })))
+            }),
+            _ => return None,
+        })
+    }
+
+    /// The element of this number, if there is one.
+    fn got(&mut self, slice: &Slice, index: Scalar) -> Value {
+        let zero = self.algebra.number(0.0);
+        let is_some = Condition::less(self.algebra, index, zero).not();
+        let is_some = is_some.and(Condition::less(self.algebra, index, slice.len));
+        Value::some_if(is_some, slice.element(self, index))
+    }
+
+    /// How many parts of this size there are in so many and `more`.
+    fn parts(&mut self, count: Scalar, size: usize, more: usize) -> Scalar {
+        let a = &mut *self.algebra;
+        #[expect(clippy::cast_precision_loss, reason = "they are small")]
+        let [size, more] = [size, more].map(|number| a.number(number as f64));
+        let count = a.add(count, more);
+        let parts = a.div(count, size);
+        a.call(Function::Floor, parts)
+    }
+
+    /// The type of the elements, found by making one; `None` after an error.
+    #[expect(clippy::option_option, reason = "a type without a name is no error")]
+    fn type_of_items(&mut self, rounds: &Rounds) -> Option<Option<String>> {
+        let frame = self.frame.clone();
+        let number = self.begin_kept_loop(rounds.count);
+        let item = (rounds.item)(self, number);
+        self.kept.pop();
+        self.algebra.loops.truncate(number);
+        self.frame = frame;
+        item.map(|item| self.type_name(&item.value))
+    }
+
+    /// What rounds make of a value, each of what the one before has made.
+    fn gathered(
+        &mut self,
+        call: &ExprMethodCall,
+        rounds: &Rounds,
+        start: Value,
+        mut next: impl FnMut(&mut Self, Value, Value) -> Value,
+    ) -> Value {
+        self.with_variable(call, rounds, start, |this, variable, item| {
+            let before = this.frame.value(variable).clone();
+            let next = next(this, before, item);
+            if next.is_unknown() {
+                return next;
+            }
+            this.frame.assign(variable, next);
+            Value::nothing()
+        })
+    }
+
+    /// The same of an option, which is the first element after the first round.
+    fn best(
+        &mut self,
+        call: &ExprMethodCall,
+        rounds: &Rounds,
+        mut next: impl FnMut(&mut Self, Value, Value) -> Value,
+    ) -> Value {
+        self.gathered(call, rounds, Value::none(), |this, best, item| {
+            let Value::Optional(best) = best else { return Value::Unknown };
+            let there = |this: &mut Self| next(this, best.value.clone(), item.clone());
+            let made = this.branch(&call.method, Some(best.is_some.clone()), there, |_| item.clone());
+            if made.is_unknown() { made } else { Value::some(made) }
+        })
+    }
+
+    /// The value of the first round in which something holds, or else the one at the start.
+    fn sought(
+        &mut self,
+        call: &ExprMethodCall,
+        rounds: &Rounds,
+        start: Value,
+        mut ask: impl FnMut(&mut Self, Value) -> Option<(Condition, Value)>,
+    ) -> Value {
+        self.with_variable(call, rounds, start, |this, variable, item| {
+            let Some((holds, found)) = ask(this, item) else { return Value::Unknown };
+            let whole = Target::Loop(this.frame.loops() - 1);
+            let end = |this: &mut Self| {
+                this.frame.assign(variable, found);
+                this.frame.exit(whole, Value::nothing());
+                Value::Never
+            };
+            this.branch(&call.method, Some(holds), end, |_| Value::nothing())
+        })
+    }
+
+    /// What rounds make of a variable that has no name.
+    fn with_variable(
+        &mut self,
+        call: &ExprMethodCall,
+        rounds: &Rounds,
+        start: Value,
+        mut round: impl FnMut(&mut Self, usize, Value) -> Value,
+    ) -> Value {
+        let variable = self.frame.depth();
+        self.frame.declare(String::new(), start);
+        let done = self.kept_loop(&call.method, None, rounds, |this, item| round(this, variable, item));
+        let made = self.frame.value(variable).clone();
+        self.frame.leave(variable);
+        if done.is_unknown() { done } else { made }
+    }
+
+    fn smaller(&mut self, x: Scalar, y: Scalar) -> Scalar {
+        Condition::less(self.algebra, x, y).select(self.algebra, x, y)
+    }
+}
