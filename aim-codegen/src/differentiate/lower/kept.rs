@@ -62,22 +62,22 @@ impl Value {
             Self::Tuple(values) | Self::Array(values) => each(&values.iter().collect::<Vec<_>>(), a),
             Self::Struct(of) => each(&of.fields.iter().map(|(_, value)| value).collect::<Vec<_>>(), a),
             Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
+            Self::Never => Some(Vec::new()),
             _ => None,
         }
     }
 
-    /// The same value, with what another one has inside of options that are nothing: of numbers that are 0.
+    /// The same value, with what another one has where it has nothing, inside of options and enums: of numbers that are 0.
     fn shaped_like(&self, a: &mut Algebra, other: &Self) -> Self {
         match (self, other) {
-            (Self::Optional(nothing), Self::Optional(something)) => {
-                let value = match (&nothing.value, &something.value) {
-                    (Self::Never, inner) => {
-                        let zero = a.number(0.0);
-                        inner.of_numbers(a, &mut core::iter::repeat(zero)).unwrap_or(Self::Never)
-                    }
-                    (value, inner) => value.shaped_like(a, inner),
-                };
-                Self::Optional(Rc::new(Optional { is_some: nothing.is_some.clone(), value }))
+            (Self::Never, Self::Never) => Self::Never,
+            (Self::Never, inner) => {
+                let zero = a.number(0.0);
+                inner.of_numbers(a, &mut core::iter::repeat(zero)).unwrap_or(Self::Never)
+            }
+            (Self::Optional(one), Self::Optional(other)) => {
+                let value = one.value.shaped_like(a, &other.value);
+                Self::Optional(Rc::new(Optional { is_some: one.is_some.clone(), value }))
             }
             (Self::Struct(of), Self::Struct(other)) if of.fields.len() == other.fields.len() => {
                 let fields = of.fields.iter().zip(&other.fields);
@@ -117,6 +117,7 @@ impl Value {
                 let [Self::Truth(is_some), value] = <[Self; 2]>::try_from(parts).ok()? else { return None };
                 Self::Optional(Rc::new(Optional { is_some, value }))
             }
+            Self::Never => Self::Never,
             Self::Scalar(_) => Self::Scalar(from.next()?),
             Self::Integer(_) => Self::Integer(from.next()?),
             Self::Truth(_) => Self::Truth(Condition::Less(a.number(0.0), from.next()?)),
@@ -302,8 +303,7 @@ impl Translation<'_> {
                     }
                 }
             }
-            // Loops inside of it are run anew.
-            self.algebra.loops.truncate(number + 1);
+            let mark = self.mark();
             let (after, ends) = self.one_round(place, label, number, rounds, before, round)?;
             let is_known = |variable: usize| changed.iter().any(|(known, _)| *known == variable);
             let more: Vec<(usize, Value)> =
@@ -312,6 +312,7 @@ impl Translation<'_> {
                 break (after, ends);
             }
             changed.extend(more);
+            self.take_back(mark);
         };
         for (variable, _) in changed {
             let first = self.frame.value(variable).clone();

@@ -400,12 +400,12 @@ impl Translation<'_> {
     /// The type of the elements, found by making one; `None` after an error.
     #[expect(clippy::option_option, reason = "a type without a name is no error")]
     fn type_of_items(&mut self, rounds: &Rounds) -> Option<Option<String>> {
-        let frame = self.frame.clone();
+        let (frame, mark) = (self.frame.clone(), self.mark());
         let number = self.begin_kept_loop(rounds.count);
         let item = (rounds.item)(self, number);
         self.kept.pop();
-        self.algebra.loops.truncate(number);
         self.frame = frame;
+        self.take_back(mark);
         item.map(|item| self.type_name(&item.value))
     }
 

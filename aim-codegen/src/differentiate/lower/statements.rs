@@ -333,8 +333,7 @@ impl Translation<'_> {
         kept: impl FnOnce(&mut Self) -> Value,
     ) -> Value {
         if !self.endless.contains(&place) {
-            let (frame, errors, rounds) = (self.frame.clone(), self.report.count(), self.rounds_run);
-            let (nodes, loops) = (self.algebra.g.len(), self.algebra.loops.len());
+            let (frame, errors, mark) = (self.frame.clone(), self.report.count(), self.mark());
             self.is_endless = false;
             let value = written(self);
             if !core::mem::take(&mut self.is_endless) {
@@ -342,9 +341,7 @@ impl Translation<'_> {
             }
             self.frame = frame;
             self.report.forget(errors);
-            self.rounds_run = rounds;
-            self.algebra.loops.truncate(loops);
-            self.given_up += self.algebra.g.len() - nodes;
+            self.take_back(mark);
             self.endless.push(place);
         }
         kept(self)
@@ -428,7 +425,6 @@ impl Translation<'_> {
             }
             self.rounds_run += 1;
             if self.rounds_run > MOST_ROUNDS || self.is_too_large() {
-                self.is_endless = true;
                 value = self.refuse_too_large(token);
                 break;
             }
@@ -447,8 +443,9 @@ impl Translation<'_> {
         self.algebra.g.len() - self.given_up > MOST_NODES
     }
 
-    /// Reports that the graph has outgrown its bound.
+    /// Reports that the graph has outgrown its bound, unless it is a loop that may stay one.
     pub(super) fn refuse_too_large(&mut self, place: &impl ToTokens) -> Value {
+        self.is_endless = true;
         self.refuse(place, messages::too_large(MOST_NODES, MOST_ROUNDS))
     }
 

@@ -41,8 +41,16 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_endless: bool,
     /// The loops that were given up before, by where they are.
     pub(super) endless: Vec<*const ()>,
-    /// How many nodes of the graph are of loops that were given up.
+    /// How many nodes of the graph are of what was given up.
     pub(super) given_up: usize,
+}
+
+/// How much has been run before something that may be run anew.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    rounds: usize,
+    nodes: usize,
+    loops: usize,
 }
 
 impl<'a> Translation<'a> {
@@ -77,6 +85,18 @@ impl<'a> Translation<'a> {
         let result = act(self);
         self.frame = outer;
         result
+    }
+
+    pub(super) fn mark(&self) -> Mark {
+        let nodes = self.algebra.g.len() - self.given_up;
+        Mark { rounds: self.rounds_run, nodes, loops: self.algebra.loops.len() }
+    }
+
+    /// Gives up what was run since.
+    pub(super) fn take_back(&mut self, mark: Mark) {
+        self.rounds_run = mark.rounds;
+        self.given_up = self.algebra.g.len() - mark.nodes;
+        self.algebra.loops.truncate(mark.loops);
     }
 
     /// Reports what has no value.
