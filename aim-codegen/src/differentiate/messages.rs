@@ -263,8 +263,8 @@ messages! {
         "loops are written out round by round: bound a count, as in `0..n.min(8)` or by `assert!(n <= 8)` before it, and what ends by its values, as in `while n < 20 && error > 1e-9`";
 
     exit_of_kept_loop() =>
-        "a loop of which no end is known cannot be left with a value, or to the end of another loop",
-        "assign the value to a variable and leave this loop alone, or bound the loop, as in `0..n.min(8)`";
+        "a function that changes what its caller lends it cannot return from inside of a loop of which no end is known",
+        "assign what it returns to a variable and `break`, or bound the loop, as in `0..n.min(8)`";
 
     state_of_kept_loop(kind: &str) =>
         "{kind} cannot be changed by a loop of which no end is known",

@@ -109,8 +109,11 @@ fn long_sums_are_no_trouble() {
 fn what_kept_loops_cannot_do_is_refused() {
     for (options, body, what) in [
         ("wrt(x)", "let mut s = vec![]; for a in v { s.push(a * x); } s[0]", "two kinds"),
-        ("wrt(x)", "loop { if v[0] > x { break x; } }", "cannot be left"),
-        ("wrt(x)", "'a: loop { for a in v { if a > &x { break 'a; } } }; x", "of another loop"),
+        (
+            "wrt(x)",
+            "let mut s = x; let mut f = || { for a in v { s += a; if a > &x { return *a; } } x }; f() * s",
+            "lends",
+        ),
         ("wrt(v)", "v[0] * x", "how long this is"),
         ("wrt(x), hessian", "v.iter().map(|a| a * x).sum()", "known ends"),
         ("wrt(x), lanes", "x * n as f32", "lanes"),

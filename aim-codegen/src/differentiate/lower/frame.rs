@@ -37,13 +37,13 @@ impl Target {
 }
 
 #[derive(Clone, Debug)]
-struct Exit {
-    target: Target,
-    condition: Condition,
+pub(super) struct Exit {
+    pub(super) target: Target,
+    pub(super) condition: Condition,
     /// The variables that were assigned since the target began; of a function those that are lent.
-    assigned: Assigned,
-    /// What a function returns.
-    value: Value,
+    pub(super) assigned: Assigned,
+    /// What a function returns, or a loop.
+    pub(super) value: Value,
 }
 
 /// Something that control can be led to the end of, as it was when it began.
@@ -296,18 +296,21 @@ impl Frame {
         exits.map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or)
     }
 
-    /// Whether control brings a value to this end.
-    pub(super) fn brings(&self, target: Target) -> bool {
-        let mut exits = self.exits.iter().filter(|exit| exit.target == target);
-        exits.any(|exit| !matches!(&exit.value, Value::Tuple(values) if values.is_empty()))
+    /// Takes the value that control brings to this end; `None` where there are two kinds.
+    pub(super) fn take_brought(&mut self, a: &mut Algebra, target: Target) -> Option<Value> {
+        let exits = self.exits.iter_mut().filter(|exit| exit.target == target);
+        let brought = exits.map(|exit| (exit.condition.clone(), core::mem::replace(&mut exit.value, Value::nothing())));
+        // The first that was met counts.
+        let brought: Vec<(Condition, Value)> = brought.collect();
+        let last = Value::Never;
+        brought.into_iter().rev().try_fold(last, |other, (condition, value)| value.select(a, &condition, &other))
     }
 
-    /// Takes the ways out of the function that there are beyond so many, with their conditions and what is returned; `None` where
-    /// there are others, or variables are lent.
-    pub(super) fn take_returns(&mut self, count: usize) -> Option<Vec<(Condition, Value)>> {
+    /// Takes the ways out that there are beyond so many; `None` where one may return, and variables are lent.
+    pub(super) fn take_exits_beyond(&mut self, count: usize) -> Option<Vec<Exit>> {
         let exits = self.exits.split_off(count);
-        let fits = exits.is_empty() || self.lent.is_empty() && exits.iter().all(|exit| exit.target == Target::Function);
-        fits.then(|| exits.into_iter().map(|exit| (exit.condition, exit.value)).collect())
+        let returns = exits.iter().any(|exit| exit.target == Target::Function);
+        (!returns || self.lent.is_empty()).then_some(exits)
     }
 
     /// Takes the ways out back that there are beyond so many.

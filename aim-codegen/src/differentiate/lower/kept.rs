@@ -10,7 +10,7 @@ use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 use super::Translation;
 use super::algebra::Algebra;
 use super::condition::Condition;
-use super::frame::Target;
+use super::frame::{Exit, Target};
 use super::map::{Map, Quaternion};
 use super::outside::{KeptLoop, Outside, State};
 use super::value::{Element, Optional, Rounds, Struct, Value};
@@ -18,14 +18,15 @@ use crate::differentiate::messages;
 
 /// How a round ends the loop.
 struct Ends {
-    /// Where it leaves it.
+    /// Where it leaves it, and the value that it leaves it with.
     leaves: Condition,
-    /// Where it returns from the function, and what.
-    returns: Vec<(Condition, Value)>,
+    brought: Value,
+    /// Where it leaves more than the loop.
+    exits: Vec<Exit>,
 }
 
 /// What a number is.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Number,
     Whole,
@@ -196,21 +197,35 @@ impl Translation<'_> {
         let ran = self.states(place, label.as_deref(), number, rounds, &mut round);
         self.kept.pop();
         let Some(ends) = ran else { return Value::Unknown };
-        let (mut leaves, mut returned) = (ends.leaves, None);
+        let Ends { mut leaves, brought, exits } = ends;
         // Control comes out of it by a way out alone.
         let goes_on =
             self.algebra.constant_of(rounds.count) != Some(f64::INFINITY) || !matches!(leaves, Condition::Known(false));
-        if !ends.returns.is_empty() {
-            // What is returned, and whether, are states, too: after the loop control goes on to the end of the function.
-            let returns = ends
-                .returns
-                .iter()
-                .map(|(condition, _)| condition.clone())
-                .fold(Condition::Known(false), Condition::or);
-            leaves = leaves.or(returns.clone());
-            let Some(found) = self.returned(place, number, &returns, &ends.returns) else { return Value::Unknown };
-            returned = Some(found);
+        // What is returned, say, and whether, are states, too: after the loop control goes on to where it is led.
+        let mut left = Vec::new();
+        for (place_of_first, Exit { target, .. }) in exits.iter().enumerate() {
+            if exits[..place_of_first].iter().any(|exit| exit.target == *target) {
+                continue;
+            }
+            let same = exits.iter().filter(|exit| exit.target == *target).rev();
+            let is_left = same.clone().map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or);
+            leaves = leaves.or(is_left.clone());
+            // The first that was met counts.
+            let value = same
+                .map(|exit| (&exit.condition, &exit.value))
+                .try_fold(Value::Never, |other, (condition, value)| value.select(self.algebra, condition, &other));
+            let state = value.and_then(|value| {
+                let whole = Value::Tuple(vec![Value::Truth(is_left), value]);
+                self.left_state(number, &whole)
+            });
+            match state {
+                Some(Value::Tuple(parts)) => left.push((*target, parts)),
+                _ => return self.refuse(place, messages::state_of_kept_loop("what it returns")),
+            }
         }
+        let Some(brought) = self.left_state(number, &brought) else {
+            return self.refuse(place, messages::state_of_kept_loop(&brought.describe()));
+        };
         let a = &mut *self.algebra;
         let leaves = match &leaves {
             Condition::Known(false) => None,
@@ -224,13 +239,18 @@ impl Translation<'_> {
         let zero = a.number(0.0);
         let count = reached.select(a, rounds.count, zero);
         (a.loops[number].count, a.loops[number].leaves) = (count, leaves);
-        if let Some((is_returned, value)) = returned {
-            self.frame.begin_branch(is_returned.clone());
-            self.frame.exit(Target::Function, value);
+        for (target, parts) in left {
+            let Ok([Value::Truth(is_left), value]) = <[Value; 2]>::try_from(parts) else { continue };
+            self.frame.begin_branch(is_left.clone());
+            self.frame.exit(target, value);
             self.frame.end_branch();
-            self.frame.assume(is_returned.not());
+            self.frame.assume(is_left.not());
         }
-        if goes_on { Value::nothing() } else { Value::Never }
+        match (goes_on, brought) {
+            (false, _) => Value::Never,
+            (true, Value::Never) => Value::nothing(),
+            (true, brought) => brought,
+        }
     }
 
     /// The number of a loop that is run from here on.
@@ -241,34 +261,14 @@ impl Translation<'_> {
         number
     }
 
-    /// Makes states of what a round returns from the function: whether it has returned, and the value; `None` after an error.
-    fn returned(
-        &mut self,
-        place: &impl ToTokens,
-        number: usize,
-        returns: &Condition,
-        values: &[(Condition, Value)],
-    ) -> Option<(Condition, Value)> {
-        // The first that was met counts.
-        let (last, rest) = values.split_last()?;
-        let value = rest
-            .iter()
-            .rev()
-            .try_fold(last.1.clone(), |other, (condition, value)| value.select(self.algebra, condition, &other));
+    /// The value of which a round makes this, after the last one; `None` if it is none that may be a state.
+    fn left_state(&mut self, number: usize, value: &Value) -> Option<Value> {
         let a = &mut *self.algebra;
-        let Some((value, numbers)) = value.and_then(|value| Some((value.clone(), value.numbers(a)?))) else {
-            self.refuse(place, messages::state_of_kept_loop(&last.1.describe()));
-            return None;
-        };
-        let Value::Integer(flag) = a.number_of(returns) else { return None };
-        let mut left = Vec::new();
-        for (next, kind) in [(flag, Kind::Flag)].into_iter().chain(numbers) {
-            let zero = a.number(0.0);
-            left.push(add_state(a, number, zero, next, kind));
-        }
-        let mut left = left.into_iter();
-        let is_returned = Condition::Less(a.number(0.0), left.next()?);
-        Some((is_returned, value.of_numbers(a, &mut left)?))
+        let numbers = value.numbers(a)?;
+        let zero = a.number(0.0);
+        let left: Vec<Scalar> =
+            numbers.into_iter().map(|(next, kind)| add_state(a, number, zero, next, kind)).collect();
+        value.of_numbers(a, &mut left.into_iter())
     }
 
     /// Finds the numbers that a round changes; their variables are what they are after the last one. `None` after an error.
@@ -368,22 +368,37 @@ impl Translation<'_> {
         let goes_on = !done.is_never() || self.frame.has_exits(once);
         let inner = self.frame.end(self.algebra, !done.is_never());
         let leaves = self.frame.exit_condition(whole);
-        let brings = self.frame.brings(whole);
+        let brought = self.frame.take_brought(self.algebra, whole);
         let outer = self.frame.end(self.algebra, goes_on);
-        let after = self.frame.end_branch();
+        let mut after = self.frame.end_branch();
         if self.report.count() > errors {
             return None;
         }
-        let Some(returns) = self.frame.take_returns(exits) else {
+        let Some(exits) = self.frame.take_exits_beyond(exits) else {
             self.refuse(place, messages::exit_of_kept_loop());
             return None;
         };
-        let text = match (inner, outer) {
-            _ if brings => messages::exit_of_kept_loop(),
-            (Some(_), Some(_)) => return Some((after, Ends { leaves, returns })),
-            _ => messages::variable_of_two_kinds(),
-        };
-        self.refuse(place, text);
-        None
+        // What variables are where control goes to the end of another loop.
+        let to_loops = exits.iter().rev().filter(|exit| exit.target != Target::Function);
+        let assigned = to_loops.flat_map(|exit| exit.assigned.iter().map(|assigned| (&exit.condition, assigned)));
+        let joined = assigned.into_iter().try_for_each(|(condition, (variable, value))| {
+            let a = &mut *self.algebra;
+            let known = after.iter().position(|(known, _)| known == variable);
+            let before = self.frame.value(*variable);
+            let now = value.select(a, condition, known.map_or(before, |known| &after[known].1))?;
+            match known {
+                Some(known) => after[known].1 = now,
+                None if now.numbers(a) == before.numbers(a) => {}
+                None => after.push((*variable, now)),
+            }
+            Some(())
+        });
+        match (inner, outer, brought, joined) {
+            (Some(_), Some(_), Some(brought), Some(())) => Some((after, Ends { leaves, brought, exits })),
+            _ => {
+                self.refuse(place, messages::variable_of_two_kinds());
+                None
+            }
+        }
     }
 }

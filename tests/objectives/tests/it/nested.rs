@@ -162,6 +162,41 @@ mod functions {
         sum
     }
 
+    /// To the end of the loop around, and with a value.
+    #[differentiate(wrt(a))]
+    pub(super) fn left(a: f64, rows: &[f64], columns: &[f64]) -> f64 {
+        let (mut sum, mut last) = (0.0, a);
+        'rows: for row in rows {
+            sum += row * a;
+            for column in columns {
+                last = row * column * a;
+                if last > 1.5 {
+                    last *= 0.5;
+                    sum += last;
+                    continue 'rows;
+                }
+                if last < -2.0 {
+                    sum -= 0.25 * last;
+                    break 'rows;
+                }
+                if last < -0.7 {
+                    break;
+                }
+                sum += 0.125 * last * last;
+            }
+            sum *= 0.9;
+        }
+        let mut x = a;
+        let root = loop {
+            let next = 0.5 * (x + (a * a + 2.0) / x);
+            if (next - x).abs() < 1e-9 {
+                break next + 0.5 * ((a * a + 2.0) / next - next);
+            }
+            x = next;
+        };
+        sum + last * root
+    }
+
     /// Three deep, the innermost one of which is written out.
     #[differentiate(wrt(angle))]
     pub(super) fn grid(angle: f64, values: &[f64], columns: usize) -> f64 {
@@ -318,5 +353,8 @@ fn left_from_the_inside() {
         let (value, (slope,)) = functions::searched_gradient(a, &rows, &columns);
         assert_near(value, functions::searched(a, &rows, &columns));
         assert_near(slope, difference(|a| functions::searched(a, &rows, &columns), a));
+        let (value, (slope,)) = functions::left_gradient(a, &rows, &columns);
+        assert_near(value, functions::left(a, &rows, &columns));
+        assert_near(slope, difference(|a| functions::left(a, &rows, &columns), a));
     }
 }
