@@ -203,10 +203,10 @@ impl Kept {
                 let body = Body { program, number, private, input };
                 let (steps, results) = (body.steps(), body.results().collect::<Vec<_>>());
                 let (values, rest) = program.outputs().split_at(stage.states.len() + usize::from(has_more));
+                let chain = &Chain::new(&body);
                 let chained = rest.chunks((self.variables + seen.len()).max(1)).flat_map(|row| {
                     let (direct, by_seen) = row.split_at(self.variables);
-                    let body = &body;
-                    (0..self.variables).map(move |j| chain(body, direct[j], by_seen, seen, j))
+                    (0..self.variables).map(move |j| chain.derivative(direct[j], by_seen, seen, j))
                 });
                 let (chained, values) = (chained.collect::<Vec<_>>(), &results[..values.len()]);
                 quote!({ #inner #steps (#(#values,)* #(#chained,)*) })
@@ -231,25 +231,47 @@ impl Kept {
     }
 }
 
-/// The derivative by the variable `j`: the direct one, and those by states that have derivatives themselves.
-fn chain(body: &Body<'_>, direct: Value, by_states: &[Value], states: &[Varying], j: usize) -> TokenStream {
-    let known = |value: Value| match body.program.ops()[value.index()] {
-        Op::Constant(constant) => Some(constant.value()),
-        _ => None,
-    };
-    let mut terms = Vec::new();
-    if known(direct) != Some(0.0) {
-        terms.push(body.operand(direct));
-    }
-    for (&by_state, &Varying { l, k, .. }) in by_states.iter().zip(states) {
-        let (factor, slope) = (body.operand(by_state), slope(l, k, j));
-        match known(by_state) {
-            Some(0.0) => {}
-            Some(1.0) => terms.push(quote!(#slope)),
-            _ => terms.push(quote!((#factor) * #slope)),
+/// The derivatives that a program has, by variables and by states.
+struct Chain<'a> {
+    body: &'a Body<'a>,
+    /// Which of its values a select has a part in.
+    is_selected: Vec<bool>,
+}
+
+impl<'a> Chain<'a> {
+    fn new(body: &'a Body<'a>) -> Self {
+        let mut is_selected = Vec::new();
+        for op in body.program.ops() {
+            let is_select = matches!(op, Op::SelectLess(..));
+            is_selected.push(is_select || op.operands().any(|operand| is_selected[operand.index()]));
         }
+        Self { body, is_selected }
     }
-    if terms.is_empty() { quote!(0.0) } else { quote!(#(#terms)+*) }
+
+    /// The derivative by the variable `j`: the direct one, and those by states that have derivatives themselves.
+    fn derivative(&self, direct: Value, by_states: &[Value], states: &[Varying], j: usize) -> TokenStream {
+        let known = |value: Value| match self.body.program.ops()[value.index()] {
+            Op::Constant(constant) => Some(constant.value()),
+            _ => None,
+        };
+        let mut terms = Vec::new();
+        if known(direct) != Some(0.0) {
+            terms.push(self.body.operand(direct));
+        }
+        for (&by_state, &Varying { l, k, .. }) in by_states.iter().zip(states) {
+            let (factor, slope) = (self.body.operand(by_state), slope(l, k, j));
+            match known(by_state) {
+                Some(0.0) => {}
+                Some(1.0) => terms.push(quote!(#slope)),
+                // What is not chosen may be infinite.
+                _ if self.is_selected[by_state.index()] => {
+                    terms.push(quote!((if #factor == 0.0 { 0.0 } else { (#factor) * #slope })));
+                }
+                _ => terms.push(quote!((#factor) * #slope)),
+            }
+        }
+        if terms.is_empty() { quote!(0.0) } else { quote!(#(#terms)+*) }
+    }
 }
 
 impl Kept {
@@ -270,9 +292,10 @@ impl Kept {
         let (values, rest) = outputs.split_at(size);
         let (direct, rest) = rest.split_at(size * count);
         let (by_states, flag) = rest.split_at(size * self.left.len());
+        let chain = Chain::new(body);
         let chained = (0..count).flat_map(|j| (0..size).map(move |i| (i, j))).map(|(i, j)| {
             let by_states: Vec<Value> = by_states.iter().skip(i).step_by(size).copied().collect();
-            chain(body, direct[size * j + i], &by_states, &self.left, j)
+            chain.derivative(direct[size * j + i], &by_states, &self.left, j)
         });
         let outputs = results[..values.len()].iter().cloned().chain(chained);
         let outputs = outputs.chain(results[results.len() - flag.len()..].iter().cloned()).collect();

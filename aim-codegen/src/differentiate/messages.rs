@@ -108,7 +108,7 @@ messages! {
 
     slice(element: &str) =>
         "how long this is is not known here",
-        "say it beside `wrt`, as in `lengths(values = 4)`, or take a reference to an array: `&[{element}; 4]`; for any length, differentiate one term and sum in a function around it";
+        "say it beside `wrt`, as in `lengths(values = 4)`, or take a reference to an array: `&[{element}; 4]`; of any length it may be an argument by itself, `values: &[{element}]`, that derivatives are not taken by";
 
     no_slice(name: &str) =>
         "`{name}` is no argument that is a slice",

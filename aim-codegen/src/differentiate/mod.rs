@@ -255,7 +255,7 @@ impl Derived {
             let taken = arguments.further(companion, &mut g);
             let mut wanted = companion.wanted(&mut g, &stated, &taken);
             wanted.extend(kept.after().flat_map(|after| stated.derivatives_by(after)));
-            if let Some(Value::Integer(flag)) = flag {
+            if let Some(flag) = flag {
                 wanted.push(Want::Value(flag));
             }
             let program = search.program(&g, &wanted);

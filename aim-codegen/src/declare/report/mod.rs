@@ -57,9 +57,14 @@ impl Report {
         self.found.len()
     }
 
-    /// Keeps only so many, the first ones.
-    pub(crate) fn forget(&mut self, count: usize) {
-        self.found.truncate(count);
+    /// Keeps only so many, the first ones. The others.
+    pub(crate) fn forget(&mut self, count: usize) -> Vec<Diagnostic> {
+        self.found.split_off(count)
+    }
+
+    /// Puts back what was forgotten.
+    pub(crate) fn restore(&mut self, forgotten: Vec<Diagnostic>) {
+        self.found.extend(forgotten);
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -322,7 +322,7 @@ impl Translation<'_> {
         match (ty, text.as_str()) {
             ("Vec", "new" | "with_capacity") => Value::Array(Vec::new()),
             (ty, "from") if types::is_integer(ty) && call.args.len() == 1 => match self.expression(&call.args[0]) {
-                Value::Truth(holds) => self.algebra.number_of(&holds),
+                Value::Truth(holds) => Value::Integer(self.algebra.number_of(&holds)),
                 Value::Integer(number) => Value::Integer(number),
                 other => self.refuse_known(&other, &path.path, messages::unknown_function(&path_text(path))),
             },

@@ -66,6 +66,8 @@ pub(super) struct Frame {
     captured: usize,
     /// The values before they were assigned, of the variables assigned in each branch and region under way.
     journals: Vec<Assigned>,
+    /// Where control has gone to other ends before the function was called.
+    gone: Vec<Condition>,
     /// The conditions of the branches under way.
     path: Vec<Condition>,
     /// What else holds where control is: the branches and regions under way when that became known, and a condition.
@@ -85,14 +87,15 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame whose first variables are of the place that it is called from.
     pub(super) fn new(variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
-        Self::under(Vec::new(), variables, scope)
+        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
+        Self { captured: variables.len(), variables, regions: vec![function], scope, ..Self::default() }
     }
 
-    /// The same of a function that is called where these conditions hold.
-    pub(super) fn under(facts: Vec<Condition>, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
-        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
-        let assumed = facts.into_iter().map(|condition| (0, 0, condition)).collect();
-        Self { captured: variables.len(), variables, assumed, regions: vec![function], scope, ..Self::default() }
+    /// The same of a function that is called where control is in this one.
+    pub(super) fn called(&self, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
+        let facts = self.facts().map(|condition| (0, 0, condition.clone())).collect();
+        let gone = self.gone.iter().cloned().chain(self.exits.iter().map(|exit| exit.condition.clone())).collect();
+        Self { assumed: facts, gone, ..Self::new(variables, scope) }
     }
 
     // Variables.
@@ -183,6 +186,21 @@ impl Frame {
     /// The conditions that hold where control is, also those that the function is called under.
     pub(super) fn facts(&self) -> impl Iterator<Item = &Condition> + Clone {
         self.assumed.iter().map(|(_, _, condition)| condition)
+    }
+
+    /// Where control is: where all facts hold, and it has gone nowhere else.
+    pub(super) fn reached(&self, a: &mut Algebra) -> Condition {
+        let gone = self.gone.iter().chain(self.exits.iter().map(|exit| &exit.condition));
+        let mut known = Vec::new();
+        let conditions = self.facts().cloned().chain(gone.map(|condition| condition.clone().not()));
+        conditions.fold(Condition::Known(true), |reached, condition| {
+            let number = a.number_of(&condition);
+            if known.contains(&number) {
+                return reached;
+            }
+            known.push(number);
+            reached.and(condition)
+        })
     }
 
     /// From here on, as long as the branch and the region last, control is only where this holds.

@@ -6,9 +6,9 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprClosure, ItemFn, Pat};
 
+use super::frame::Frame;
 use super::Translation;
 use super::expected::Expected;
-use super::frame::Frame;
 use super::translation::MOST_ROUNDS;
 use super::value::{Callable, Home, Value};
 use crate::differentiate::{items, messages};
@@ -63,8 +63,7 @@ impl Translation<'_> {
         arguments: Vec<Value>,
         expected: &Expected,
     ) -> Value {
-        let facts = self.frame.facts().cloned().collect();
-        let mut frame = Frame::under(facts, function.captured.clone(), function.scope.clone());
+        let mut frame = self.frame.called(function.captured.clone(), function.scope.clone());
         // Where a closure was made it sees the variables as they are now, and may change them.
         if function.home.as_ref().is_some_and(|home| home.frame != self.frame.id && home.changes) {
             return self.refuse(place, messages::captured());

@@ -7,11 +7,11 @@ use aim_symbolic::Scalar;
 use quote::ToTokens;
 use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 
-use super::Translation;
+use super::{Translation, columns};
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::frame::{Exit, Target};
-use super::map::{Map, Quaternion};
+use super::map::{Affine, Map, Quaternion};
 use super::outside::{KeptLoop, Outside, State};
 use super::value::{Element, Optional, Rounds, Struct, Value};
 use crate::differentiate::messages;
@@ -44,10 +44,7 @@ impl Value {
         match self {
             Self::Scalar(x) => plain(&[*x]),
             Self::Integer(x) => Some(vec![(*x, Kind::Whole)]),
-            Self::Truth(condition) => match a.number_of(condition) {
-                Self::Integer(flag) => Some(vec![(flag, Kind::Flag)]),
-                _ => None,
-            },
+            Self::Truth(condition) => Some(vec![(a.number_of(condition), Kind::Flag)]),
             Self::Planar(v) => plain(&a.parts(*v)[..2]),
             Self::Vector(v) => plain(&a.parts(*v)),
             Self::Four(parts) => plain(parts),
@@ -60,6 +57,11 @@ impl Value {
                 plain(columns.as_flattened())
             }
             Self::Square(columns) => plain(&columns.concat()),
+            Self::Homogeneous(_) => plain(&columns(a, self)?.concat()),
+            Self::Affine(m) => {
+                let columns = m.map.columns(a).into_iter().chain([m.translation]).map(|column| a.parts(column));
+                plain(columns.collect::<Vec<_>>().as_flattened())
+            }
             Self::Tuple(values) | Self::Array(values) => each(&values.iter().collect::<Vec<_>>(), a),
             Self::Struct(of) => each(&of.fields.iter().map(|(_, value)| value).collect::<Vec<_>>(), a),
             Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
@@ -138,6 +140,11 @@ impl Value {
             }
             Self::Square(columns) => {
                 Self::Square(columns.iter().map(|column| from.by_ref().take(column.len()).collect()).collect())
+            }
+            Self::Homogeneous(_) => Self::Square((0..4).map(|_| from.by_ref().take(4).collect()).collect()),
+            Self::Affine(_) => {
+                let [x, y, z, translation] = [take(from)?, take(from)?, take(from)?, take(from)?].map(|v| a.vector(v));
+                Self::Affine(Affine { map: Map::Columns([x, y, z]), translation })
             }
             _ => return None,
         })
@@ -227,15 +234,9 @@ impl Translation<'_> {
             return self.refuse(place, messages::state_of_kept_loop(&brought.describe()));
         };
         let a = &mut *self.algebra;
-        let leaves = match &leaves {
-            Condition::Known(false) => None,
-            leaves => match a.number_of(leaves) {
-                Value::Integer(leaves) => Some(leaves),
-                _ => None,
-            },
-        };
+        let leaves = (!matches!(leaves, Condition::Known(false))).then(|| a.number_of(&leaves));
         // Not where control does not come: it might not end there.
-        let reached = self.frame.facts().cloned().fold(Condition::Known(true), Condition::and);
+        let reached = self.frame.reached(a);
         let zero = a.number(0.0);
         let count = reached.select(a, rounds.count, zero);
         (a.loops[number].count, a.loops[number].leaves) = (count, leaves);
@@ -316,10 +317,7 @@ impl Translation<'_> {
         };
         for (variable, _) in changed {
             let first = self.frame.value(variable).clone();
-            let next = after
-                .iter()
-                .find(|(known, _)| *known == variable)
-                .map_or_else(|| first.clone(), |(_, next)| next.clone());
+            let (_, next) = after.iter().find(|(known, _)| *known == variable)?.clone();
             let a = &mut *self.algebra;
             let first = first.shaped_like(a, &next);
             let next = next.shaped_like(a, &first);
@@ -396,7 +394,7 @@ impl Translation<'_> {
         match (inner, outer, brought, joined) {
             (Some(_), Some(_), Some(brought), Some(())) => Some((after, Ends { leaves, brought, exits })),
             _ => {
-                self.refuse(place, messages::variable_of_two_kinds());
+                self.refuse(place, messages::state_of_kept_loop("a list that grows, or what changes its kind,"));
                 None
             }
         }

@@ -489,7 +489,7 @@ impl Translation<'_> {
                 let wrapped = self.algebra.add(x, turn);
                 Value::Integer(Condition::less(self.algebra, x, zero).select(self.algebra, wrapped, x))
             }
-            (Value::Truth(condition), ty, _) if is_integer(ty) => self.algebra.number_of(condition),
+            (Value::Truth(condition), ty, _) if is_integer(ty) => Value::Integer(self.algebra.number_of(condition)),
             (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
                 self.discriminant(cast, of)
             }

@@ -17,6 +17,13 @@ use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
 
 const METHODS: &[&str] = &[
+    "len",
+    "is_empty",
+    "first",
+    "last",
+    "get",
+    "windows",
+    "chunks_exact",
     "iter",
     "copied",
     "cloned",
@@ -35,7 +42,6 @@ const METHODS: &[&str] = &[
     "reduce",
     "min_by",
     "max_by",
-    "last",
     "for_each",
     "count",
     "any",
@@ -121,7 +127,7 @@ impl Translation<'_> {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
         match Linear::of(a, index) {
             Linear { x: None, c, .. } if c >= 0.0 => At::Known(c as usize),
-            Linear { x: Some(x), k, c } if k == 1.0 => {
+            Linear { x: Some(x), k: 1.0, c } => {
                 round(x).map_or(At::Chosen(index), |number| At::Round(number, c as i64))
             }
             _ => At::Chosen(index),

@@ -332,19 +332,27 @@ impl Translation<'_> {
         written: impl FnOnce(&mut Self) -> Value,
         kept: impl FnOnce(&mut Self) -> Value,
     ) -> Value {
-        if !self.endless.contains(&place) {
-            let (frame, errors, mark) = (self.frame.clone(), self.report.count(), self.mark());
-            self.is_endless = false;
-            let value = written(self);
-            if !core::mem::take(&mut self.is_endless) {
-                return value;
-            }
-            self.frame = frame;
-            self.report.forget(errors);
-            self.take_back(mark);
-            self.endless.push(place);
+        if self.endless.contains(&place) {
+            return kept(self);
         }
-        kept(self)
+        let (frame, errors, mark) = (self.frame.clone(), self.report.count(), self.mark());
+        (self.is_endless, self.is_open) = (false, false);
+        let value = written(self);
+        let (is_endless, is_open) = (core::mem::take(&mut self.is_endless), self.is_open);
+        if !is_endless && !(is_open && self.report.count() > errors) {
+            return value;
+        }
+        self.frame = frame;
+        let said = self.report.forget(errors);
+        self.take_back(mark);
+        self.endless.push(place);
+        let value = kept(self);
+        // Where a round is wrong by itself, that was said.
+        if !is_endless && self.report.count() > errors {
+            self.report.forget(errors);
+            self.report.restore(said);
+        }
+        value
     }
 
     fn written_while(&mut self, e: &ExprWhile) -> Value {
@@ -360,7 +368,7 @@ impl Translation<'_> {
                 Round::Of(this.refuse(&e.cond, messages::rounds_unknown()))
             }
             Some(condition) => {
-                open_rounds += 1;
+                (open_rounds, this.is_open) = (open_rounds + 1, true);
                 let end = |this: &mut Self| {
                     this.frame.exit(whole, Value::nothing());
                     Value::Never
@@ -377,7 +385,9 @@ impl Translation<'_> {
         let whole = Target::Loop(self.frame.loops());
         let mut open_rounds = 0;
         self.rounds(&e.loop_token, label, |this| {
-            open_rounds += usize::from(this.frame.has_exits(whole));
+            if this.frame.has_exits(whole) {
+                (open_rounds, this.is_open) = (open_rounds + 1, true);
+            }
             // As far as is known it goes on.
             if open_rounds > MOST_OPEN_ROUNDS {
                 this.is_endless = true;

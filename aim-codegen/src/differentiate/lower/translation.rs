@@ -37,6 +37,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_drained: bool,
     /// The loops that stay loops and are being run, the innermost last.
     pub(super) kept: Vec<usize>,
+    /// Whether a loop has just been run of which it is not known how many rounds it has.
+    pub(super) is_open: bool,
     /// Whether a loop has just been given up, as no end of it is in sight.
     pub(super) is_endless: bool,
     /// The loops that were given up before, by where they are.
@@ -73,6 +75,7 @@ impl<'a> Translation<'a> {
             rounds_run: 0,
             is_drained: false,
             kept: Vec::new(),
+            is_open: false,
             is_endless: false,
             endless: Vec::new(),
             given_up: 0,

@@ -308,9 +308,9 @@ impl Algebra {
     }
 
     /// 1 where a condition holds, else 0.
-    pub(crate) fn number_of(&mut self, condition: &Condition) -> Value {
+    pub(crate) fn number_of(&mut self, condition: &Condition) -> Scalar {
         let (one, zero) = (self.number(1.0), self.number(0.0));
-        Value::Integer(condition.select(self, one, zero))
+        condition.select(self, one, zero)
     }
 
     /// A whole number that is known.
