@@ -6,9 +6,9 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprClosure, ItemFn, Pat};
 
-use super::frame::Frame;
 use super::Translation;
 use super::expected::Expected;
+use super::frame::Frame;
 use super::translation::MOST_ROUNDS;
 use super::value::{Callable, Home, Value};
 use crate::differentiate::{items, messages};

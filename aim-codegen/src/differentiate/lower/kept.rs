@@ -7,13 +7,13 @@ use aim_symbolic::Scalar;
 use quote::ToTokens;
 use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 
-use super::{Translation, columns};
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::frame::{Exit, Target};
 use super::map::{Affine, Map, Quaternion};
 use super::outside::{KeptLoop, Outside, State};
 use super::value::{Element, Optional, Rounds, Struct, Value};
+use super::{Translation, columns};
 use crate::differentiate::messages;
 
 /// How a round ends the loop.

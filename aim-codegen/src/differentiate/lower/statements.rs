@@ -130,11 +130,11 @@ impl Translation<'_> {
             _ => otherwise.clone(),
         };
         // It is assigned before it is read, or the compiler says so.
-        let value = local.init.as_ref().map_or(Value::Unknown, |init| self.expression_as(&init.expr, &expected));
+        let value = local.init.as_ref().map_or(Value::Never, |init| self.expression_as(&init.expr, &expected));
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
         }
-        let never = value.is_never();
+        let never = local.init.is_some() && value.is_never();
         self.bind(&local.pat, value);
         if never { Value::Never } else { Value::nothing() }
     }

@@ -14,6 +14,7 @@ mod exponential;
 mod fields;
 mod harness;
 mod kept;
+mod kept_apart;
 mod language;
 mod least_squares;
 mod lengths;

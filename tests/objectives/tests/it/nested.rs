@@ -51,6 +51,7 @@ mod functions {
     }
 
     /// Between the entries of a table.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the place in the table is meant")]
     #[differentiate(wrt(x))]
     pub(super) fn interpolated(x: f64, table: &[f64]) -> f64 {
         let last = table.len() - 1;
@@ -137,7 +138,8 @@ mod functions {
         let found = numbers.iter().find(|x| **x < 0.0).map_or(a * a, |x| x * a * 0.5);
         let most = numbers.iter().map(|x| (x - a).powi(2)).max_by(|x, y| x.total_cmp(y)).unwrap_or(a);
         let least = numbers.iter().copied().filter(|x| *x != 0.25).reduce(f64::min).map_or(0.0, |x| x * a);
-        let made = numbers.iter().filter_map(|x| if *x > 0.0 { Some(x.sqrt() * a) } else { None }).last();
+        let roots = numbers.iter().filter_map(|x| if *x > 0.0 { Some(x.sqrt() * a) } else { None });
+        let made = roots.reduce(|_, last| last);
         let rest = if any { asked as f64 * a } else { sum };
         squares + place * a + found + most + least + made.unwrap_or(0.125) + rest
     }

@@ -1,0 +1,235 @@
+//! Loops that stay loops, where what is not chosen must not count: ways around a loop, values that are not there, loops that do not
+//! end where control does not come, and states of all kinds.
+
+#[aim::differentiate]
+#[expect(clippy::unnecessary_wraps, reason = "each is called alike")]
+mod functions {
+    use aim::glam::{DAffine3, DMat4, DVec3};
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn power(x: f64, y: f64, s: &[f64]) -> f64 {
+        if x > 0.0 {
+            let mut r = x.powf(y);
+            for v in s {
+                r = r * 0.5 + v * y;
+            }
+            r
+        } else {
+            x * y
+        }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn mean_of_none(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut last = s.iter().map(|v| v * x).sum::<f64>() / s.len() as f64;
+        for v in s {
+            last = last * 0.5 + v * y;
+        }
+        if s.is_empty() { x } else { last }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn returned_before(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut r = x;
+        for v in s {
+            if r <= 1.0 {
+                return r * y;
+            }
+            r = r.acosh() * v * 4.0;
+        }
+        r
+    }
+
+    /// It ends where x is below 0 alone.
+    fn falls(x: f64) -> f64 {
+        let mut z = x;
+        while z > -5.0 {
+            z *= 1.5;
+        }
+        z + x
+    }
+
+    fn below(x: f64) -> Option<f64> {
+        if x >= 0.0 { None } else { Some(x) }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn returned_inside(x: f64, y: f64, s: &[f64]) -> f64 {
+        for k in 1..3 {
+            if x * f64::from(k) >= 0.0 {
+                return y;
+            }
+        }
+        falls(x) * y + s[0]
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn left_inside(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut sum = y * s[0];
+        for k in 0..2 {
+            if x >= 0.0 && k == 0 {
+                break;
+            }
+            sum += falls(x);
+        }
+        sum
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn returned_in_a_kept_one(x: f64, y: f64, s: &[f64]) -> f64 {
+        if y < 100.0 {
+            for v in s {
+                if x >= 0.0 {
+                    return y * v;
+                }
+            }
+        }
+        falls(x)
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn nothing_inside(x: f64, y: f64, s: &[f64]) -> Option<f64> {
+        let mut r = y * s[0];
+        if y < 100.0 {
+            r *= below(x)?;
+        }
+        Some(r + falls(x))
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn none_in_a_round(x: f64, y: f64, s: &[f64]) -> Option<f64> {
+        let mut sum = 0.0;
+        for v in s {
+            if *v < x {
+                return None;
+            }
+            sum += v * x * y;
+        }
+        Some(sum)
+    }
+
+    /// What a loop takes of a part, and what asks no further than it has to.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn parts(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut k = 0.0;
+        let any = s.iter().any(|v| {
+            k += x;
+            *v > y
+        });
+        let part = s.iter().take(3).skip(1).map(|v| x * v + y).sum::<f64>();
+        let turned = s.iter().take(4).rev().step_by(2).fold(0.0, |t, v| t * x + v);
+        part + turned + if any { k } else { y }
+    }
+
+    /// Lent variables, one without a value, and a count that grows fast.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn lent(x: f64, y: f64, s: &[f64]) -> f64 {
+        fn gather(sum: &mut f64, s: &[f64], by: f64) {
+            for v in s {
+                *sum += v * by;
+            }
+        }
+        let mut sum = x;
+        gather(&mut sum, s, y);
+        let mut k = 0.0;
+        let mut add = |c: f64| {
+            for w in s {
+                k += c * w * x;
+            }
+        };
+        add(2.0);
+        add(y);
+        let (mut step, mut count) = (0.0, 1);
+        let rest;
+        while count < s.len() * 300 {
+            count *= 2;
+            step = 0.5 * step + y;
+        }
+        let mut halved = x;
+        loop {
+            let half = 0.5 * halved;
+            halved -= half;
+            if half.abs() < 1e-3 {
+                rest = half * 1e3;
+                break;
+            }
+        }
+        sum + k + step + rest
+    }
+
+    #[derive(Clone, Copy)]
+    enum Mode {
+        Off,
+        On(f64),
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn states(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut mode = Mode::Off;
+        let mut r = x;
+        let (mut m, mut q) = (DMat4::IDENTITY, DAffine3::IDENTITY);
+        for v in s {
+            mode = match mode {
+                Mode::Off => Mode::On(v * x),
+                Mode::On(t) if t > y => Mode::Off,
+                Mode::On(t) => Mode::On(t * 0.5 + r),
+            };
+            r += match mode {
+                Mode::On(t) => t * t,
+                Mode::Off => 0.25,
+            };
+            m *= DMat4::from_rotation_z(x * v);
+            q = q * DAffine3::from_axis_angle(DVec3::X, y * v);
+        }
+        r + m.transform_point3(DVec3::X).y + q.transform_point3(DVec3::Y).z
+    }
+}
+
+type Gradient<R> = fn(f64, f64, &[f64]) -> R;
+
+/// Holds a gradient against differences, with slices of several lengths.
+fn agrees(name: &str, f: Gradient<f64>, gradient: Gradient<(f64, (f64, f64))>, least: usize) {
+    let s = [0.9, 1.2, -1.3, 0.25, 0.7, -0.4];
+    for n in least..=s.len() {
+        let s = &s[..n];
+        for x in [-1.7, -0.71, -0.2, 0.33, 0.84, 1.9, 3.1] {
+            for y in [-0.6, 0.37, 1.05] {
+                let (value, (by_x, by_y)) = gradient(x, y, s);
+                let h = 1e-6;
+                let slope_x = (f(x + h, y, s) - f(x - h, y, s)) / (2.0 * h);
+                let slope_y = (f(x, y + h, s) - f(x, y - h, s)) / (2.0 * h);
+                for (found, expected) in [(value, f(x, y, s)), (by_x, slope_x), (by_y, slope_y)] {
+                    let is_near = (found - expected).abs() < 1e-6 * (1.0 + expected.abs());
+                    assert!(is_near, "{name} at {x}, {y}, {s:?}: {found}, expected {expected}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_not_chosen_does_not_count() {
+    agrees("power", functions::power, functions::power_gradient, 0);
+    agrees("mean", functions::mean_of_none, functions::mean_of_none_gradient, 0);
+    agrees("returned before", functions::returned_before, functions::returned_before_gradient, 0);
+}
+
+#[test]
+fn loops_end_where_control_does_not_come() {
+    agrees("returned inside", functions::returned_inside, functions::returned_inside_gradient, 1);
+    agrees("left inside", functions::left_inside, functions::left_inside_gradient, 1);
+    agrees("returned in a loop", functions::returned_in_a_kept_one, functions::returned_in_a_kept_one_gradient, 1);
+    let value = |x, y, s: &[f64]| functions::nothing_inside(x, y, s).unwrap_or(0.0);
+    let gradient = |x, y, s: &[f64]| functions::nothing_inside_gradient(x, y, s).unwrap_or_default();
+    agrees("nothing inside", value, gradient, 1);
+    let value = |x, y, s: &[f64]| functions::none_in_a_round(x, y, s).unwrap_or(0.0);
+    let gradient = |x, y, s: &[f64]| functions::none_in_a_round_gradient(x, y, s).unwrap_or_default();
+    agrees("none in a round", value, gradient, 0);
+}
+
+#[test]
+fn variables_of_all_kinds() {
+    agrees("parts", functions::parts, functions::parts_gradient, 0);
+    agrees("lent", functions::lent, functions::lent_gradient, 0);
+    agrees("states", functions::states, functions::states_gradient, 0);
+}
