@@ -356,7 +356,7 @@ impl Translation<'_> {
         self.frame.begin(whole, label.map(str::to_owned));
         let depth = self.frame.depth();
         self.frame.begin(once, None);
-        let done = match (rounds.item)(self, number) {
+        let done = match self.item_of_round(&rounds.items, number) {
             Some(Element { is_there, value }) => {
                 self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing())
             }

@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::outside::{At, Outside};
-use super::value::{Callable, Element, Progression, Rounds, Slice, Value};
+use super::value::{Callable, Element, Items, Progression, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
 
@@ -72,15 +72,6 @@ impl Progression {
         let more = a.mul(step, k);
         a.add(self.first, more)
     }
-
-    fn value(&self, this: &mut Translation<'_>, number: usize) -> Value {
-        let round = this.algebra.outside(Outside::Round(number));
-        let index = self.at(this.algebra, round);
-        match &self.slice {
-            Some(slice) => slice.element(this, index),
-            None => Value::Integer(index),
-        }
-    }
 }
 
 impl Rounds {
@@ -90,33 +81,72 @@ impl Rounds {
         Self::along(count, Progression { slice: Some(slice), first, step: 1.0 })
     }
 
-    pub(super) fn along(count: Scalar, source: Progression) -> Self {
-        let progression = source.clone();
-        let made = Self::of(count, move |this, number| Some(Element::new(progression.value(this, number))));
-        Self { source: Some(source), ..made }
+    pub(super) fn along(count: Scalar, progression: Progression) -> Self {
+        Self { count, items: Rc::new(Items::Along(progression)) }
     }
 
     /// Until something else ends them.
     pub(super) fn without_end(a: &mut Algebra) -> Self {
-        Self::of(a.number(f64::INFINITY), |_, _| Some(Element::new(Value::nothing())))
-    }
-
-    fn of(count: Scalar, item: impl Fn(&mut Translation<'_>, usize) -> Option<Element> + 'static) -> Self {
-        Self { count, item: Rc::new(item), is_whole: true, source: None }
-    }
-
-    /// Over what is made of each element.
-    fn then(self, make: impl Fn(&mut Translation<'_>, Element) -> Option<Element> + 'static) -> Self {
-        let Self { count, item, is_whole, .. } = self;
-        let made = Self::of(count, move |this, number| {
-            let element = item(this, number)?;
-            make(this, element)
-        });
-        Self { is_whole, ..made }
+        Self { count: a.number(f64::INFINITY), items: Rc::new(Items::Nothing) }
     }
 }
 
 impl Translation<'_> {
+    /// The element of a round of the loop of this number; `None` after an error.
+    pub(super) fn item_of_round(&mut self, items: &Items, number: usize) -> Option<Element> {
+        let round = self.algebra.outside(Outside::Round(number));
+        let value = match items {
+            Items::Nothing => Value::nothing(),
+            Items::Along(progression) => {
+                let index = progression.at(self.algebra, round);
+                match &progression.slice {
+                    Some(slice) => slice.element(self, index),
+                    None => Value::Integer(index),
+                }
+            }
+            Items::Parts { slice, size, step } => {
+                let elements = (0..*size).map(|k| {
+                    #[expect(clippy::cast_precision_loss, reason = "they are small")]
+                    let [step, k] = [*step, k].map(|number| self.algebra.number(number as f64));
+                    let first = self.algebra.mul(step, round);
+                    let index = self.algebra.add(first, k);
+                    slice.element(self, index)
+                });
+                Value::Array(elements.collect())
+            }
+            Items::Numbered(items) => {
+                Value::Tuple(vec![Value::Integer(round), self.item_of_round(items, number)?.value])
+            }
+            Items::Made(items, call, function) => {
+                let item = self.item_of_round(items, number)?;
+                return self.made_item(item, call, function);
+            }
+            // Which of them is asked once more than it has elements is not told apart.
+            Items::Paired(both, call) => self.without_effect(call, |this| {
+                let [one, other] = [&both[0], &both[1]].map(|items| this.item_of_round(items, number));
+                Some(Value::Tuple(vec![one?.value, other?.value]))
+            })?,
+        };
+        (!value.is_unknown()).then(|| Element::new(value))
+    }
+
+    /// What `map`, `filter` or `filter_map` makes of an element; `None` after an error.
+    fn made_item(&mut self, item: Element, call: &ExprMethodCall, function: &Rc<Callable>) -> Option<Element> {
+        let Element { is_there, value } = item.clone();
+        let made = self.under(call, &is_there, |this| this.inline(&call.method, function, vec![value]));
+        match made {
+            value if call.method == "map" => (!value.is_unknown()).then_some(Element { is_there, value }),
+            Value::Truth(holds) => Some(item.where_too(holds)),
+            Value::Optional(made) => {
+                Some(Element { is_there: is_there.and(made.is_some.clone()), value: made.value.clone() })
+            }
+            other => {
+                self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
+                None
+            }
+        }
+    }
+
     /// Where an element is.
     fn place_of(&mut self, index: Scalar) -> At {
         let a = &*self.algebra;
@@ -180,50 +210,26 @@ impl Translation<'_> {
         if consumed.is_some() || self.report.count() > errors {
             return consumed;
         }
-        let source = rounds.source.clone();
-        let made = match (name.as_str(), arguments.as_slice(), &source) {
+        let source = if let Items::Along(progression) = &*rounds.items { Some(progression.clone()) } else { None };
+        let is_whole = rounds.items.is_whole();
+        let made = match (name.as_str(), arguments.as_slice(), source) {
             ("iter" | "into_iter" | "copied" | "cloned" | "clone", [], _) => rounds,
-            ("enumerate", [], _) if rounds.is_whole => Rounds::of(rounds.count, move |this, number| {
-                let Element { value, .. } = (rounds.item)(this, number)?;
-                let round = this.algebra.outside(Outside::Round(number));
-                Some(Element::new(Value::Tuple(vec![Value::Integer(round), value])))
-            }),
-            ("map", [function], _) => {
-                let (function, method) = (self.function_argument(function, 1)?, call.method.clone());
-                rounds.then(move |this, Element { is_there, value }| {
-                    let value = this.under(&method, &is_there, |this| this.inline(&method, &function, vec![value]));
-                    (!value.is_unknown()).then_some(Element { is_there, value })
-                })
-            }
-            ("filter" | "filter_map", [function], _) => {
-                let (function, call) = (self.function_argument(function, 1)?, call.clone());
-                let kept = rounds.then(move |this, item| {
-                    let Element { is_there, value } = item.clone();
-                    let made = this.under(&call, &is_there, |this| this.inline(&call.method, &function, vec![value]));
-                    match made {
-                        Value::Truth(holds) => Some(item.where_too(holds)),
-                        Value::Optional(made) => {
-                            Some(Element { is_there: is_there.and(made.is_some.clone()), value: made.value.clone() })
-                        }
-                        other => {
-                            this.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
-                            None
-                        }
-                    }
-                });
-                Rounds { is_whole: false, ..kept }
+            ("enumerate", [], _) if is_whole => Rounds { items: Rc::new(Items::Numbered(rounds.items)), ..rounds },
+            ("map" | "filter" | "filter_map", [function], _) => {
+                let function = self.function_argument(function, 1)?;
+                Rounds { items: Rc::new(Items::Made(rounds.items, call.clone(), function)), ..rounds }
             }
             ("rev", [], Some(source)) => {
                 let a = &mut *self.algebra;
                 let one = a.number(1.0);
                 let last = a.sub(rounds.count, one);
                 let first = source.at(a, last);
-                Rounds::along(rounds.count, Progression { first, step: -source.step, ..source.clone() })
+                Rounds::along(rounds.count, Progression { first, step: -source.step, ..source })
             }
             ("skip", [count], Some(source)) => {
                 let count = self.count(count)?;
                 let first = source.at(self.algebra, count);
-                Rounds::along(self.algebra.sub(rounds.count, count), Progression { first, ..source.clone() })
+                Rounds::along(self.algebra.sub(rounds.count, count), Progression { first, ..source })
             }
             ("step_by", [count], Some(source)) => {
                 let Some(size) = self.known_count(count)?.checked_sub(1) else {
@@ -232,35 +238,28 @@ impl Translation<'_> {
                 let count = self.parts(rounds.count, size + 1, size);
                 #[expect(clippy::cast_precision_loss, reason = "it is small")]
                 let step = source.step * (size + 1) as f64;
-                Rounds::along(count, Progression { step, ..source.clone() })
+                Rounds::along(count, Progression { step, ..source })
             }
-            ("take", [count], _) if rounds.is_whole => {
+            ("take", [count], _) if is_whole => {
                 let count = self.count(count)?;
                 Rounds { count: self.smaller(rounds.count, count), ..rounds }
             }
-            ("zip", [other], _) if rounds.is_whole => {
+            ("zip", [other], _) if is_whole => {
                 let other = match strip(other) {
                     Expr::Range(range) if range.end.is_none() => None,
                     other => Some(self.expression(other)),
                 };
                 let other = match other {
                     Some(Value::Slice(slice)) => Rounds::over(self.algebra, slice),
-                    Some(Value::Rounds(other)) if other.is_whole => (*other).clone(),
+                    Some(Value::Rounds(other)) if other.items.is_whole() => (*other).clone(),
                     Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
                     None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
                 };
-                let call = call.clone();
-                Rounds::of(self.smaller(rounds.count, other.count), move |this, number| {
-                    // Which of them is asked once more than it has elements is not told apart.
-                    let pair = this.without_effect(&call, |this| {
-                        let [one, other] = [&rounds, &other].map(|rounds| (rounds.item)(this, number));
-                        Some(Value::Tuple(vec![one?.value, other?.value]))
-                    })?;
-                    (!pair.is_unknown()).then(|| Element::new(pair))
-                })
+                let count = self.smaller(rounds.count, other.count);
+                Rounds { count, items: Rc::new(Items::Paired([rounds.items, other.items], call.clone())) }
             }
-            _ => {
-                let kind = if rounds.source.is_some() { "a slice" } else { "an iterator of which no end is known" };
+            (_, _, source) => {
+                let kind = if source.is_some() { "a slice" } else { "an iterator of which no end is known" };
                 return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS)));
             }
         };
@@ -325,7 +324,7 @@ impl Translation<'_> {
                     Some((this.answer(call, &function, item.clone())?, Value::some(item)))
                 })
             }
-            ("position", [function]) if rounds.is_whole => {
+            ("position", [function]) if rounds.items.is_whole() => {
                 let function = self.function_argument(function, 1)?;
                 self.sought(call, rounds, Value::none(), |this, item| {
                     let round = this.algebra.outside(Outside::Round(*this.kept.last()?));
@@ -368,18 +367,8 @@ impl Translation<'_> {
                     }
                     _ => (size, self.parts(slice.len, size, 0)),
                 };
-                let slice = slice.clone();
-                Value::Rounds(Rc::new(Rounds::of(count, move |this, number| {
-                    let round = this.algebra.outside(Outside::Round(number));
-                    let elements = (0..size).map(|k| {
-                        #[expect(clippy::cast_precision_loss, reason = "they are small")]
-                        let [step, k] = [step, k].map(|number| this.algebra.number(number as f64));
-                        let index = this.algebra.mul(step, round);
-                        let index = this.algebra.add(index, k);
-                        slice.element(this, index)
-                    });
-                    Some(Element::new(Value::Array(elements.collect())))
-                })))
+                let items = Rc::new(Items::Parts { slice: slice.clone(), size, step });
+                Value::Rounds(Rc::new(Rounds { count, items }))
             }),
             _ => return None,
         })
@@ -408,7 +397,7 @@ impl Translation<'_> {
     fn type_of_items(&mut self, rounds: &Rounds) -> Option<Option<String>> {
         let (frame, mark) = (self.frame.clone(), self.mark());
         let number = self.begin_kept_loop(rounds.count);
-        let item = (rounds.item)(self, number);
+        let item = self.item_of_round(&rounds.items, number);
         self.kept.pop();
         self.frame = frame;
         self.take_back(mark);

@@ -339,7 +339,8 @@ impl Translation<'_> {
         (self.is_endless, self.is_open) = (false, false);
         let value = written(self);
         let (is_endless, is_open) = (core::mem::take(&mut self.is_endless), self.is_open);
-        if !is_endless && !(is_open && self.report.count() > errors) {
+        let fails = is_open && self.report.count() > errors;
+        if !is_endless && !fails {
             return value;
         }
         self.frame = frame;

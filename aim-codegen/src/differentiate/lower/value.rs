@@ -3,9 +3,8 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
-use syn::{Expr, Member, Pat};
+use syn::{Expr, ExprMethodCall, Member, Pat};
 
-use super::Translation;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map, Quaternion};
@@ -84,19 +83,41 @@ impl core::fmt::Debug for Slice {
     }
 }
 
-/// Makes the element of a round of the loop of this number, when that is run; `None` after an error.
-pub(crate) type Item = dyn for<'a, 'b> Fn(&'a mut Translation<'b>, usize) -> Option<Element>;
-
 /// What a loop goes over that stays one.
 #[derive(Clone)]
 pub(crate) struct Rounds {
     /// How many rounds there are, also of elements that are left out.
     pub(crate) count: Scalar,
-    pub(crate) item: Rc<Item>,
+    pub(crate) items: Rc<Items>,
+}
+
+/// The elements of rounds: they are made when the loop is run.
+pub(crate) enum Items {
+    /// None that is looked at.
+    Nothing,
+    Along(Progression),
+    /// Parts of a slice, of so many elements each, each so many further on.
+    Parts {
+        slice: Rc<Slice>,
+        size: usize,
+        step: usize,
+    },
+    Numbered(Rc<Self>),
+    /// What a method makes of each by a function.
+    Made(Rc<Self>, ExprMethodCall, Rc<Callable>),
+    /// Those of two, as a method pairs them.
+    Paired([Rc<Self>; 2], ExprMethodCall),
+}
+
+impl Items {
     /// Whether none is left out.
-    pub(crate) is_whole: bool,
-    /// What it goes over as it is.
-    pub(crate) source: Option<Progression>,
+    pub(crate) fn is_whole(&self) -> bool {
+        match self {
+            Self::Nothing | Self::Along(_) | Self::Parts { .. } | Self::Paired(..) => true,
+            Self::Numbered(items) => items.is_whole(),
+            Self::Made(items, call, _) => call.method == "map" && items.is_whole(),
+        }
+    }
 }
 
 impl core::fmt::Debug for Rounds {

@@ -2,7 +2,6 @@
 //! end where control does not come, and states of all kinds.
 
 #[aim::differentiate]
-#[expect(clippy::unnecessary_wraps, reason = "each is called alike")]
 mod functions {
     use aim::glam::{DAffine3, DMat4, DVec3};
 
@@ -179,7 +178,7 @@ mod functions {
                 Mode::Off => 0.25,
             };
             m *= DMat4::from_rotation_z(x * v);
-            q = q * DAffine3::from_axis_angle(DVec3::X, y * v);
+            q *= DAffine3::from_axis_angle(DVec3::X, y * v);
         }
         r + m.transform_point3(DVec3::X).y + q.transform_point3(DVec3::Y).z
     }
