@@ -345,6 +345,7 @@ impl Translation<'_> {
     fn call_of_item(&mut self, call: &ExprCall, path: &syn::ExprPath, own: &str) -> Value {
         let several = self.functions(None, own);
         if !several.is_empty() {
+            let several: Vec<_> = several.iter().map(|function| self.with_arguments(function, &path.path)).collect();
             return self.one_of(&path.path, &several, None, &call.args);
         }
         let name = self.items.resolved(&Scope::default(), &own.split("::").map(str::to_owned).collect::<Vec<_>>());

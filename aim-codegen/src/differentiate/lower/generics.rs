@@ -85,7 +85,14 @@ impl Translation<'_> {
                 }
             }
             (Type::Path(path), value) => {
-                if let Some(name) = path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known)) {
+                if let Meaning::Own(name) = self.items.meaning(scope, &segments(&path.path))
+                    && let Some(alias) = self.items.alias(&name)
+                    && let Some(ty) = given::written_out(&alias.ty, &alias.parameters, &path.path, scope, self.items)
+                {
+                    self.match_generics(names, scope, &ty, value, found);
+                } else if let Some(name) =
+                    path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known))
+                {
                     found.push(((*name).clone(), value.clone()));
                 } else if let Value::Struct(of) = value {
                     let arguments = names::arguments(&path.path);
@@ -212,6 +219,36 @@ impl Translation<'_> {
         let mut found = Vec::new();
         self.match_arguments(&names, &function.scope, &names::arguments(&path.path), known, &mut found);
         let captured = function.captured.iter().cloned().chain(found).collect();
+        Rc::new(Callable { captured, ..(**function).clone() })
+    }
+
+    /// A function with the generic arguments that are written behind its name.
+    pub(super) fn with_arguments(&mut self, function: &Rc<Callable>, path: &syn::Path) -> Rc<Callable> {
+        let (lengths, types) = (&function.scope.lengths, &function.scope.generics);
+        let arguments = names::arguments(path);
+        if arguments.is_empty() || arguments.len() != lengths.len() + types.len() {
+            return function.clone();
+        }
+        let (mut lengths, mut types) = (lengths.iter(), types.iter());
+        let mut captured = function.captured.clone();
+        for argument in arguments {
+            let length = match argument {
+                GenericArgument::Const(length) => self.length_of(length),
+                // So is the name of a constant read.
+                GenericArgument::Type(Type::Path(name)) if lengths.len() > 0 => {
+                    self.length_of(&syn::parse_quote!(#name))
+                }
+                _ => Value::Unknown,
+            };
+            let (name, value) = match argument {
+                GenericArgument::Type(ty) if length.is_unknown() => {
+                    let named = self.expected(ty).name().map(|name| Value::Type(name.to_owned()));
+                    (types.next(), named.unwrap_or(Value::Unknown))
+                }
+                _ => (lengths.next(), length),
+            };
+            captured.extend(name.filter(|_| !value.is_unknown()).map(|name| (name.clone(), value)));
+        }
         Rc::new(Callable { captured, ..(**function).clone() })
     }
 }

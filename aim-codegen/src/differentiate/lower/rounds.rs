@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::outside::{At, Outside};
-use super::value::{Callable, Element, Items, Progression, Rounds, Slice, Value};
+use super::value::{Callable, Element, Items, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
 
@@ -24,6 +24,7 @@ const METHODS: &[&str] = &[
     "get",
     "windows",
     "chunks_exact",
+    "chunks",
     "iter",
     "copied",
     "cloned",
@@ -31,6 +32,8 @@ const METHODS: &[&str] = &[
     "map",
     "filter",
     "filter_map",
+    "take_while",
+    "map_while",
     "zip",
     "rev",
     "skip",
@@ -65,86 +68,116 @@ impl Slice {
     }
 }
 
-impl Progression {
-    /// first + step k
-    fn at(&self, a: &mut Algebra, k: Scalar) -> Scalar {
-        let step = a.number(self.step);
-        let more = a.mul(step, k);
-        a.add(self.first, more)
-    }
-}
-
 impl Rounds {
-    /// Over the elements of a slice.
-    pub(super) fn over(a: &mut Algebra, slice: Rc<Slice>) -> Self {
-        let (first, count) = (a.number(0.0), slice.len);
-        Self::along(count, Progression { slice: Some(slice), first, step: 1.0 })
+    pub(super) fn of(count: Scalar, items: Items) -> Self {
+        Self { count, items: Rc::new(items) }
     }
 
-    pub(super) fn along(count: Scalar, progression: Progression) -> Self {
-        Self { count, items: Rc::new(Items::Along(progression)) }
+    /// Over the elements of a slice.
+    pub(super) fn over(slice: Rc<Slice>) -> Self {
+        Self::of(slice.len, Items::Elements(slice))
     }
 
     /// Until something else ends them.
     pub(super) fn without_end(a: &mut Algebra) -> Self {
-        Self { count: a.number(f64::INFINITY), items: Rc::new(Items::Nothing) }
+        Self::of(a.number(f64::INFINITY), Items::Nothing)
     }
+
+    /// As many of the numbers first + step k.
+    pub(super) fn stepped(self, count: Scalar, first: Scalar, step: f64) -> Self {
+        Self::of(count, Items::Stepped { items: self.items, first, step })
+    }
+}
+
+/// first + step k
+fn stepped(a: &mut Algebra, first: Scalar, step: f64, k: Scalar) -> Scalar {
+    let step = a.number(step);
+    let more = a.mul(step, k);
+    a.add(first, more)
 }
 
 impl Translation<'_> {
     /// The element of a round of the loop of this number; `None` after an error.
     pub(super) fn item_of_round(&mut self, items: &Items, number: usize) -> Option<Element> {
         let round = self.algebra.outside(Outside::Round(number));
+        self.item_at(items, round)
+    }
+
+    fn item_at(&mut self, items: &Items, index: Scalar) -> Option<Element> {
         let value = match items {
             Items::Nothing => Value::nothing(),
-            Items::Along(progression) => {
-                let index = progression.at(self.algebra, round);
-                match &progression.slice {
-                    Some(slice) => slice.element(self, index),
-                    None => Value::Integer(index),
-                }
-            }
+            Items::Numbers => Value::Integer(index),
+            Items::Elements(slice) => slice.element(self, index),
             Items::Parts { slice, size, step } => {
+                let zero = self.algebra.number(0.0);
+                #[expect(clippy::cast_precision_loss, reason = "they are small")]
+                let first = stepped(self.algebra, zero, *step as f64, index);
                 let elements = (0..*size).map(|k| {
                     #[expect(clippy::cast_precision_loss, reason = "they are small")]
-                    let [step, k] = [*step, k].map(|number| self.algebra.number(number as f64));
-                    let first = self.algebra.mul(step, round);
+                    let k = self.algebra.number(k as f64);
                     let index = self.algebra.add(first, k);
                     slice.element(self, index)
                 });
                 Value::Array(elements.collect())
             }
-            Items::Numbered(items) => {
-                Value::Tuple(vec![Value::Integer(round), self.item_of_round(items, number)?.value])
+            Items::Chunks { slice, size } => {
+                let first = self.algebra.mul(*size, index);
+                let left = self.algebra.sub(slice.len, first);
+                let len = self.smaller(*size, left);
+                Value::Slice(Rc::new(slice.part(self.algebra, first, len)))
             }
+            // Elements that are passed over are made, too.
+            Items::Stepped { items, first, step } => {
+                let index = stepped(self.algebra, *first, *step, index);
+                let made = |this: &mut Self| Some(this.item_at(items, index)?.value);
+                match items.made_by() {
+                    Some(call) => self.without_effect(call, made)?,
+                    None => made(self)?,
+                }
+            }
+            Items::Numbered(items) => Value::Tuple(vec![Value::Integer(index), self.item_at(items, index)?.value]),
             Items::Made(items, call, function) => {
-                let item = self.item_of_round(items, number)?;
+                let item = self.item_at(items, index)?;
                 return self.made_item(item, call, function);
             }
             // Which of them is asked once more than it has elements is not told apart.
             Items::Paired(both, call) => self.without_effect(call, |this| {
-                let [one, other] = [&both[0], &both[1]].map(|items| this.item_of_round(items, number));
+                let [one, other] = [&both[0], &both[1]].map(|items| this.item_at(items, index));
                 Some(Value::Tuple(vec![one?.value, other?.value]))
             })?,
         };
         (!value.is_unknown()).then(|| Element::new(value))
     }
 
-    /// What `map`, `filter` or `filter_map` makes of an element; `None` after an error.
+    /// What `map`, `filter`, `take_while` and the like make of an element; `None` after an error.
     fn made_item(&mut self, item: Element, call: &ExprMethodCall, function: &Rc<Callable>) -> Option<Element> {
         let Element { is_there, value } = item.clone();
         let made = self.under(call, &is_there, |this| this.inline(&call.method, function, vec![value]));
-        match made {
-            value if call.method == "map" => (!value.is_unknown()).then_some(Element { is_there, value }),
-            Value::Truth(holds) => Some(item.where_too(holds)),
-            Value::Optional(made) => {
-                Some(Element { is_there: is_there.and(made.is_some.clone()), value: made.value.clone() })
-            }
+        let (holds, value) = match made {
+            value if call.method == "map" => return (!value.is_unknown()).then_some(Element { is_there, value }),
+            Value::Truth(holds) => (holds, item.value),
+            Value::Optional(made) => (made.is_some.clone(), made.value.clone()),
             other => {
                 self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
-                None
+                return None;
             }
+        };
+        if call.method.to_string().ends_with("_while") {
+            let ends = is_there.clone().and(holds.clone().not());
+            self.leave_loop(call, ends, |_| {});
         }
+        Some(Element { is_there: is_there.and(holds), value })
+    }
+
+    /// Leaves the innermost loop where a condition holds, after something is done there.
+    fn leave_loop(&mut self, call: &ExprMethodCall, holds: Condition, act: impl FnOnce(&mut Self)) -> Value {
+        let whole = Target::Loop(self.frame.loops() - 1);
+        let end = |this: &mut Self| {
+            act(this);
+            this.frame.exit(whole, Value::nothing());
+            Value::Never
+        };
+        self.branch(&call.method, Some(holds), end, |_| Value::nothing())
     }
 
     /// Where an element is.
@@ -200,7 +233,7 @@ impl Translation<'_> {
                 if let Some(value) = self.slice_method(slice, &name, &arguments) {
                     return value;
                 }
-                Rounds::over(self.algebra, slice.clone())
+                Rounds::over(slice.clone())
             }
             (Value::Rounds(rounds), ..) => (**rounds).clone(),
             _ => return None,
@@ -210,56 +243,54 @@ impl Translation<'_> {
         if consumed.is_some() || self.report.count() > errors {
             return consumed;
         }
-        let source = if let Items::Along(progression) = &*rounds.items { Some(progression.clone()) } else { None };
-        let is_whole = rounds.items.is_whole();
-        let made = match (name.as_str(), arguments.as_slice(), source) {
-            ("iter" | "into_iter" | "copied" | "cloned" | "clone", [], _) => rounds,
-            ("enumerate", [], _) if is_whole => Rounds { items: Rc::new(Items::Numbered(rounds.items)), ..rounds },
-            ("map" | "filter" | "filter_map", [function], _) => {
+        let (is_whole, is_indexed) = (rounds.items.is_whole(), rounds.items.is_indexed());
+        let made = match (name.as_str(), arguments.as_slice()) {
+            ("iter" | "into_iter" | "copied" | "cloned" | "clone", []) => rounds,
+            ("enumerate", []) if is_whole => Rounds::of(rounds.count, Items::Numbered(rounds.items)),
+            ("map" | "filter" | "filter_map" | "take_while" | "map_while", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                Rounds { items: Rc::new(Items::Made(rounds.items, call.clone(), function)), ..rounds }
+                Rounds::of(rounds.count, Items::Made(rounds.items, call.clone(), function))
             }
-            ("rev", [], Some(source)) => {
-                let a = &mut *self.algebra;
-                let one = a.number(1.0);
-                let last = a.sub(rounds.count, one);
-                let first = source.at(a, last);
-                Rounds::along(rounds.count, Progression { first, step: -source.step, ..source })
+            ("rev", []) if is_indexed => {
+                let (count, one) = (rounds.count, self.algebra.number(1.0));
+                let last = self.algebra.sub(count, one);
+                rounds.stepped(count, last, -1.0)
             }
-            ("skip", [count], Some(source)) => {
-                let count = self.count(count)?;
-                let first = source.at(self.algebra, count);
-                Rounds::along(self.algebra.sub(rounds.count, count), Progression { first, ..source })
+            ("skip", [count]) if is_indexed => {
+                let first = self.count(count)?;
+                let count = self.algebra.sub(rounds.count, first);
+                rounds.stepped(count, first, 1.0)
             }
-            ("step_by", [count], Some(source)) => {
-                let Some(size) = self.known_count(count)?.checked_sub(1) else {
+            ("step_by", [count]) if is_indexed => {
+                let Some(more) = self.known_count(count)?.checked_sub(1) else {
                     return Some(self.refuse(*count, messages::index_outside("a loop")));
                 };
-                let count = self.parts(rounds.count, size + 1, size);
+                let step = more + 1;
+                let (count, zero) = (self.parts(rounds.count, step, more), self.algebra.number(0.0));
                 #[expect(clippy::cast_precision_loss, reason = "it is small")]
-                let step = source.step * (size + 1) as f64;
-                Rounds::along(count, Progression { step, ..source })
+                rounds.stepped(count, zero, step as f64)
             }
-            ("take", [count], _) if is_whole => {
+            ("take", [count]) if is_whole => {
                 let count = self.count(count)?;
                 Rounds { count: self.smaller(rounds.count, count), ..rounds }
             }
-            ("zip", [other], _) if is_whole => {
+            ("zip", [other]) if is_whole => {
                 let other = match strip(other) {
                     Expr::Range(range) if range.end.is_none() => None,
                     other => Some(self.expression(other)),
                 };
                 let other = match other {
-                    Some(Value::Slice(slice)) => Rounds::over(self.algebra, slice),
+                    Some(Value::Slice(slice)) => Rounds::over(slice),
                     Some(Value::Rounds(other)) if other.items.is_whole() => (*other).clone(),
                     Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
                     None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
                 };
                 let count = self.smaller(rounds.count, other.count);
-                Rounds { count, items: Rc::new(Items::Paired([rounds.items, other.items], call.clone())) }
+                Rounds::of(count, Items::Paired([rounds.items, other.items], call.clone()))
             }
-            (_, _, source) => {
-                let kind = if source.is_some() { "a slice" } else { "an iterator of which no end is known" };
+            _ => {
+                let of_slice = matches!(*rounds.items, Items::Elements(_));
+                let kind = if of_slice { "a slice" } else { "an iterator of which no end is known" };
                 return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS)));
             }
         };
@@ -367,8 +398,15 @@ impl Translation<'_> {
                     }
                     _ => (size, self.parts(slice.len, size, 0)),
                 };
-                let items = Rc::new(Items::Parts { slice: slice.clone(), size, step });
-                Value::Rounds(Rc::new(Rounds { count, items }))
+                Value::Rounds(Rc::new(Rounds::of(count, Items::Parts { slice: slice.clone(), size, step })))
+            }),
+            ("chunks", [size]) => self.count(size).map(|size| {
+                let a = &mut *self.algebra;
+                let less = a.sub(size, one);
+                let count = a.add(slice.len, less);
+                let count = a.div(count, size);
+                let count = a.call(Function::Floor, count);
+                Value::Rounds(Rc::new(Rounds::of(count, Items::Chunks { slice: slice.clone(), size })))
             }),
             _ => return None,
         })
@@ -396,6 +434,7 @@ impl Translation<'_> {
     #[expect(clippy::option_option, reason = "a type without a name is no error")]
     fn type_of_items(&mut self, rounds: &Rounds) -> Option<Option<String>> {
         let (frame, mark) = (self.frame.clone(), self.mark());
+        self.frame.begin(Target::Loop(self.frame.loops()), None);
         let number = self.begin_kept_loop(rounds.count);
         let item = self.item_of_round(&rounds.items, number);
         self.kept.pop();
@@ -448,13 +487,7 @@ impl Translation<'_> {
     ) -> Value {
         self.with_variable(call, rounds, start, |this, variable, item| {
             let Some((holds, found)) = ask(this, item) else { return Value::Unknown };
-            let whole = Target::Loop(this.frame.loops() - 1);
-            let end = |this: &mut Self| {
-                this.frame.assign(variable, found);
-                this.frame.exit(whole, Value::nothing());
-                Value::Never
-            };
-            this.branch(&call.method, Some(holds), end, |_| Value::nothing())
+            this.leave_loop(call, holds, |this| this.frame.assign(variable, found))
         })
     }
 

@@ -278,7 +278,7 @@ impl Translation<'_> {
         }
         let kind = over.describe();
         let over = match over {
-            Value::Slice(slice) => Value::Rounds(Rc::new(Rounds::over(self.algebra, slice))),
+            Value::Slice(slice) => Value::Rounds(Rc::new(Rounds::over(slice))),
             over => over,
         };
         if let Value::Rounds(rounds) = &over {

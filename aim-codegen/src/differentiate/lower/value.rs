@@ -91,16 +91,28 @@ pub(crate) struct Rounds {
     pub(crate) items: Rc<Items>,
 }
 
-/// The elements of rounds: they are made when the loop is run.
+/// The elements of rounds, by number: they are made when the loop is run.
 pub(crate) enum Items {
     /// None that is looked at.
     Nothing,
-    Along(Progression),
+    Numbers,
+    Elements(Rc<Slice>),
     /// Parts of a slice, of so many elements each, each so many further on.
     Parts {
         slice: Rc<Slice>,
         size: usize,
         step: usize,
+    },
+    /// The same, each behind the other, the last one as long as there are elements left.
+    Chunks {
+        slice: Rc<Slice>,
+        size: Scalar,
+    },
+    /// Those of the numbers first + step k.
+    Stepped {
+        items: Rc<Self>,
+        first: Scalar,
+        step: f64,
     },
     Numbered(Rc<Self>),
     /// What a method makes of each by a function.
@@ -112,10 +124,30 @@ pub(crate) enum Items {
 impl Items {
     /// Whether none is left out.
     pub(crate) fn is_whole(&self) -> bool {
+        self.are_all(&|name| name == "map" || name.ends_with("_while"))
+    }
+
+    /// Whether each is there by itself, whatever those before it are.
+    pub(crate) fn is_indexed(&self) -> bool {
+        self.are_all(&|name| name == "map")
+    }
+
+    /// The method that makes each by a function.
+    pub(crate) fn made_by(&self) -> Option<&ExprMethodCall> {
         match self {
-            Self::Nothing | Self::Along(_) | Self::Parts { .. } | Self::Paired(..) => true,
-            Self::Numbered(items) => items.is_whole(),
-            Self::Made(items, call, _) => call.method == "map" && items.is_whole(),
+            Self::Stepped { items, .. } | Self::Numbered(items) => items.made_by(),
+            Self::Made(_, call, _) => Some(call),
+            _ => None,
+        }
+    }
+
+    /// Whether all methods that make elements are such.
+    fn are_all(&self, such: &dyn Fn(&str) -> bool) -> bool {
+        match self {
+            Self::Nothing | Self::Numbers | Self::Elements(_) | Self::Parts { .. } | Self::Chunks { .. } => true,
+            Self::Stepped { items, .. } | Self::Numbered(items) => items.are_all(such),
+            Self::Made(items, call, _) => such(&call.method.to_string()) && items.are_all(such),
+            Self::Paired(both, _) => both.iter().all(|items| items.are_all(such)),
         }
     }
 }
@@ -124,14 +156,6 @@ impl core::fmt::Debug for Rounds {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Rounds").field("count", &self.count).finish_non_exhaustive()
     }
-}
-
-/// Whole numbers at even steps, or the elements of a slice that have them.
-#[derive(Clone)]
-pub(crate) struct Progression {
-    pub(crate) slice: Option<Rc<Slice>>,
-    pub(crate) first: Scalar,
-    pub(crate) step: f64,
 }
 
 /// Columns of as many numbers.

@@ -98,6 +98,25 @@ mod functions {
         sum + ends * numbers.get(2).copied().unwrap_or(k * k)
     }
 
+    /// Pairs by a shifted number, blocks of any size, and a beginning.
+    #[differentiate(wrt(a))]
+    pub(super) fn blocks(a: f64, numbers: &[f64], size: usize) -> f64 {
+        let mut sum = 0.0;
+        for (i, x) in numbers.iter().enumerate() {
+            for (j, y) in numbers.iter().enumerate().skip(i + 1) {
+                sum += (x * a - y).powi(2) * (j - i) as f64;
+            }
+        }
+        for block in numbers.chunks(size.max(1)) {
+            let mean = block.iter().sum::<f64>() / block.len() as f64;
+            sum += block.iter().map(|x| (x - mean * a).powi(2)).sum::<f64>() * block[0];
+        }
+        let turned = numbers.iter().map(|x| x * a).rev().enumerate().step_by(2);
+        let begins = numbers.iter().take_while(|x| **x * a < 1.5).map(|x| x * a).sum::<f64>();
+        let roots = numbers.iter().map_while(|x| if *x > -0.9 { Some((x + 1.0).ln() * a) } else { None });
+        sum + turned.map(|(k, x)| k as f64 * x.sin()).sum::<f64>() + begins + roots.fold(a, |t, x| t * 0.5 + x)
+    }
+
     /// Rounds that begin with what the loop inside of the one before has left, and two loops in a round.
     #[differentiate(wrt(gain, bias))]
     pub(super) fn layers(gain: f64, bias: f64, weights: &[f64], depth: usize) -> [f64; 2] {
@@ -332,6 +351,11 @@ fn as_long_as_it_takes_inside() {
 fn ways_along_a_slice() {
     let numbers = [0.5, 0.25, -1.0, 2.0, -0.75, 0.125];
     for n in 0..=numbers.len() {
+        for (a, size) in [(-1.4, 1), (0.35, 2), (0.8, 4), (2.3, 9), (4.2, 3)] {
+            let (value, (slope,)) = functions::blocks_gradient(a, &numbers[..n], size);
+            assert_near(value, functions::blocks(a, &numbers[..n], size));
+            assert_near(slope, difference(|a| functions::blocks(a, &numbers[..n], size), a));
+        }
         for a in [-1.5, -0.1, 0.35, 0.8, 2.3, 4.2] {
             let (value, (slope,)) = functions::sought_gradient(a, &numbers[..n]);
             assert_near(value, functions::sought(a, &numbers[..n]));

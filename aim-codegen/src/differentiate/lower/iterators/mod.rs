@@ -13,7 +13,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::value::{Element, Optional, Progression, Rounds, Value};
+use super::value::{Element, Items, Optional, Rounds, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
@@ -217,7 +217,7 @@ impl Translation<'_> {
             let (a, one) = (&mut *self.algebra, if is_closed { 1.0 } else { 0.0 });
             let (count, more) = (a.sub(last, first), a.number(one));
             let count = a.add(count, more);
-            return Value::Rounds(Rc::new(Rounds::along(count, Progression { slice: None, first, step: 1.0 })));
+            return Value::Rounds(Rc::new(Rounds::of(count, Items::Numbers).stepped(count, first, 1.0)));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
         let mut items = Vec::new();

@@ -524,6 +524,19 @@ same! {
             sum([x, y]) + halves([x, y, 1.0, 2.0], 2) + p.at(0.5) + q.at(x) + r.at(y) + m[2][1] + m[0][0] + w.call(x) + d
         }
     }
+    generics_as_written {
+        type Row<const N: usize> = [f64; N];
+        type Matrix<const N: usize> = [Row<N>; N];
+        const MORE: usize = 4;
+        fn norm<const N: usize>(a: &Row<N>) -> f64 { (0..N).map(|i| a[i] * a[i]).sum() }
+        fn corners<const N: usize>(a: &Matrix<N>) -> f64 { let mut l = [[0.0; N]; N]; l[0][N - 1] = a[0][0]; l[0][N - 1] + a[N - 1][0] }
+        fn powers<const N: usize>(x: f64) -> f64 { (0..N).map(|i| x.powi(i as i32)).sum() }
+        fn repeated<T: Copy, const K: usize>(x: T) -> f64 { let y = [x; K]; y.len() as f64 }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let sums = powers::<3>(x) + powers::<MORE>(y) + powers::<{ MORE + 1 }>(x);
+            norm(&[x, y, 1.0]) + corners(&[[x, 2.0], [y, x * y]]) + sums + repeated::<f64, 2>(x) + x * repeated::<_, MORE>(y)
+        }
+    }
     generics_by_results {
         struct Matrix<const R: usize, const C: usize> { data: [[f64; C]; R] }
         impl<const R: usize, const C: usize> Matrix<R, C> {
