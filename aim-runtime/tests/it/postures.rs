@@ -3,8 +3,8 @@
 
 use crate::common::*;
 use crate::natural::{at, thug};
-use aim_runtime::glam::{Mat3A, Vec3};
-use aim_runtime::{Joint, Pose, Role};
+use aim_runtime::glam::{Mat3A, Quat, Vec3};
+use aim_runtime::{Joint, Pose, Role, Status};
 
 /// The heading of a target near the zenith says little: the head looks up rather than aside, whichever side the target passes
 /// on, and a target that moves a little turns it little.
@@ -181,4 +181,26 @@ fn looking(side_deg: f32, heading_deg: f32, pitch_deg: f32) -> (NumericRig, f32)
     rig.snap(&Pose::new(pose), at(heading_deg, pitch_deg));
     let roll = roll_of(&rig, side_deg);
     (rig, roll)
+}
+
+/// A chest that faces the ground, as one that crouches, has its front where its up leads, whichever way its forward happens to
+/// point: to either side the head has as much room, and the chest does not roll it.
+#[test]
+fn a_chest_that_faces_the_ground_has_its_front_ahead() {
+    let [ahead, up] = [Vec3::Z, Vec3::Y];
+    for yaw in [-25.0, 0.0, 25.0_f32] {
+        let turn =
+            Quat::from_axis_angle(up.cross(ahead).normalize(), 80.0 * DEG) * Quat::from_axis_angle(up, yaw * DEG);
+        assert!((turn * ahead).dot(up) < -0.85, "it faces the ground");
+        for heading in [-80.0, 80.0_f32] {
+            let mut rig = thug();
+            let mut pose = upright(&rig);
+            pose[2].matrix3 = Mat3A::from_quat(turn) * pose[2].matrix3;
+            let outcome = rig.snap(&Pose::new(&pose).with_up(up), at(heading, 5.0));
+            assert_ne!(outcome.status, Status::AtLimit, "{yaw}°, {heading}°");
+            assert!(outcome.remaining < 0.1 * DEG, "{yaw}°, {heading}°: {}° off", outcome.remaining / DEG);
+            let chest = rig.joints[2].heading() / DEG;
+            assert!(chest.abs() < 2.0, "{yaw}°, {heading}°: the chest turns by {chest}°");
+        }
+    }
 }

@@ -5,7 +5,7 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, pair, square};
-use super::region::calm;
+use super::region::{Region, calm};
 use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
 use crate::kinematics::bearing::BY_THE_FRONT_RAD;
 use crate::limits::Interval;
@@ -248,7 +248,23 @@ impl<const C: usize> Gaze<'_, C> {
             let rest = way.x - self.turn_axis::<HEADING>(wanted + more.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
+        let (_, inner) = self.regions.split_last().unwrap_or((&Region::NONE, &[]));
+        if inner.iter().any(Region::is_steep) {
+            self.raise(&mut directions);
+        }
         (directions, unfit)
+    }
+
+    /// Turns what is steep towards its front as it is raised.
+    #[cold]
+    #[inline(never)]
+    fn raise(&self, directions: &mut [Pair]) {
+        let inner = self.regions.len() - 1;
+        for (region, direction) in self.regions[..inner].iter().zip(directions) {
+            if region.is_steep() {
+                *direction = region.raised(&self.body.frames[region.part.outer], self.bearings, *direction);
+            }
+        }
     }
 
     /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns

@@ -1,6 +1,8 @@
 //! [`Region`]: neighbouring joints of one part of the body, which share a turn.
 
-use glam::{Vec3A, Vec4, Vec4Swizzles};
+use core::f32::consts::PI;
+
+use glam::{Mat3A, Vec3A, Vec4, Vec4Swizzles};
 
 use super::body::Body;
 use super::glide::{Pair, pair};
@@ -14,6 +16,16 @@ use crate::rig::BodyPart;
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn calm(aside: f32) -> f32 {
     1.0 + 8.0 * aside * aside
+}
+
+/// Between these elevations, up or down, the front of a region comes to be told by its up instead of its forward.
+const FACING_RAD: [f32; 2] = [45.0 * PI / 180.0, 60.0 * PI / 180.0];
+/// Between these, what lies comes to turn about a level axis.
+const LEVEL_AXIS_RAD: [f32; 2] = [45.0 * PI / 180.0, 75.0 * PI / 180.0];
+
+/// The part of the way from the one end to the other.
+fn ramp(x: f32, [from, to]: [f32; 2]) -> f32 {
+    ((x - from) / (to - from)).at_least(0.0).at_most(1.0)
 }
 
 /// A part of the body in a pose.
@@ -45,6 +57,39 @@ impl Region<'_> {
         lo: Vec4::ZERO,
         hi: Vec4::ZERO,
     };
+
+    /// The heading of its front where the forward is steep, by its up: of one that is pitched by ε that is f·cos ε − u·sin ε.
+    #[cold]
+    #[inline(never)]
+    fn facing(&self, frame: &Mat3A, bearings: &Bearings) -> f32 {
+        let (sin, cos) = trig::sin_cos(self.animated.y);
+        let front = bearings.angles(frame.x_axis * cos - frame.z_axis * sin);
+        let off = math::wrap_pi(front.x - self.animated.x);
+        self.animated.x + off * ramp(self.animated.y.abs(), FACING_RAD)
+    }
+
+    /// The part that is left of the heading's room: what is steep turns about a level axis, which rolls what is carried.
+    #[cold]
+    #[inline(never)]
+    fn heading_room(&self) -> f32 {
+        1.0 - ramp(self.animated.y.abs(), LEVEL_AXIS_RAD)
+    }
+
+    /// Whether its forward is so steep that its heading says little of its front.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn is_steep(&self) -> bool {
+        self.animated.y.abs() > FACING_RAD[0]
+    }
+
+    /// The direction of a forward that is steep, raised as much by a pitch alone, and turned.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn raised(&self, frame: &Mat3A, bearings: &Bearings, direction: Pair) -> Pair {
+        let (sin, cos) = trig::sin_cos(direction.y - self.animated.y);
+        let pitched = bearings.angles(frame.x_axis * cos + frame.z_axis * sin);
+        let off = pair([math::wrap_pi(pitched.x - self.animated.x), pitched.y - direction.y]);
+        direction + off * ramp(self.animated.y.abs(), FACING_RAD)
+    }
 
     /// The part of the region's turn that an inner joint makes.
     ///
@@ -98,11 +143,16 @@ pub(super) fn find_regions<'a, const C: usize>(
         }
     }
     let mut inside = regions[0].animated;
-    for region in &mut regions[..parts.len()] {
+    for (number, region) in regions[..parts.len()].iter_mut().enumerate() {
         let part = region.part;
+        let mut animated = region.animated;
+        let is_steep = region.is_steep();
+        if is_steep {
+            animated.x = region.facing(&body.frames[part.outer], bearings);
+        }
         // How far the animation turns the region out of what is inside it counts too.
-        let turned = region.animated - inside;
-        inside = region.animated;
+        let turned = animated - inside;
+        inside = animated;
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
         let own = &ranges[part.outer..=part.inner];
         let [lo, hi] = Range::sums(own);
@@ -113,5 +163,9 @@ pub(super) fn find_regions<'a, const C: usize>(
         let is_room = lo.cmple(hi);
         let middle = (lo + hi) * 0.5;
         (region.lo, region.hi) = (Vec4::select(is_room, lo, middle), Vec4::select(is_room, hi, middle));
+        if is_steep && number + 1 < parts.len() {
+            let room = region.heading_room();
+            (region.lo.x, region.hi.x) = (region.lo.x * room, region.hi.x * room);
+        }
     }
 }
