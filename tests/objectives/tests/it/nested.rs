@@ -255,17 +255,9 @@ mod functions {
 }
 
 use aim::glam::DVec3;
+
+use crate::kept::{assert_near, difference};
 use functions::Part;
-
-/// (f(x + h) − f(x − h)) / 2h.
-fn difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
-    let h = 1e-6;
-    (f(x + h) - f(x - h)) / (2.0 * h)
-}
-
-fn assert_near(found: f64, expected: f64) {
-    assert!((found - expected).abs() < 1e-7 * (1.0 + expected.abs()), "{found}, expected {expected}");
-}
 
 #[test]
 fn every_pair() {
