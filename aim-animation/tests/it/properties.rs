@@ -12,16 +12,19 @@ use proptest::prelude::*;
 use crate::common::Rng;
 use crate::reducing::{any_clip, any_skeleton, error};
 
-fn any_float() -> impl Strategy<Value = f32> {
+// On the heap: what proptest makes of many of these does not fit on a thread's stack, and takes long to compile.
+fn any_float() -> BoxedStrategy<f32> {
     prop_oneof![any::<u32>().prop_map(f32::from_bits), -2.0_f32..2.0, Just(0.0), Just(f32::NAN), Just(f32::INFINITY)]
+        .boxed()
 }
 
-fn any_transform() -> impl Strategy<Value = Transform> {
-    prop::array::uniform10(any_float()).prop_map(|n| Transform {
+fn any_transform() -> BoxedStrategy<Transform> {
+    let transform = |n: [f32; 10]| Transform {
         translation: Vec3::from_slice(&n),
         rotation: Quat::from_slice(&n[3..]),
         scale: Vec3::from_slice(&n[7..]),
-    })
+    };
+    prop::array::uniform10(any_float()).prop_map(transform).boxed()
 }
 
 fn is_unit(rotation: Quat) -> bool {
@@ -165,7 +168,7 @@ proptest! {
 }
 
 /// Trees of every kind of node; weights and places are inputs 0 to 5.
-fn any_tree() -> impl Strategy<Value = Node> {
+fn any_tree() -> BoxedStrategy<Node> {
     let leaf = (0_usize..4).prop_map(Node::source);
     leaf.prop_recursive(5, 40, 4, |inner| {
         let weighted = (inner.clone(), 0_usize..6).prop_map(|(node, input)| (node, Parameter::Input(input)));
@@ -192,6 +195,7 @@ fn any_tree() -> impl Strategy<Value = Node> {
             }),
         ]
     })
+    .boxed()
 }
 
 fn masked(node: Node, weight: Option<f32>) -> Node {

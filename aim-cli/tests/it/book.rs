@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use aim_character::{Mannequin, Vrm, mannequin};
 
 use crate::common::gltf::{put_together, take_apart};
-use crate::common::{Place, bundled_rigs};
+use crate::common::{Place, bundled_rigs, in_full};
 
 /// Commands that pages show and this test does not run: the beginning of the line, and what does.
 const ELSEWHERE: &[(&str, &str)] = &[
@@ -113,7 +113,8 @@ fn place_of_a_user() -> Place {
 #[test]
 fn every_command_of_a_page_runs() {
     let (mut ran, mut known) = (0, vec![false; ELSEWHERE.len()]);
-    for page in pages() {
+    // By default every third page.
+    for page in pages().into_iter().step_by(if in_full() { 1 } else { 3 }) {
         let text = fs::read_to_string(&page).expect("a page is text");
         let commands = commands(&text);
         if commands.is_empty() {
@@ -144,8 +145,8 @@ fn every_command_of_a_page_runs() {
             ran += 1;
         }
     }
-    assert!(ran >= 15, "{ran} commands");
+    assert!(ran >= if in_full() { 15 } else { 5 }, "{ran} commands");
     for ((begins, _), is_known) in ELSEWHERE.iter().zip(known) {
-        assert!(is_known, "no page shows `{begins}` any more");
+        assert!(is_known || !in_full(), "no page shows `{begins}` any more");
     }
 }

@@ -383,13 +383,3 @@ rules! {
     /// operations.
     MATRIX = "a quaternion as a matrix": Components;
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn every_rule_says_why() {
-        for rule in super::all() {
-            assert!(rule.why.ends_with('.') && rule.why.len() > 40, "{rule}: {}", rule.why);
-        }
-    }
-}

@@ -1,6 +1,7 @@
-//! The paper's appendix, random statements over every kind of node, selects, and deep expressions.
+//! The paper's appendix, random statements over every kind of node, selects, deep expressions, and single rules.
 
 mod deep;
 mod paper;
 mod random;
+mod rules;
 mod selects;

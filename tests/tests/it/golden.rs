@@ -10,7 +10,7 @@ use std::{env, fs};
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::{declare, kernels};
 use aim_tests::rigs;
-use aim_tests::scale::in_full;
+use aim_tests::scale::sampled;
 
 /// Where the second process writes what it expanded.
 const SECOND_PROCESS: &str = "AIM_EXPANSIONS_TO";
@@ -79,7 +79,7 @@ fn everything() -> String {
         ($name:ident $($declaration:tt)*) => { all += &expansion(stringify!($($declaration)*)); };
     }
     aim_tests::declarations!(append);
-    for spec in rigs::rigs().into_iter().step_by(if in_full() { 1 } else { 5 }) {
+    for spec in sampled(rigs::rigs()) {
         let kernels = kernels(&spec);
         let rig = Rig { spec: &spec, kernels: &kernels };
         let item = emit::rust::Item::of(&spec, quote::quote!(::aim));

@@ -9,7 +9,7 @@ use aim_codegen::emit::{self, Rig};
 use aim_codegen::objective::functions;
 use aim_codegen::{Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Count, Program};
-use aim_tests::scale::in_full;
+use aim_tests::scale::sampled;
 use aim_tests::{c, rigs, wgsl};
 use syn::visit::{self, Visit};
 use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
@@ -18,10 +18,9 @@ use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
 static RIGS: LazyLock<Vec<(RigSpec, Vec<Kernel>)>> =
     LazyLock::new(|| all_rigs().into_iter().map(|spec| (spec.clone(), kernels(&spec))).collect());
 
-/// The rigs of every convention, and those with every setting that a declaration may have. By default every third of the
-/// former, so that chains of every length are among them.
+/// The rigs of every convention, or those sampled of them, and those with every setting that a declaration may have.
 fn all_rigs() -> Vec<RigSpec> {
-    let mut all: Vec<RigSpec> = rigs::rigs().into_iter().step_by(if in_full() { 1 } else { 3 }).collect();
+    let mut all: Vec<RigSpec> = sampled(rigs::rigs()).collect();
     macro_rules! push {
         ($name:ident $($declaration:tt)*) => {
             let item = syn::parse_str(stringify!(#[derive(AimRig)] $($declaration)*)).expect("it is a struct");

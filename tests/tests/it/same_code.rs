@@ -7,7 +7,7 @@ use aim_codegen::{
     AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec, declare,
 };
 use aim_tests::rigs;
-use aim_tests::scale::in_full;
+use aim_tests::scale::sampled;
 use quote::ToTokens;
 use syn::{File, Item};
 
@@ -170,7 +170,7 @@ fn of_the_bundled_rigs() {
 
 #[test]
 fn of_every_convention() {
-    for mut rig in rigs::rigs().into_iter().step_by(if in_full() { 1 } else { 4 }) {
+    for mut rig in sampled(rigs::rigs()) {
         // Left is derived from up and forward, so that neither notation can state a third vector's rounding.
         let eye = &mut rig.joints[0];
         eye.acceleration = Some(20.0);

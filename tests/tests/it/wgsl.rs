@@ -8,7 +8,7 @@ use aim_codegen::objective::functions;
 use aim_codegen::{Differentiated, Kernel, RigSpec, declare, kernels};
 use aim_symbolic::{Number, Program};
 use aim_tests::kinematics::{Case, Link, V, correct};
-use aim_tests::scale::part_of;
+use aim_tests::scale::{part_of, sampled};
 use aim_tests::wgsl::Module;
 use aim_tests::{oracle, rigs};
 
@@ -93,9 +93,9 @@ fn modules_hold_a_function_a_joint_and_two_for_the_chain() {
 
 #[test]
 fn functions_give_the_bits_of_the_interpreter() {
-    for (spec, seed) in bundled().iter().chain(&rigs::rigs()).zip(2000..) {
-        let emitted = Emitted::of(spec);
-        for case in oracle::cases(spec, seed, part_of(200)) {
+    for (spec, seed) in bundled().into_iter().chain(sampled(rigs::rigs())).zip(2000..) {
+        let emitted = Emitted::of(&spec);
+        for case in oracle::cases(&spec, seed, part_of(200)) {
             emitted.compare(&case, |name, found| {
                 assert!(found.iter().all(|x| x.is_finite()), "{name}: {found:?}");
             });
@@ -105,15 +105,15 @@ fn functions_give_the_bits_of_the_interpreter() {
 
 #[test]
 fn degenerate_targets_give_the_bits_of_the_interpreter() {
-    for (spec, seed) in bundled().iter().chain(&rigs::rigs()).zip(3000..) {
-        let emitted = Emitted::of(spec);
-        for case in oracle::cases(spec, seed, 4) {
+    for (spec, seed) in bundled().into_iter().chain(sampled(rigs::rigs())).zip(3000..) {
+        let emitted = Emitted::of(&spec);
+        for case in oracle::cases(&spec, seed, 4) {
             let at_origin = |link: &Link| Link { translation: [0.0; 3], ..*link };
             let folded = Case { links: case.links.iter().map(at_origin).collect(), target: [0.0; 3], ..case.clone() };
             emitted.compare(&folded, |name, found| {
                 assert!(found.iter().all(|&x| x == 0.0), "{name}, the target on the effector: {found:?}");
             });
-            let on_effector = Case { target: effector(spec, &case), ..case.clone() };
+            let on_effector = Case { target: effector(&spec, &case), ..case.clone() };
             emitted.compare(&on_effector, |name, found| {
                 assert!(found.iter().all(|x| x.is_finite()), "{name}, nearly on the effector: {found:?}");
             });

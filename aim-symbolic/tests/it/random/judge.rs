@@ -34,7 +34,7 @@ fn setting(name: &str) -> Option<u64> {
     std::env::var(name).ok()?.parse().ok()
 }
 
-/// Whether all cases are tested, as `.ci/run` does, or an eighth of them, as `cargo test` does by itself.
+/// Whether all cases are tested, as `.ci/run` does, or a sixteenth of them, as `cargo test` does by itself.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
@@ -55,7 +55,7 @@ pub(crate) fn smallest_failure(
     most: usize,
     test: impl Fn(&Recipe) -> Verdict,
 ) -> Result<(), (Recipe, String)> {
-    let cases = if in_full() { cases } else { cases.div_ceil(8) } * setting("AIM_RANDOM_TIMES").unwrap_or(1);
+    let cases = if in_full() { cases } else { cases.div_ceil(16) } * setting("AIM_RANDOM_TIMES").unwrap_or(1);
     let mut runner = TestRunner::new(Config {
         cases: u32::try_from(cases).expect("fewer than four billion"),
         rng_seed: RngSeed::Fixed(setting("AIM_RANDOM_SEED").unwrap_or(1)),

@@ -94,6 +94,6 @@ fn a_flipped_sign_is_noticed() {
         Ok(())
     });
     let (noticed, flipped) = (noticed.get(), flipped.get());
-    let least = if in_full() { 2_000 } else { 250 };
+    let least = if in_full() { 2_000 } else { 125 };
     assert!(flipped > least && noticed * 100 > flipped * 95, "{noticed} of {flipped} were noticed");
 }

@@ -1,0 +1,28 @@
+//! What single rules say and keep.
+
+use aim_symbolic::{Function, Graph, Program, Variable, rules};
+
+#[test]
+fn every_rule_says_why() {
+    for rule in rules::all() {
+        assert!(rule.why.ends_with('.') && rule.why.len() > 40, "{rule}: {}", rule.why);
+    }
+}
+
+/// A length that cancels stands beside one over what is positive, and no length of a vector.
+#[test]
+fn a_reciprocal_stays_below() {
+    let mut g = Graph::new();
+    let (v, [s, t]) = (g.vector_input("v"), ["s", "t"].map(|name| g.input(name)));
+    let (length, size) = (g.norm(v), g.call(Function::Exp, s));
+    let per_size = g.reciprocal(size);
+    let (y, x) = (g.mul(length, per_size), g.mul(length, t));
+    let angle = g.atan2(y, x);
+    let program = Program::derive(&g, &[angle], &[Variable::from(t)]);
+    let mut results = [0.0_f64; 2];
+    program.run(&[1.0, 2.0, 2.0, 0.3, 0.7], &mut results);
+    let y = (-0.3_f64).exp();
+    for (found, expected) in results.into_iter().zip([y.atan2(0.7), -y / (y * y + 0.49)]) {
+        assert!((found - expected).abs() < 1e-15, "{found} instead of {expected}");
+    }
+}
