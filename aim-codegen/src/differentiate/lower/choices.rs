@@ -229,6 +229,14 @@ impl Translation<'_> {
                 let ends = [&range.start, &range.end].map(Option::as_deref);
                 self.is_between(number(value), ends, &range.limits)
             }
+            Pat::Tuple(_) | Pat::Slice(_) if matches!(value, Value::Reference(_)) => {
+                let parts = self.lent_parts(value.clone());
+                if matches!(parts, Value::Reference(_)) {
+                    self.refuse(pattern, messages::pattern_of(&value.describe()));
+                    return None;
+                }
+                self.pattern(pattern, &parts)
+            }
             Pat::Tuple(tuple) => match value {
                 Value::Tuple(values) if values.len() == tuple.elems.len() => {
                     self.patterns(tuple.elems.iter().zip(values))

@@ -361,8 +361,11 @@ impl Translation<'_> {
         };
         // What is added comes before the place that it is added to, which is found once.
         let (right, has_effect) = self.tracked(|this| this.expression(&binary.right));
-        let found = if has_effect { self.still_place(&binary.left) } else { self.place(&binary.left) };
-        let Some(place) = found else { return Value::Unknown };
+        let find = if has_effect { Self::still_place } else { Self::place };
+        let place = match self.target(&binary.left, find) {
+            Ok(place) => place,
+            Err(value) => return value,
+        };
         let left = self.read(&place);
         if let Some(without) = Value::without(&[left.clone(), right.clone()]) {
             return without;

@@ -15,6 +15,19 @@ use super::value::{Place, Step, Struct, Value};
 use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
+/// The methods of an array that lend its elements or parts to be changed.
+pub(super) const LENDING: [&str; 9] = [
+    "iter_mut",
+    "first_mut",
+    "last_mut",
+    "get_mut",
+    "split_first_mut",
+    "split_last_mut",
+    "split_at_mut",
+    "chunks_mut",
+    "chunks_exact_mut",
+];
+
 impl Translation<'_> {
     /// Runs `target = value`.
     pub(super) fn assign(&mut self, target: &Expr, value: Value) -> Value {
@@ -51,14 +64,25 @@ impl Translation<'_> {
         if self.is_reference(target) {
             return self.refuse(target, messages::rebound_reference());
         }
-        let (errors, exits) = (self.report.count(), self.frame.exits());
-        match self.place(target) {
-            // Control goes elsewhere on the way there.
-            None if self.report.count() == errors && self.frame.exits() > exits => Value::Never,
-            Some(_) if matches!(value, Value::Reference(_)) => self.refuse(target, messages::mutable_borrow()),
-            Some(place) => self.write(target, &place, value),
-            None => Value::Unknown,
+        match self.target(target, Self::place) {
+            Ok(_) if matches!(value, Value::Reference(_)) => self.refuse(target, messages::mutable_borrow()),
+            Ok(place) => self.write(target, &place, value),
+            Err(value) => value,
         }
+    }
+
+    /// The place that is assigned to; without one the value of the assignment.
+    pub(super) fn target(
+        &mut self,
+        target: &Expr,
+        find: impl FnOnce(&mut Self, &Expr) -> Option<Place>,
+    ) -> Result<Place, Value> {
+        let (errors, exits) = (self.report.count(), self.frame.exits());
+        find(self, target).ok_or_else(|| {
+            // Control goes elsewhere on the way there.
+            let leaves = self.report.count() == errors && self.frame.exits() > exits;
+            if leaves { Value::Never } else { Value::Unknown }
+        })
     }
 
     /// Gives a place a value.
@@ -95,17 +119,104 @@ impl Translation<'_> {
 
     /// `&mut target`
     pub(super) fn reference(&mut self, target: &Expr) -> Value {
-        self.place(target).map_or(Value::Unknown, |place| Value::Reference(Rc::new(place)))
+        if is_place(target) {
+            return self.place(target).map_or(Value::Unknown, |place| Value::Reference(Rc::new(place)));
+        }
+        match self.expression(target) {
+            value @ Value::Reference(_) => value,
+            value if value.is_unknown() => value,
+            // What has no name.
+            value => {
+                let variable = self.frame.depth();
+                self.frame.declare(String::new(), value);
+                Value::Reference(Rc::new(Place { variable, steps: Vec::new() }))
+            }
+        }
     }
 
     /// An iterator over references to the elements of an array that is changed; `None` if it is none.
     pub(super) fn references(&mut self, target: &Place) -> Option<Value> {
         let Value::Array(values) = self.read(target) else { return None };
-        let references = (0..values.len()).map(|index| {
-            let steps = target.steps.iter().cloned().chain([Step::Index(index)]).collect();
-            Value::Reference(Rc::new(Place { variable: target.variable, steps }))
-        });
-        Some(Value::iterator(references))
+        Some(Value::iterator((0..values.len()).map(|index| target.lent(Step::Index(index)))))
+    }
+
+    /// A method that lends elements or parts of an array to be changed; `None` if it is another one, or after an error.
+    fn lending_method(&mut self, call: &ExprMethodCall, array: &Place) -> Option<Value> {
+        let Value::Array(values) = self.read(array) else { return None };
+        let (count, name) = (values.len(), call.method.to_string());
+        let arguments: Vec<&Expr> = call.args.iter().collect();
+        let some = |value: Option<Value>| value.map_or_else(Value::none, Value::some);
+        let last = count.checked_sub(1);
+        Some(match (name.as_str(), arguments.as_slice()) {
+            ("iter_mut", []) => self.references(array)?,
+            ("first_mut", []) => some(last.map(|_| array.lent(Step::Index(0)))),
+            ("last_mut", []) => some(last.map(|last| array.lent(Step::Index(last)))),
+            ("get_mut", [index]) => match self.step(index)? {
+                Step::Index(index) => some((index < count).then(|| array.lent(Step::Index(index)))),
+                Step::Chosen(index) => {
+                    let is_some = self.is_index(index, count);
+                    Value::some_if(is_some, array.lent(Step::Chosen(index)))
+                }
+                _ => return None,
+            },
+            ("split_first_mut", []) => some(last.map(|others| {
+                Value::Tuple(vec![array.lent(Step::Index(0)), array.lent_part(1, others)])
+            })),
+            ("split_last_mut", []) => some(last.map(|last| {
+                Value::Tuple(vec![array.lent(Step::Index(last)), array.lent_part(0, last)])
+            })),
+            ("split_at_mut", [place]) => match self.known_count(place)? {
+                first if first <= count => {
+                    Value::Tuple(vec![array.lent_part(0, first), array.lent_part(first, count - first)])
+                }
+                _ => self.refuse(*place, messages::index_outside("this array")),
+            },
+            ("chunks_mut" | "chunks_exact_mut", [size]) => match self.known_count(size)? {
+                0 => self.refuse(*size, messages::index_outside("a loop")),
+                size => {
+                    let starts = (0..count).step_by(size).map(|first| (first, size.min(count - first)));
+                    let whole = starts.filter(|&(_, len)| name == "chunks_mut" || len == size);
+                    Value::iterator(whole.map(|(first, len)| array.lent_part(first, len)))
+                }
+            },
+            _ => return None,
+        })
+    }
+
+    /// The condition that a whole number is an index of so many elements.
+    fn is_index(&mut self, index: Scalar, count: usize) -> Condition {
+        let a = &mut *self.algebra;
+        let zero = a.number(0.0);
+        let is_behind = Condition::less(a, index, zero).not();
+        match a.whole(count) {
+            Value::Integer(count) => is_behind.and(Condition::less(a, index, count)),
+            _ => is_behind,
+        }
+    }
+
+    /// What a pattern of parts takes apart: of a `&mut` those to its parts.
+    pub(super) fn lent_parts(&mut self, value: Value) -> Value {
+        let Value::Reference(place) = &value else { return value };
+        match self.read(place) {
+            Value::Array(values) => {
+                Value::Array((0..values.len()).map(|index| place.lent(Step::Index(index))).collect())
+            }
+            Value::Tuple(values) => {
+                let member = |index: usize| Step::Field(syn::Member::from(index));
+                Value::Tuple((0..values.len()).map(|index| place.lent(member(index))).collect())
+            }
+            _ => value,
+        }
+    }
+
+    /// Neighbours as one: of `&mut`s to them that to the part which they are.
+    pub(super) fn joined(values: Vec<Value>) -> Value {
+        if let [Value::Reference(first), ..] = values.as_slice()
+            && let [outer @ .., Step::Index(index)] = first.steps.as_slice()
+        {
+            return Place { variable: first.variable, steps: outer.to_vec() }.lent_part(*index, values.len());
+        }
+        Value::Array(values)
     }
 
     /// The value itself, of a reference that of its place.
@@ -128,11 +239,11 @@ impl Translation<'_> {
         if let Some(value) = self.list_method(call).or_else(|| self.option_method(call)) {
             return Some(value);
         }
+        if LENDING.contains(&&*name) {
+            let place = self.still_place(&call.receiver)?;
+            return self.lending_method(call, &place);
+        }
         match (name.as_str(), arguments.as_slice()) {
-            ("iter_mut", []) => {
-                let place = self.still_place(&call.receiver)?;
-                self.references(&place)
-            }
             ("swap", [one, other]) => {
                 let array = self.still_place(&call.receiver)?;
                 let Value::Array(_) = self.read(&array) else { return None };
@@ -198,7 +309,7 @@ impl Translation<'_> {
     }
 
     /// Whether an expression is a variable that is a `&mut`.
-    fn is_reference(&self, target: &Expr) -> bool {
+    pub(super) fn is_reference(&self, target: &Expr) -> bool {
         let Expr::Path(path) = strip(target) else { return false };
         let variable = path.path.get_ident().and_then(|name| self.frame.find(&name.to_string()));
         variable.is_some_and(|variable| {
@@ -237,6 +348,25 @@ impl Translation<'_> {
         }
     }
 
+    /// The step to a part of an array, whose bounds are known; `None` after an error.
+    fn range_step(&mut self, array: &Place, range: &syn::ExprRange) -> Option<Step> {
+        let whole = self.read(array);
+        let Value::Array(values) = &whole else {
+            self.refuse_known(&whole, range, messages::no_part_to_assign(&whole.describe()));
+            return None;
+        };
+        let first = range.start.as_deref().map_or(Some(0), |start| self.known_count(start))?;
+        let end = range.end.as_deref().map_or(Some(values.len()), |end| {
+            let is_closed = matches!(range.limits, syn::RangeLimits::Closed(_));
+            Some(self.known_count(end)? + usize::from(is_closed))
+        })?;
+        if first > end || end > values.len() {
+            self.refuse(range, messages::index_outside(&whole.describe()));
+            return None;
+        }
+        Some(Step::Part { first, len: end - first })
+    }
+
     /// What this expression names; `None` after an error.
     pub(super) fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
@@ -255,8 +385,25 @@ impl Translation<'_> {
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
-                place.steps.push(self.step(&index.index)?);
+                let step = match strip(&index.index) {
+                    Expr::Range(range) => self.range_step(&place, range)?,
+                    index => self.step(index)?,
+                };
+                place.steps.push(step);
                 Some(place)
+            }
+            // `*row.last_mut()?`
+            Expr::Unary(unary)
+                if matches!(unary.op, UnOp::Deref(_))
+                    && matches!(strip(&unary.expr), Expr::MethodCall(_) | Expr::Call(_) | Expr::Try(_)) =>
+            {
+                match self.expression(&unary.expr) {
+                    Value::Reference(place) => Some((*place).clone()),
+                    value => {
+                        self.refuse_known(&value, &unary.op, messages::assigned_through_reference());
+                        None
+                    }
+                }
             }
             Expr::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
                 let place = self.place(&unary.expr)?;
@@ -292,6 +439,10 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
         Step::Field(member) => whole.field(a, &super::fields::name_of(member)),
         Step::Index(index) => whole.element(a, *index),
         Step::Chosen(index) => whole.chosen(a, *index),
+        Step::Part { first, len } => match whole {
+            Value::Array(values) => values.get(*first..first + len).map(|part| Value::Array(part.to_vec())),
+            _ => None,
+        },
     }
 }
 
@@ -301,7 +452,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
         let index = match step {
             Step::Index(index) => a.whole(*index),
             Step::Chosen(index) => Value::Integer(*index),
-            Step::Field(_) => return None,
+            Step::Field(_) | Step::Part { .. } => return None,
         };
         let Value::Integer(index) = index else { return None };
         return lists::with_ranked(a, items, index, &part);
@@ -323,7 +474,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
     };
     let place = |letters: &str| match step {
         Step::Index(index) => Some(*index),
-        Step::Chosen(_) => None,
+        Step::Chosen(_) | Step::Part { .. } => None,
         Step::Field(_) if name.len() == 1 => letters.find(&name),
         Step::Field(_) => None,
     };
@@ -360,10 +511,15 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
         (Value::Affine(m), Value::Matrix(map)) if name == "matrix3" => {
             Value::Affine(Affine { map, translation: m.translation })
         }
-        (Value::Array(values), part) => {
-            let Step::Index(index) = step else { return None };
-            Value::Array(with(values, *index, part)?)
-        }
+        (Value::Array(values), part) => match (step, part) {
+            (Step::Index(index), part) => Value::Array(with(values, *index, part)?),
+            (Step::Part { first, len }, Value::Array(part)) if part.len() == *len => {
+                let mut values = values.clone();
+                values.get_mut(*first..first + len)?.clone_from_slice(&part);
+                Value::Array(values)
+            }
+            _ => return None,
+        },
         (Value::Tuple(values), part) => Value::Tuple(with(values, name.parse().ok()?, part)?),
         (Value::Struct(of), part) => {
             let fields = of

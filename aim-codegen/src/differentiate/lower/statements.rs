@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::{Element, Rounds, Value};
+use super::value::{Element, Rounds, Step, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
@@ -130,7 +130,14 @@ impl Translation<'_> {
             _ => otherwise.clone(),
         };
         // It is assigned before it is read, or the compiler says so.
-        let value = local.init.as_ref().map_or(Value::Never, |init| self.expression_as(&init.expr, &expected));
+        let value = local.init.as_ref().map_or(Value::Never, |init| {
+            // A `&mut` by another name, or taken apart.
+            if self.is_reference(&init.expr) {
+                self.reference(&init.expr)
+            } else {
+                self.expression_as(&init.expr, &expected)
+            }
+        });
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
         }
@@ -192,6 +199,11 @@ impl Translation<'_> {
     /// Gives the names of a pattern their values.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         let value = match pattern {
+            Pat::Tuple(_) | Pat::Slice(_) => self.lent_parts(value),
+            Pat::Reference(_) => self.referenced(value),
+            _ => value,
+        };
+        let value = match pattern {
             // What is written with `into` or `from`.
             Pat::Tuple(_) => value.components(self.algebra).map_or(value, Value::Tuple),
             Pat::Slice(_) => value.components(self.algebra).map_or(value, Value::Array),
@@ -227,7 +239,10 @@ impl Translation<'_> {
             }
             Pat::Struct(of) => {
                 for field in &of.fields {
-                    let part = self.part(&value, &field.member);
+                    let part = match &value {
+                        Value::Reference(place) => place.lent(Step::Field(field.member.clone())),
+                        value => self.part(value, &field.member),
+                    };
                     self.bind(&field.pat, part);
                 }
             }
@@ -259,7 +274,7 @@ impl Translation<'_> {
         let mut values = values.into_iter();
         for pattern in patterns {
             let value = if is_rest(pattern) {
-                Value::Array(values.by_ref().take(left).collect())
+                Self::joined(values.by_ref().take(left).collect())
             } else {
                 values.next().unwrap_or(Value::Unknown)
             };

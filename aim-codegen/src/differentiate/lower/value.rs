@@ -266,6 +266,8 @@ pub(super) enum Step {
     Index(usize),
     /// An element that arguments choose.
     Chosen(Scalar),
+    /// So many elements from this one on.
+    Part { first: usize, len: usize },
 }
 
 /// A variable, or a part of one.
@@ -273,6 +275,19 @@ pub(super) enum Step {
 pub(crate) struct Place {
     pub(super) variable: usize,
     pub(super) steps: Vec<Step>,
+}
+
+impl Place {
+    /// A `&mut` to a part of it.
+    pub(super) fn lent(&self, step: Step) -> Value {
+        let steps = self.steps.iter().cloned().chain([step]).collect();
+        Value::Reference(Rc::new(Self { variable: self.variable, steps }))
+    }
+
+    /// The same to so many elements from one on.
+    pub(super) fn lent_part(&self, first: usize, len: usize) -> Value {
+        self.lent(Step::Part { first, len })
+    }
 }
 
 impl core::fmt::Debug for Place {

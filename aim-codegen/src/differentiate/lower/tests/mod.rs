@@ -2,6 +2,7 @@
 
 mod control;
 mod items;
+mod parts;
 mod sequences;
 
 use aim_symbolic::Bindings;
