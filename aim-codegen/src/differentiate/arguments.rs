@@ -1,7 +1,5 @@
 //! The function's signature: its arguments as inputs of the graph, and its result.
 
-use std::rc::Rc;
-
 use aim_symbolic::{Graph, Scalar};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -10,11 +8,11 @@ use syn::{FnArg, Pat, ReturnType, Signature};
 use super::companion::{Companion, Takes};
 use super::inputs::Inputs;
 use super::items::Items;
-use super::lower::{Algebra, Slice, Value};
+use super::lower::{Algebra, Scope, Value};
 use super::manifold::Varies;
 use super::messages;
 use super::options::{Options, Variable};
-use super::types::{Precision, Shape, Type};
+use super::types::{Precision, Shape, Type, slice_of};
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
 use crate::declare::tree::Word;
@@ -82,13 +80,7 @@ impl Arguments {
             let declared = name.as_ref().and_then(|name| sized(&typed.ty, name, options));
             let declared = declared.unwrap_or_else(|| (*typed.ty).clone());
             let variable = name.as_ref().and_then(|name| place_among(options.wrt.as_deref(), name));
-            let slice = slice_of(&declared).filter(|_| variable.is_none()).and_then(|(slice, element)| {
-                let element = Type::parse(element, items).ok().filter(|element| !element.borrowed)?;
-                let precision = element.precision;
-                let mut ty = Type::made(slice.to_token_stream(), Shape::Slice(Box::new(element)), precision);
-                ty.borrowed = true;
-                Some(ty)
-            });
+            let slice = Type::slice(&declared, &Scope::default(), items).filter(|_| variable.is_none());
             let known = if slice.is_some() {
                 slice
             } else if generic {
@@ -195,22 +187,14 @@ impl Arguments {
     /// Declares every number of the arguments as an input.
     pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
         let mut declared = Declared { values: Vec::new(), variables: Vec::new() };
-        let mut variables = Vec::new();
-        for (place, argument) in self.list.iter().enumerate() {
+        let (mut variables, mut slices) = (Vec::new(), 0);
+        for argument in &self.list {
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
             let numbers = (0..argument.ty.components()).map(|index| a.g.input(&format!("{named}_{index}")));
             let numbers: Vec<Scalar> = numbers.collect();
-            if let (Shape::Slice(element), [len]) = (&argument.ty.shape, numbers.as_slice()) {
-                a.set_extent(*len, 0.0, f64::INFINITY);
-                let (components, element) = (element.components(), element.clone());
-                let make =
-                    Rc::new(move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing).value(&element));
-                let slice = Slice { argument: place, components, make, first: a.number(0.0), len: *len };
-                declared.values.push(Value::Slice(Rc::new(slice)));
-                continue;
-            }
-            let mut inputs = Inputs::new(a, numbers, argument.varies);
+            let mut inputs = Inputs::new(a, numbers, argument.varies, slices);
             declared.values.push(inputs.value(&argument.ty));
+            slices = inputs.slices;
             let by = inputs.variables;
             by.iter().for_each(|&variable| a.differentiate_by(variable));
             if let Some(place) = argument.variable {
@@ -252,12 +236,11 @@ impl Arguments {
         declared
     }
 
-    /// A slice among the arguments: what it is called, and the type of its elements.
-    pub(super) fn slice(&self, place: usize) -> (&TokenStream, &Type) {
-        match &self.list[place] {
-            Argument { called, ty: Type { shape: Shape::Slice(element), .. }, .. } => (called, element),
-            Argument { ty, .. } => unreachable!("elements are of slices, not of {}", ty.tokens),
-        }
+    /// The slices among the arguments and their fields: what each is called, and the type of its elements.
+    pub(super) fn slices(&self) -> Vec<(TokenStream, &Type)> {
+        let mut slices = Vec::new();
+        self.list.iter().for_each(|argument| argument.ty.slices(&argument.called, &mut slices));
+        slices
     }
 
     /// The names of a companion's inputs in emitted code, in the order in which they are declared.
@@ -288,13 +271,6 @@ pub(super) fn pattern_argument(index: usize) -> Ident {
 
 fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
-}
-
-/// A slice that is borrowed, and its element.
-fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
-    let syn::Type::Reference(reference) = ty else { return None };
-    let syn::Type::Slice(slice) = &*reference.elem else { return None };
-    reference.mutability.is_none().then_some((&*reference.elem, &*slice.elem))
 }
 
 /// A slice as the array of the length that the attribute says; `None` of anything else.

@@ -34,10 +34,10 @@ impl Companions<'_> {
         let (krate, number) = (self.krate, self.number());
         let private = quote!(#krate::__private);
         let mut inputs = self.arguments.inputs(companion);
-        let (precision, slice) = (self.arguments.precision(), |place| self.arguments.slice(place));
+        let precision = self.arguments.precision();
         if let Some(derived) = derived {
             let arithmetic = (Arithmetic::Generic(&number), &private);
-            derived.kept.add_inputs(&mut inputs, arithmetic, precision, &slice);
+            derived.kept.add_inputs(&mut inputs, arithmetic, precision, &self.arguments.slices());
         }
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use aim_symbolic::{Scalar, Vector};
 use quote::ToTokens;
 
-use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Struct, TAG, Value, field_of};
+use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Slice, Struct, TAG, Value, field_of};
 use super::manifold::Varies;
 use super::types::{Shape, Type};
 
@@ -16,11 +16,13 @@ pub(super) struct Inputs<'a> {
     varies: Varies,
     /// What derivatives are taken by, in the order of its parts.
     pub(super) variables: Vec<Scalar>,
+    /// How many slices there are before, and then up to its end.
+    pub(super) slices: usize,
 }
 
 impl<'a> Inputs<'a> {
-    pub(super) fn new(a: &'a mut Algebra, numbers: Vec<Scalar>, varies: Varies) -> Self {
-        Self { a, numbers: numbers.into_iter(), varies, variables: Vec::new() }
+    pub(super) fn new(a: &'a mut Algebra, numbers: Vec<Scalar>, varies: Varies, slices: usize) -> Self {
+        Self { a, numbers: numbers.into_iter(), varies, variables: Vec::new(), slices }
     }
 
     /// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
@@ -35,6 +37,16 @@ impl<'a> Inputs<'a> {
                     _ => Condition::Known(true),
                 };
                 Value::Optional(Rc::new(Optional { is_some, value: self.value(inner) }))
+            }
+            Shape::Slice(element) => {
+                let (len, place) = (self.next(), self.slices);
+                self.slices += 1;
+                self.a.set_extent(len, 0.0, f64::INFINITY);
+                let (components, element) = (element.components(), element.clone());
+                // There is no slice in an element.
+                let make = move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing, 0).value(&element);
+                let first = self.a.number(0.0);
+                Value::Slice(Rc::new(Slice { place, components, make: Rc::new(make), first, len }))
             }
             Shape::Tuple(types) => Value::Tuple(parts(&types.iter().collect::<Vec<_>>())),
             Shape::Struct(name, fields, _) => {

@@ -128,12 +128,12 @@ impl Kept {
     }
 
     /// Appends the inputs that come from outside of the arguments' numbers.
-    pub(super) fn add_inputs<'a>(
+    pub(super) fn add_inputs(
         &self,
         inputs: &mut Vec<TokenStream>,
         (number, private): (Arithmetic<'_>, &TokenStream),
         precision: Precision,
-        slice: &dyn Fn(usize) -> (&'a TokenStream, &'a Type),
+        slices: &[(TokenStream, &Type)],
     ) {
         let name = format_ident!("{}", precision.name());
         for (which, program) in &self.outside {
@@ -146,8 +146,8 @@ impl Kept {
                     let state = state(l, k);
                     quote!(#state)
                 }
-                Outside::Element { argument, at, number: component } => {
-                    let ((called, element), value) = (slice(argument), local("element"));
+                Outside::Element { slice, at, number: component } => {
+                    let ((called, element), value) = (&slices[slice], local("element"));
                     let mut numbers = Vec::new();
                     element.numbers(&quote!((*#value)), precision, &mut numbers);
                     let component = &numbers[component];

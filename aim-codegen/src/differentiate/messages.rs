@@ -110,6 +110,10 @@ messages! {
         "how long this is is not known here",
         "say it beside `wrt`, as in `lengths(values = 4)`, or take a reference to an array: `&[{element}; 4]`; of any length it may be an argument by itself, `values: &[{element}]`, that derivatives are not taken by";
 
+    slice_in_variable(name: &str) =>
+        "`{name}` has a slice among its fields, by which nothing can be differentiated",
+        "write its length, as in `[f32; 4]`; or pass what varies by itself";
+
     no_slice(name: &str) =>
         "`{name}` is no argument that is a slice",
         "arrays say how long they are; leave it out";

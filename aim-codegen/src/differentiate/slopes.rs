@@ -22,6 +22,7 @@ impl Type {
     fn no_part(&self, name: &str, tangent: bool) -> Option<Text> {
         match &self.shape {
             Shape::Rigid if !tangent => Some(messages::rigid_variable(name)),
+            Shape::Slice(_) => Some(messages::slice_in_variable(name)),
             Shape::Optional(_) | Shape::Enum(..) if tangent && self.dimension() > 0 => {
                 Some(messages::tangent_of_choice(name))
             }

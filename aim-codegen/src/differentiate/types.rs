@@ -133,6 +133,42 @@ fn unknown(written: &syn::Type) -> Fault {
 }
 
 impl Type {
+    /// A slice that is borrowed; `None` of any other type, and where its elements are none of ours.
+    pub(super) fn slice(written: &syn::Type, scope: &Scope, items: &Items) -> Option<Self> {
+        let (slice, element) = slice_of(written)?;
+        let element = Self::parse_in(scope, element, items).ok().filter(|element| !element.borrowed)?;
+        let precision = element.precision;
+        let ty = Self::made(slice.to_token_stream(), Shape::Slice(Box::new(element.whole()?)), precision);
+        Some(Self { borrowed: true, ..ty })
+    }
+
+    /// The type, if there is no slice in it.
+    pub(super) fn whole(self) -> Option<Self> {
+        let mut slices = Vec::new();
+        self.slices(&TokenStream::new(), &mut slices);
+        slices.is_empty().then_some(self)
+    }
+
+    /// The slices of the value that `place` names: what each is called, and the type of its elements.
+    pub(super) fn slices<'t>(&'t self, place: &TokenStream, to: &mut Vec<(TokenStream, &'t Self)>) {
+        match &self.shape {
+            Shape::Slice(element) => to.push((place.clone(), element)),
+            Shape::Tuple(parts) => {
+                for (index, part) in parts.iter().enumerate() {
+                    let member = Member::from(index);
+                    part.slices(&quote!(#place.#member), to);
+                }
+            }
+            Shape::Struct(_, fields, _) => {
+                for (member, field) in fields {
+                    field.slices(&quote!(#place.#member), to);
+                }
+            }
+            // None is inside of any other.
+            _ => {}
+        }
+    }
+
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         Self::parse_in(&Scope::default(), written, items)
@@ -208,9 +244,7 @@ impl Type {
                 let element = Self::parse_in(scope, &array.elem, items)?;
                 let length = lower::length(&array.len, items, scope)
                     .ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
-                if element.borrowed {
-                    return Err(unknown());
-                }
+                let element = element.whole().filter(|element| !element.borrowed).ok_or_else(unknown)?;
                 let precision = element.precision;
                 Self::of_parts(quote!(#written), Shape::Array(Box::new(element), length), precision)
             }
@@ -232,7 +266,7 @@ impl Type {
             && let Some(syn::GenericArgument::Type(inner)) = of.args.first()
         {
             let inner = Self::parse_in(scope, inner, items)?;
-            if !inner.borrowed {
+            if let Some(inner) = inner.whole().filter(|inner| !inner.borrowed) {
                 let precision = inner.precision;
                 return Self::of_parts(quote!(#written), Shape::Optional(Box::new(inner)), precision);
             }
@@ -268,7 +302,8 @@ impl Type {
     fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], given: &Given, items: &Items) -> Vec<(Member, Self)> {
         let known = declared.iter().filter_map(|(member, ty)| {
             let ty = syn::parse2(with(quote!(#ty), given)).ok()?;
-            let ty = Self::parse_in(scope, &ty, items).ok().filter(|ty| !ty.borrowed)?;
+            let slice = Self::slice(&ty, scope, items);
+            let ty = slice.or_else(|| Self::parse_in(scope, &ty, items).ok().filter(|ty| !ty.borrowed))?;
             Some((member.clone(), ty))
         });
         known.collect()
@@ -277,7 +312,8 @@ impl Type {
     /// An enum of the module.
     fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
         let variants = of.variants.iter().map(|variant| {
-            let fields = Self::of_fields(&of.scope, &variant.fields, given, items);
+            let mut fields = Self::of_fields(&of.scope, &variant.fields, given, items);
+            fields.retain(|(_, ty)| ty.clone().whole().is_some());
             let is_whole = fields.len() == variant.fields.len();
             Variant { name: format_ident!("{}", variant.name), fields, is_whole }
         });
@@ -504,8 +540,11 @@ impl Type {
             }
             Shape::Struct(_, fields, _) => {
                 let ty = self.path();
-                let values: Vec<TokenStream> = fields.iter().map(|(_, field)| field.assemble(leaf)).collect();
-                let members = fields.iter().map(|(member, _)| member);
+                let values = fields.iter().map(|(_, field)| {
+                    let value = field.assemble(leaf);
+                    if field.borrowed { quote!(&#value) } else { value }
+                });
+                let (values, members) = (values.collect::<Vec<_>>(), fields.iter().map(|(member, _)| member));
                 quote!(#ty { #(#members: #values),* })
             }
             Shape::Enum(_, variants) => {
@@ -564,6 +603,13 @@ impl Type {
         let is_facades = self.tokens.to_string().ends_with("Rigid");
         if module.is_empty() || is_facades { quote!(#krate::glam::#name) } else { quote!(#module #name) }
     }
+}
+
+/// A slice that is borrowed, and its element.
+pub(super) fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
+    let syn::Type::Reference(reference) = ty else { return None };
+    let syn::Type::Slice(slice) = &*reference.elem else { return None };
+    reference.mutability.is_none().then_some((&*reference.elem, &*slice.elem))
 }
 
 /// More numbers would make a program nobody wants to compile.

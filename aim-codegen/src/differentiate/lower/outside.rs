@@ -8,8 +8,8 @@ use aim_symbolic::Scalar;
 pub(crate) enum Outside {
     /// The number of a loop's round, from 0.
     Round(usize),
-    /// A number of an element of the argument of this place, which is a slice.
-    Element { argument: usize, at: At, number: usize },
+    /// A number of an element of the slice of this place among those of the arguments.
+    Element { slice: usize, at: At, number: usize },
     /// A state of a loop, as it is before a round.
     Before(usize, usize),
     /// The same after the last round.

@@ -159,12 +159,12 @@ impl Translation<'_> {
                 }
                 _ => return None,
             },
-            ("split_first_mut", []) => some(last.map(|others| {
-                Value::Tuple(vec![array.lent(Step::Index(0)), array.lent_part(1, others)])
-            })),
-            ("split_last_mut", []) => some(last.map(|last| {
-                Value::Tuple(vec![array.lent(Step::Index(last)), array.lent_part(0, last)])
-            })),
+            ("split_first_mut", []) => {
+                some(last.map(|others| Value::Tuple(vec![array.lent(Step::Index(0)), array.lent_part(1, others)])))
+            }
+            ("split_last_mut", []) => {
+                some(last.map(|last| Value::Tuple(vec![array.lent(Step::Index(last)), array.lent_part(0, last)])))
+            }
             ("split_at_mut", [place]) => match self.known_count(place)? {
                 first if first <= count => {
                     Value::Tuple(vec![array.lent_part(0, first), array.lent_part(first, count - first)])

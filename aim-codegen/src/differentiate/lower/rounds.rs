@@ -57,7 +57,7 @@ impl Slice {
     fn element(&self, this: &mut Translation<'_>, index: Scalar) -> Value {
         let index = this.algebra.add(self.first, index);
         let at = this.place_of(index);
-        let of = |number| Outside::Element { argument: self.argument, at, number };
+        let of = |number| Outside::Element { slice: self.place, at, number };
         let inputs = (0..self.components).map(|number| this.algebra.outside(of(number))).collect();
         (self.make)(this.algebra, inputs)
     }

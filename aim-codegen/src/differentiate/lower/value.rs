@@ -63,23 +63,23 @@ pub(crate) struct Element {
 /// Makes a value of its numbers.
 pub(crate) type Make = dyn Fn(&mut Algebra, Vec<Scalar>) -> Value;
 
-/// An argument of as many elements as there happen to be, or a part of one.
+/// An argument of as many elements as there happen to be, a field of one, or a part of those.
 #[derive(Clone)]
 pub(crate) struct Slice {
-    /// The argument's place among all.
-    pub(crate) argument: usize,
+    /// Its place among the slices of all arguments.
+    pub(crate) place: usize,
     /// How many numbers an element has.
     pub(crate) components: usize,
     /// An element of these numbers.
     pub(crate) make: Rc<Make>,
-    /// The number of its first element among the argument's.
+    /// The number of its first element among those of the argument.
     pub(crate) first: Scalar,
     pub(crate) len: Scalar,
 }
 
 impl core::fmt::Debug for Slice {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Slice").field("argument", &self.argument).finish_non_exhaustive()
+        f.debug_struct("Slice").field("place", &self.place).finish_non_exhaustive()
     }
 }
 
@@ -267,7 +267,10 @@ pub(super) enum Step {
     /// An element that arguments choose.
     Chosen(Scalar),
     /// So many elements from this one on.
-    Part { first: usize, len: usize },
+    Part {
+        first: usize,
+        len: usize,
+    },
 }
 
 /// A variable, or a part of one.

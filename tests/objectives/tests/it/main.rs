@@ -21,6 +21,7 @@ mod lengths;
 mod limits;
 mod lists;
 mod manifolds;
+mod meshes;
 mod natural;
 mod nested;
 mod powers;
