@@ -196,7 +196,7 @@ messages! {
 
     macro_call() =>
         "what a macro stands for cannot be seen",
-        "write the expression itself; to check arguments, use `assert!`, or a function that calls this one";
+        "write the expression itself, or a function in its place; to check arguments, use `assert!`";
 
     no_effect() =>
         "this statement has no effect on the result",
