@@ -14,7 +14,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
-use super::{Translation, iterators, square, strip};
+use super::{Translation, functions, iterators, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -193,7 +193,8 @@ impl Translation<'_> {
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         let first = arguments.len();
         for (index, argument) in written.iter().enumerate() {
-            let lent = function.changed.get(first + index) == Some(&true);
+            let is_untyped = function.parameters.get(first + index).is_some_and(functions::is_untyped);
+            let lent = function.changed.get(first + index) == Some(&true) || is_untyped && self.is_reference(argument);
             let expected = self.parameter(function, first + index);
             arguments.push(match strip(argument) {
                 // A reference that is passed on.
@@ -390,7 +391,7 @@ impl Translation<'_> {
             // Of an error nothing is known but that it is one.
             ("Err", [error], _) => return self.without_error_effect(error, Value::none()),
             ("Some" | "Ok", [value], _) => {
-                let value = self.expression(value);
+                let value = self.moved(value, &Expected::Any);
                 return Value::some(value);
             }
             ("replace", [place, value], _) if is_of("mem") => {
@@ -491,7 +492,7 @@ impl Translation<'_> {
             let fields = of.fields.iter().map(|field| {
                 let name = name_of(&field.member);
                 let expected = known.iter().find(|(known, _)| *known == name).map(|(_, expected)| expected);
-                (name, self.expression_as(&field.expr, expected.unwrap_or(&Expected::Any)))
+                (name, self.moved(&field.expr, expected.unwrap_or(&Expected::Any)))
             });
             let fields = fields.collect();
             return self.of_variant(&ty, tag, fields);
@@ -504,7 +505,7 @@ impl Translation<'_> {
             let ty = declared.iter().find(|(member, _)| *member == field.member).map(|(_, ty)| ty);
             let scope = structure.map(|structure| structure.scope.clone()).unwrap_or_default();
             let expected = self.within(scope, |this| this.expected_of(ty));
-            fields.push((name_of(&field.member), self.expression_as(&field.expr, &expected)));
+            fields.push((name_of(&field.member), self.moved(&field.expr, &expected)));
         }
         if let Some(rest) = &of.rest {
             match self.expression_as(rest, &Expected::Named(name.clone())) {

@@ -185,14 +185,13 @@ impl Translation<'_> {
         let found = self.branch(
             &choice.match_token,
             condition,
-            |this| this.expression_as(&arm.body, expected),
+            |this| this.moved(&arm.body, expected),
             |this| {
                 this.frame.hide(depth);
                 this.arms((choice, expected), value, rest)
             },
         );
-        self.frame.leave(depth);
-        found
+        self.left(&choice.match_token, depth, found)
     }
 
     /// Whether a value matches a pattern, whose names it is given; `None` after an error.
@@ -209,7 +208,10 @@ impl Translation<'_> {
         }
         match pattern {
             Pat::Paren(paren) => self.pattern(&paren.pat, value),
-            Pat::Reference(reference) => self.pattern(&reference.pat, value),
+            Pat::Reference(reference) => {
+                let value = self.referenced(value.clone());
+                self.pattern(&reference.pat, &value)
+            }
             Pat::Guard(guard) => {
                 let matched = self.pattern(&guard.pat, value)?;
                 self.guarded(matched, Some(&guard.guard))
@@ -231,11 +233,19 @@ impl Translation<'_> {
             }
             Pat::Tuple(_) | Pat::Slice(_) if matches!(value, Value::Reference(_)) => {
                 let parts = self.lent_parts(value.clone());
-                if matches!(parts, Value::Reference(_)) {
-                    self.refuse(pattern, messages::pattern_of(&value.describe()));
-                    return None;
+                match (&parts, pattern) {
+                    (Value::Reference(_), _) => {
+                        self.refuse(pattern, messages::pattern_of(&value.describe()));
+                        None
+                    }
+                    (Value::Array(parts), Pat::Slice(slice))
+                        if slice.elems.iter().any(is_rest) && parts.len() + 1 >= slice.elems.len() =>
+                    {
+                        self.bind(pattern, value.clone());
+                        Some(Condition::Known(true))
+                    }
+                    _ => self.pattern(pattern, &parts),
                 }
-                self.pattern(pattern, &parts)
             }
             Pat::Tuple(tuple) => match value {
                 Value::Tuple(values) if values.len() == tuple.elems.len() => {
@@ -282,6 +292,10 @@ impl Translation<'_> {
             Pat::Struct(of) => {
                 let parts: Vec<Value> = of.fields.iter().map(|field| self.part(value, &field.member)).collect();
                 self.patterns(of.fields.iter().map(|field| &*field.pat).zip(&parts))
+            }
+            // There are fewer than the pattern names.
+            Pat::Slice(slice) if matches!(value, Value::Array(values) if values.len() + 1 < slice.elems.len()) => {
+                Some(Condition::Known(false))
             }
             Pat::Wild(_) | Pat::Ident(_) | Pat::Slice(_) => {
                 self.bind(pattern, value.clone());

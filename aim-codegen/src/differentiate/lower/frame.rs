@@ -64,6 +64,8 @@ pub(super) struct Frame {
     /// The names in scope, the innermost last.
     variables: Vec<(String, Value)>,
     captured: usize,
+    /// Those that are declared `mut`, or have no name.
+    changeable: Vec<usize>,
     /// The values before they were assigned, of the variables assigned in each branch and region under way.
     journals: Vec<Assigned>,
     /// Where control has gone to other ends before the function was called.
@@ -104,6 +106,16 @@ impl Frame {
         self.variables.push((name, value));
     }
 
+    /// The variable that was declared last may be changed in part.
+    pub(super) fn allow_changes(&mut self) {
+        self.changeable.push(self.variables.len() - 1);
+    }
+
+    /// Whether parts of a variable may be changed. Of another one what looks so is behind a reference that it was copied from.
+    pub(super) fn is_changeable(&self, place: usize) -> bool {
+        self.changeable.contains(&place) || self.is_lent(place)
+    }
+
     /// How many variables there are; see [`leave`](Self::leave).
     pub(super) fn depth(&self) -> usize {
         self.variables.len()
@@ -112,6 +124,7 @@ impl Frame {
     /// Forgets the variables of a scope that was entered when there were so many.
     pub(super) fn leave(&mut self, depth: usize) {
         self.variables.truncate(depth);
+        self.changeable.retain(|&place| place < depth);
         if let Some(journal) = self.journals.last_mut() {
             journal.retain(|(place, _)| *place < depth);
         }

@@ -10,7 +10,7 @@ use super::Translation;
 use super::expected::Expected;
 use super::frame::Frame;
 use super::translation::MOST_ROUNDS;
-use super::value::{Callable, Home, Value};
+use super::value::{Callable, Home, Place, Value};
 use crate::differentiate::{items, messages};
 
 /// The most calls of a function inside of each other.
@@ -24,13 +24,24 @@ pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> 
     Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, frame.scope.clone(), None) })
 }
 
+/// Whether a closure's parameter is `&mut`.
+fn is_lent(pattern: &Pat) -> bool {
+    let Pat::Type(typed) = pattern else { return false };
+    matches!(&*typed.ty, syn::Type::Reference(reference) if reference.mutability.is_some())
+}
+
+/// Whether it is a parameter of whose type nothing is written.
+pub(super) fn is_untyped((pattern, ty): &(Pat, Option<syn::Type>)) -> bool {
+    ty.is_none() && !matches!(pattern, Pat::Type(_))
+}
+
 impl Translation<'_> {
     pub(super) fn closure(&mut self, closure: &ExprClosure) -> Value {
         let parameters = closure.inputs.iter().map(|pattern| (pattern.clone(), None));
         Value::Function(Rc::new(Callable {
             name: None,
             parameters: parameters.collect(),
-            changed: vec![false; closure.inputs.len()],
+            changed: closure.inputs.iter().map(is_lent).collect(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
             home: closure.capture.is_none().then(|| self.home(closure)),
@@ -83,25 +94,40 @@ impl Translation<'_> {
         // What is lent is copied in, and back when the function is left: nobody else sees it meanwhile.
         let mut lent = Vec::new();
         let mut values = Vec::new();
-        for (argument, &changed) in arguments.into_iter().zip(&function.changed) {
+        for ((argument, &changed), parameter) in arguments.into_iter().zip(&function.changed).zip(&function.parameters)
+        {
+            let is_reference = matches!(argument, Value::Reference(_));
+            let changed = changed || is_reference && is_untyped(parameter);
             match &argument {
-                Value::Reference(_) if !changed => return self.refuse(place, messages::mutable_borrow()),
-                Value::Reference(reference) => lent.push(reference.clone()),
+                Value::Reference(reference) if changed => lent.push(reference.clone()),
+                Value::Reference(_) if matches!(parameter.1, Some(syn::Type::Reference(_))) => {}
+                Value::Reference(_) => return self.refuse(place, messages::mutable_borrow()),
                 _ if changed => return self.refuse(place, messages::mutable_borrow()),
                 _ => {}
             }
-            values.push((self.referenced(argument), changed));
+            let value = self.referenced(argument);
+            // A reference inside of it would be to a variable of another function.
+            if home.is_none() && value.with_references(&|_| None).is_none() {
+                return self.refuse(place, messages::mutable_borrow());
+            }
+            values.push((value, changed));
         }
         let outer = core::mem::replace(&mut self.frame, frame);
+        let mut parameters = Vec::new();
         for ((pattern, ty), (value, changed)) in function.parameters.iter().zip(values) {
             if let Some(ty) = ty {
                 self.bind_generics(ty, &value);
             }
             self.bind(pattern, value);
             if changed {
-                if !matches!(pattern, Pat::Ident(_)) {
+                let is_name = match pattern {
+                    Pat::Type(typed) => matches!(*typed.pat, Pat::Ident(_)),
+                    pattern => matches!(pattern, Pat::Ident(_)),
+                };
+                if !is_name {
                     self.refuse(pattern, messages::pattern());
                 }
+                parameters.push(self.frame.depth() - 1);
                 self.frame.lend(self.frame.depth() - 1);
             }
         }
@@ -123,7 +149,17 @@ impl Translation<'_> {
                 for (reference, changed) in lent.iter().zip(changed) {
                     self.write(place, reference, changed);
                 }
-                value
+                // What it returns refers to what was lent, by the caller's names.
+                let lender = |inside: &Rc<Place>| {
+                    if let Some(index) = parameters.iter().position(|&variable| variable == inside.variable) {
+                        let outside = lent.get(index)?;
+                        let steps = outside.steps.iter().chain(&inside.steps).cloned().collect();
+                        return Some(Value::Reference(Rc::new(Place { variable: outside.variable, steps })));
+                    }
+                    let is_own = home.is_some() && inside.variable < function.captured.len();
+                    is_own.then(|| Value::Reference(inside.clone()))
+                };
+                value.with_references(&lender).unwrap_or_else(|| self.refuse(place, messages::mutable_borrow()))
             }
             None => self.refuse(place, messages::returns_differ()),
         }

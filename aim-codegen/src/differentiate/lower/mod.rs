@@ -137,11 +137,11 @@ impl Translation<'_> {
             },
             Expr::Tuple(tuple) => {
                 let parts = tuple.elems.iter().enumerate();
-                Value::Tuple(parts.map(|(index, part)| self.expression_as(part, expected.part(index))).collect())
+                Value::Tuple(parts.map(|(index, part)| self.moved(part, expected.part(index))).collect())
             }
             Expr::Array(array) => {
                 let elements = array.elems.iter().enumerate();
-                Value::Array(elements.map(|(index, part)| self.expression_as(part, expected.part(index))).collect())
+                Value::Array(elements.map(|(index, part)| self.moved(part, expected.part(index))).collect())
             }
             Expr::Repeat(repeat) => {
                 let value = self.expression_as(&repeat.expr, expected.part(0));

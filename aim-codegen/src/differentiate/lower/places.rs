@@ -91,6 +91,9 @@ impl Translation<'_> {
         if self.frame.is_fixed(variable) {
             return self.refuse(target, messages::captured());
         }
+        if !steps.is_empty() && !self.frame.is_changeable(variable) {
+            return self.refuse(target, messages::assigned_through_reference());
+        }
         let whole = self.frame.value(variable).clone();
         if value.is_unknown() || whole.is_unknown() && !steps.is_empty() {
             self.frame.assign(variable, Value::Unknown);
@@ -117,6 +120,22 @@ impl Translation<'_> {
         }
     }
 
+    /// The value of an expression that is moved: that of a variable which is a `&mut` is the `&mut`.
+    pub(super) fn moved(&mut self, expression: &Expr, expected: &Expected) -> Value {
+        if self.is_reference(expression) {
+            self.reference(expression)
+        } else {
+            self.expression_as(expression, expected)
+        }
+    }
+
+    /// Leaves a scope that was entered when there were so many variables, with a value: it refers to none of those that go.
+    pub(super) fn left(&mut self, scope: &impl ToTokens, depth: usize, value: Value) -> Value {
+        self.frame.leave(depth);
+        let stays = |place: &Rc<Place>| (place.variable < depth).then(|| Value::Reference(place.clone()));
+        value.with_references(&stays).unwrap_or_else(|| self.refuse(scope, messages::mutable_borrow()))
+    }
+
     /// `&mut target`
     pub(super) fn reference(&mut self, target: &Expr) -> Value {
         if is_place(target) {
@@ -129,6 +148,7 @@ impl Translation<'_> {
             value => {
                 let variable = self.frame.depth();
                 self.frame.declare(String::new(), value);
+                self.frame.allow_changes();
                 Value::Reference(Rc::new(Place { variable, steps: Vec::new() }))
             }
         }
@@ -207,16 +227,6 @@ impl Translation<'_> {
             }
             _ => value,
         }
-    }
-
-    /// Neighbours as one: of `&mut`s to them that to the part which they are.
-    pub(super) fn joined(values: Vec<Value>) -> Value {
-        if let [Value::Reference(first), ..] = values.as_slice()
-            && let [outer @ .., Step::Index(index)] = first.steps.as_slice()
-        {
-            return Place { variable: first.variable, steps: outer.to_vec() }.lent_part(*index, values.len());
-        }
-        Value::Array(values)
     }
 
     /// The value itself, of a reference that of its place.

@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::{Element, Rounds, Step, Value};
+use super::value::{Element, Place, Rounds, Step, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
@@ -47,7 +47,7 @@ impl Translation<'_> {
                 break;
             }
         }
-        self.frame.leave(depth);
+        value = self.left(block, depth, value);
         self.frame.scope = scope;
         // What comes of a faulty statement may have been meant to be the value.
         if faulty { Value::Unknown } else { value }
@@ -108,7 +108,7 @@ impl Translation<'_> {
             Stmt::Item(Item::Static(item)) if is_unchanged(item) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
-            Stmt::Expr(expression, None) => self.expression_as(expression, expected),
+            Stmt::Expr(expression, None) => self.moved(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
                 let exits = self.frame.exits();
                 let (value, assigns) = self.tracked(|this| this.expression(expression));
@@ -130,14 +130,7 @@ impl Translation<'_> {
             _ => otherwise.clone(),
         };
         // It is assigned before it is read, or the compiler says so.
-        let value = local.init.as_ref().map_or(Value::Never, |init| {
-            // A `&mut` by another name, or taken apart.
-            if self.is_reference(&init.expr) {
-                self.reference(&init.expr)
-            } else {
-                self.expression_as(&init.expr, &expected)
-            }
-        });
+        let value = local.init.as_ref().map_or(Value::Never, |init| self.moved(&init.expr, &expected));
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
         }
@@ -198,6 +191,10 @@ impl Translation<'_> {
 
     /// Gives the names of a pattern their values.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
+        let lender = match (pattern, &value) {
+            (Pat::Slice(_), Value::Reference(place)) => Some(place.clone()),
+            _ => None,
+        };
         let value = match pattern {
             Pat::Tuple(_) | Pat::Slice(_) => self.lent_parts(value),
             Pat::Reference(_) => self.referenced(value),
@@ -223,7 +220,7 @@ impl Translation<'_> {
                 if let Some((at, _)) = &name.subpat {
                     self.refuse(at, messages::pattern());
                 }
-                self.frame.declare(name.ident.to_string(), value);
+                self.declare(name, value);
             }
             Pat::Type(typed) => self.bind(&typed.pat, value),
             Pat::Paren(paren) => self.bind(&paren.pat, value),
@@ -231,11 +228,11 @@ impl Translation<'_> {
             Pat::Wild(_) => {}
             Pat::Tuple(tuple) => {
                 let is_tuple = matches!(value, Value::Tuple(_));
-                self.bind_parts(tuple, &tuple.elems, value, is_tuple);
+                self.bind_parts(tuple, &tuple.elems, value, (is_tuple, None));
             }
             Pat::Slice(slice) => {
                 let is_array = matches!(value, Value::Array(_));
-                self.bind_parts(slice, &slice.elems, value, is_array);
+                self.bind_parts(slice, &slice.elems, value, (is_array, lender));
             }
             Pat::Struct(of) => {
                 for field in &of.fields {
@@ -256,13 +253,26 @@ impl Translation<'_> {
         }
     }
 
-    /// Gives the names of the patterns the values of the parts; `..` stands for those that are left.
-    fn bind_parts(&mut self, whole: &impl ToTokens, patterns: &Punctuated<Pat, Comma>, value: Value, fits: bool) {
-        let rest = patterns.iter().position(is_rest);
-        let count = patterns.len() - usize::from(rest.is_some());
+    fn declare(&mut self, name: &syn::PatIdent, value: Value) {
+        self.frame.declare(name.ident.to_string(), value);
+        if name.mutability.is_some() {
+            self.frame.allow_changes();
+        }
+    }
+
+    /// Gives the names of the patterns the values of the parts; `..` stands for those that are left, of what is lent for that part.
+    fn bind_parts(
+        &mut self,
+        whole: &impl ToTokens,
+        patterns: &Punctuated<Pat, Comma>,
+        value: Value,
+        (fits, lender): (bool, Option<Rc<Place>>),
+    ) {
+        let first_left = patterns.iter().position(is_rest);
+        let count = patterns.len() - usize::from(first_left.is_some());
         let values = match value {
             Value::Tuple(values) | Value::Array(values)
-                if fits && (values.len() == count || rest.is_some() && values.len() > count) =>
+                if fits && (values.len() == count || first_left.is_some() && values.len() > count) =>
             {
                 values
             }
@@ -274,20 +284,21 @@ impl Translation<'_> {
         let mut values = values.into_iter();
         for pattern in patterns {
             let value = if is_rest(pattern) {
-                Self::joined(values.by_ref().take(left).collect())
+                let rest = Value::Array(values.by_ref().take(left).collect());
+                lender.as_ref().zip(first_left).map_or(rest, |(lender, first)| lender.lent_part(first, left))
             } else {
                 values.next().unwrap_or(Value::Unknown)
             };
             match pattern {
                 Pat::Rest(_) => {}
-                Pat::Ident(name) if is_rest(pattern) => self.frame.declare(name.ident.to_string(), value),
+                Pat::Ident(name) if is_rest(pattern) => self.declare(name, value),
                 pattern => self.bind(pattern, value),
             }
         }
     }
 
     pub(super) fn for_loop(&mut self, e: &ExprForLoop) -> Value {
-        let over = self.expression(&e.expr);
+        let over = self.moved(&e.expr, &Expected::Any);
         if over.is_unknown() {
             return over;
         }
@@ -480,11 +491,11 @@ impl Translation<'_> {
         let (target, value) = match expression {
             Expr::Return(e) => {
                 let expected = self.frame.result_type.clone();
-                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression_as(value, &expected));
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved(value, &expected));
                 (Some(Target::Function), value)
             }
             Expr::Break(e) => {
-                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.expression(value));
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved(value, &Expected::Any));
                 (self.loop_of(e.label.as_ref()).map(Target::Loop), value)
             }
             Expr::Continue(e) => (self.loop_of(e.label.as_ref()).map(Target::Round), Value::nothing()),

@@ -335,6 +335,33 @@ impl Value {
         Self::Tuple(Vec::new())
     }
 
+    /// The same with others in place of all references; `None` where one has none.
+    pub(super) fn with_references(&self, other: &dyn Fn(&Rc<Place>) -> Option<Self>) -> Option<Self> {
+        let all = |values: &[Self]| values.iter().map(|value| value.with_references(other)).collect::<Option<Vec<_>>>();
+        let elements = |items: &[Element]| {
+            let items = items.iter().map(|item| {
+                Some(Element { is_there: item.is_there.clone(), value: item.value.with_references(other)? })
+            });
+            items.collect::<Option<Vec<_>>>()
+        };
+        Some(match self {
+            Self::Reference(place) => other(place)?,
+            Self::Tuple(values) => Self::Tuple(all(values)?),
+            Self::Array(values) => Self::Array(all(values)?),
+            Self::List(items) => Self::List(elements(items)?),
+            Self::Iterator(items) => Self::Iterator(elements(items)?),
+            Self::Optional(of) => {
+                let value = of.value.with_references(other)?;
+                Self::Optional(Rc::new(Optional { is_some: of.is_some.clone(), value }))
+            }
+            Self::Struct(of) => {
+                let fields = of.fields.iter().map(|(name, value)| Some((name.clone(), value.with_references(other)?)));
+                Self::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect::<Option<_>>()? }))
+            }
+            value => value.clone(),
+        })
+    }
+
     /// Whether a variable can have this value in one branch and another one in another.
     pub(super) fn is_selectable(&self) -> bool {
         !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_) | Self::Slice(_) | Self::Rounds(_))
