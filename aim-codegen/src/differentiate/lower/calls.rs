@@ -71,6 +71,9 @@ impl Translation<'_> {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
             return receiver;
         }
+        // What the method before it lends.
+        let lent = matches!(receiver, Value::Reference(_)).then(|| receiver.clone());
+        let receiver = self.referenced(receiver);
         if let (Some(ty), true) = (expected.name(), call.method == "into" && call.args.is_empty()) {
             let several = self.functions(Some(ty), "from");
             if let Some(function) = self.function_for(&several, core::slice::from_ref(&receiver)) {
@@ -94,7 +97,7 @@ impl Translation<'_> {
         if let Some(value) = self.column_or_row(&receiver, call) {
             return value;
         }
-        if let Some(value) = self.own_method(&receiver, has_effect, call) {
+        if let Some(value) = self.own_method(&receiver, (lent, has_effect), call) {
             return value;
         }
         if let Value::Struct(of) = &receiver {
@@ -159,11 +162,17 @@ impl Translation<'_> {
     }
 
     /// A method that the module has for a struct of its own, or by a trait for numbers; `None` if there is none.
-    fn own_method(&mut self, receiver: &Value, has_effect: bool, call: &ExprMethodCall) -> Option<Value> {
+    fn own_method(
+        &mut self,
+        receiver: &Value,
+        (lent, has_effect): (Option<Value>, bool),
+        call: &ExprMethodCall,
+    ) -> Option<Value> {
         let ty = self.type_name(receiver)?;
         let several = self.own_functions(&ty, &call.method.to_string());
         let receiver = match several.as_slice() {
             [] => return None,
+            [function] if function.changed.first() == Some(&true) && lent.is_some() => lent?,
             // It would happen twice.
             [function] if function.changed.first() == Some(&true) && has_effect => {
                 return Some(self.refuse(&call.receiver, messages::receiver_effect()));

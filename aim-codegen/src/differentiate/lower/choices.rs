@@ -68,7 +68,7 @@ impl Translation<'_> {
         match expression {
             Expr::Paren(paren) => self.condition(&paren.expr),
             Expr::Let(e) => {
-                let value = self.expression(&e.expr);
+                let value = self.moved(&e.expr, &Expected::Any);
                 self.pattern(&e.pat, &value)
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
@@ -167,7 +167,7 @@ impl Translation<'_> {
     }
 
     pub(super) fn match_arms(&mut self, choice: &ExprMatch, expected: &Expected) -> Value {
-        let value = self.expression(&choice.expr);
+        let value = self.moved(&choice.expr, &Expected::Any);
         if value.is_unknown() {
             return value;
         }
@@ -203,6 +203,25 @@ impl Translation<'_> {
             self.report.forget(errors);
             return None;
         }
+        if let Value::Reference(place) = value {
+            match pattern {
+                Pat::Paren(_) | Pat::Reference(_) | Pat::Guard(_) | Pat::Or(_) | Pat::Wild(_) => {}
+                Pat::Ident(name) if self.is_variable(name) => {}
+                Pat::Slice(slice) if slice.elems.iter().any(is_rest) => {
+                    let is_long = !matches!(self.read(place), Value::Array(all) if all.len() + 1 < slice.elems.len());
+                    if is_long {
+                        self.bind(pattern, value.clone());
+                    }
+                    return Some(Condition::Known(is_long));
+                }
+                // It is taken apart, or compared by what it refers to.
+                _ => {
+                    let parts = self.lent_parts(value.clone());
+                    let parts = self.referenced(parts);
+                    return self.pattern(pattern, &parts);
+                }
+            }
+        }
         if let Some((ty, tag)) = path_of(pattern).and_then(|path| self.variant(&path)) {
             return self.matches_variant(pattern, (&ty, tag), value);
         }
@@ -230,22 +249,6 @@ impl Translation<'_> {
             Pat::Range(range) => {
                 let ends = [&range.start, &range.end].map(Option::as_deref);
                 self.is_between(number(value), ends, &range.limits)
-            }
-            Pat::Tuple(_) | Pat::Slice(_) if matches!(value, Value::Reference(_)) => {
-                let parts = self.lent_parts(value.clone());
-                match (&parts, pattern) {
-                    (Value::Reference(_), _) => {
-                        self.refuse(pattern, messages::pattern_of(&value.describe()));
-                        None
-                    }
-                    (Value::Array(parts), Pat::Slice(slice))
-                        if slice.elems.iter().any(is_rest) && parts.len() + 1 >= slice.elems.len() =>
-                    {
-                        self.bind(pattern, value.clone());
-                        Some(Condition::Known(true))
-                    }
-                    _ => self.pattern(pattern, &parts),
-                }
             }
             Pat::Tuple(tuple) => match value {
                 Value::Tuple(values) if values.len() == tuple.elems.len() => {
@@ -285,12 +288,12 @@ impl Translation<'_> {
                 }
                 _ => {
                     let parts = of.elems.iter().enumerate().map(|(index, _)| Member::from(index));
-                    let parts: Vec<Value> = parts.map(|member| self.part(value, &member)).collect();
+                    let parts: Vec<Value> = parts.map(|member| self.moved_part(value, &member)).collect();
                     self.patterns(of.elems.iter().zip(&parts))
                 }
             },
             Pat::Struct(of) => {
-                let parts: Vec<Value> = of.fields.iter().map(|field| self.part(value, &field.member)).collect();
+                let parts: Vec<Value> = of.fields.iter().map(|field| self.moved_part(value, &field.member)).collect();
                 self.patterns(of.fields.iter().map(|field| &*field.pat).zip(&parts))
             }
             // There are fewer than the pattern names.
@@ -389,6 +392,12 @@ impl Translation<'_> {
             let next = self.pattern(pattern, value)?;
             Some(matched.and(next))
         })
+    }
+
+    /// Whether a pattern is the name of a variable that it makes.
+    fn is_variable(&self, name: &syn::PatIdent) -> bool {
+        let is_variant = || self.variant(&[name.ident.to_string()]).is_some();
+        name.subpat.is_none() && name.ident != "None" && !self.is_constant(&name.ident) && !is_variant()
     }
 
     /// Whether a name of a pattern is that of a constant, of the module or of a block.

@@ -106,13 +106,19 @@ impl Translation<'_> {
     }
 
     /// A field of a value, or an error about it.
-    pub(super) fn part(&mut self, base: &Value, member: &Member) -> Value {
+    fn part(&mut self, base: &Value, member: &Member) -> Value {
+        let part = self.moved_part(base, member);
+        self.referenced(part)
+    }
+
+    /// The same, also if it is a reference.
+    pub(super) fn moved_part(&mut self, base: &Value, member: &Member) -> Value {
         if base.is_unknown() {
             return Value::Unknown;
         }
         let name = name_of(member);
         if let Some(value) = base.field(self.algebra, &name) {
-            return self.referenced(value);
+            return value;
         }
         match base {
             Value::Quaternion(q) if q.parts.is_none() => self.refuse(member, messages::quaternion_of_matrix()),

@@ -8,10 +8,12 @@ use syn::{Expr, ExprMethodCall, UnOp};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
+use super::enums::TAG;
 use super::expected::Expected;
+use super::fields::name_of;
 use super::map::{Affine, Map, Quaternion};
 use super::place_types::type_of;
-use super::value::{Place, Step, Struct, Value};
+use super::value::{Optional, Place, Step, Struct, Value};
 use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
@@ -222,9 +224,17 @@ impl Translation<'_> {
                 Value::Array((0..values.len()).map(|index| place.lent(Step::Index(index))).collect())
             }
             Value::Tuple(values) => {
-                let member = |index: usize| Step::Field(syn::Member::from(index));
-                Value::Tuple((0..values.len()).map(|index| place.lent(member(index))).collect())
+                Value::Tuple((0..values.len()).map(|index| place.lent(Step::Field(index.to_string()))).collect())
             }
+            Value::Struct(of) => {
+                let fields = of.fields.iter().map(|(name, value)| {
+                    // Which variant it is can only be changed with all of it.
+                    let part = if name == TAG { value.clone() } else { place.lent(Step::Field(name.clone())) };
+                    (name.clone(), part)
+                });
+                Value::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
+            }
+            Value::Optional(of) => Value::some_if(of.is_some.clone(), place.lent(Step::Inside)),
             _ => value,
         }
     }
@@ -390,7 +400,7 @@ impl Translation<'_> {
             }
             Expr::Field(field) => {
                 let mut place = self.place(&field.base)?;
-                place.steps.push(Step::Field(field.member.clone()));
+                place.steps.push(Step::Field(name_of(&field.member)));
                 Some(place)
             }
             Expr::Index(index) => {
@@ -446,7 +456,11 @@ fn replaced(a: &mut Algebra, whole: &Value, steps: &[Step], value: Value) -> Opt
 
 fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
     match step {
-        Step::Field(member) => whole.field(a, &super::fields::name_of(member)),
+        Step::Field(name) => whole.field(a, name),
+        Step::Inside => match whole {
+            Value::Optional(of) => Some(of.value.clone()),
+            _ => None,
+        },
         Step::Index(index) => whole.element(a, *index),
         Step::Chosen(index) => whole.chosen(a, *index),
         Step::Part { first, len } => match whole {
@@ -462,7 +476,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
         let index = match step {
             Step::Index(index) => a.whole(*index),
             Step::Chosen(index) => Value::Integer(*index),
-            Step::Field(_) | Step::Part { .. } => return None,
+            Step::Field(_) | Step::Inside | Step::Part { .. } => return None,
         };
         let Value::Integer(index) = index else { return None };
         return lists::with_ranked(a, items, index, &part);
@@ -479,12 +493,12 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
         return Some(changed);
     }
     let name = match step {
-        Step::Field(member) => super::fields::name_of(member),
+        Step::Field(name) => name.clone(),
         _ => String::new(),
     };
     let place = |letters: &str| match step {
         Step::Index(index) => Some(*index),
-        Step::Chosen(_) | Step::Part { .. } => None,
+        Step::Chosen(_) | Step::Inside | Step::Part { .. } => None,
         Step::Field(_) if name.len() == 1 => letters.find(&name),
         Step::Field(_) => None,
     };
@@ -530,6 +544,10 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
             }
             _ => return None,
         },
+        (Value::Optional(of), value) => {
+            let Step::Inside = step else { return None };
+            Value::Optional(Rc::new(Optional { is_some: of.is_some.clone(), value }))
+        }
         (Value::Tuple(values), part) => Value::Tuple(with(values, name.parse().ok()?, part)?),
         (Value::Struct(of), part) => {
             let fields = of

@@ -12,7 +12,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::{Element, Place, Rounds, Step, Value};
+use super::value::{Element, Place, Rounds, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
@@ -196,7 +196,7 @@ impl Translation<'_> {
             _ => None,
         };
         let value = match pattern {
-            Pat::Tuple(_) | Pat::Slice(_) => self.lent_parts(value),
+            Pat::Tuple(_) | Pat::Slice(_) | Pat::Struct(_) | Pat::TupleStruct(_) => self.lent_parts(value),
             Pat::Reference(_) => self.referenced(value),
             _ => value,
         };
@@ -236,16 +236,13 @@ impl Translation<'_> {
             }
             Pat::Struct(of) => {
                 for field in &of.fields {
-                    let part = match &value {
-                        Value::Reference(place) => place.lent(Step::Field(field.member.clone())),
-                        value => self.part(value, &field.member),
-                    };
+                    let part = self.moved_part(&value, &field.member);
                     self.bind(&field.pat, part);
                 }
             }
             Pat::TupleStruct(of) => {
                 for (index, pattern) in of.elems.iter().enumerate() {
-                    let part = self.part(&value, &syn::Member::from(index));
+                    let part = self.moved_part(&value, &syn::Member::from(index));
                     self.bind(pattern, part);
                 }
             }

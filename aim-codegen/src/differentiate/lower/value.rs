@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Scalar, Vector};
-use syn::{Expr, ExprMethodCall, Member, Pat};
+use syn::{Expr, ExprMethodCall, Pat};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
@@ -262,7 +262,10 @@ impl core::fmt::Debug for Callable {
 /// A step from a value to a part of it.
 #[derive(Clone)]
 pub(super) enum Step {
-    Field(Member),
+    /// A field by its name, also of an enum's variant.
+    Field(String),
+    /// What is inside of an option.
+    Inside,
     Index(usize),
     /// An element that arguments choose.
     Chosen(Scalar),

@@ -3,6 +3,7 @@
 mod control;
 mod items;
 mod parts;
+mod references;
 mod sequences;
 
 use aim_symbolic::Bindings;
