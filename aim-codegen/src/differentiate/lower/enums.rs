@@ -101,8 +101,11 @@ impl Translation<'_> {
         let variant = self.items.enumeration(ty)?.variants.get(tag)?;
         let Value::Integer(tag) = self.algebra.whole(tag) else { return None };
         let is_it = Condition::equal(self.algebra, *found, tag);
-        if matches!(is_it, Condition::Known(false)) {
-            return Some(is_it);
+        // What has no fields was made in no branch.
+        let is_made =
+            |(member, _): &(Member, _)| !of.field(&field_of(&variant.name, member)).is_some_and(Value::is_never);
+        if matches!(is_it, Condition::Known(false)) || !variant.fields.iter().all(is_made) {
+            return Some(Condition::Known(false));
         }
         let field = |member: &Member| of.field(&field_of(&variant.name, member)).cloned().unwrap_or(Value::Unknown);
         let parts: Vec<(&Pat, Value)> = match pattern {

@@ -322,6 +322,7 @@ impl Translation<'_> {
 
     fn unary(&mut self, unary: &syn::ExprUnary) -> Value {
         let operand = self.expression(&unary.expr);
+        let operand = self.referenced(operand);
         if operand.is_unknown() {
             return operand;
         }

@@ -228,8 +228,12 @@ impl Translation<'_> {
             }
             Value::Struct(of) => {
                 let fields = of.fields.iter().map(|(name, value)| {
-                    // Which variant it is can only be changed with all of it.
-                    let part = if name == TAG { value.clone() } else { place.lent(Step::Field(name.clone())) };
+                    // Which variant it is can only be changed with all of it, and those that it is not have no fields.
+                    let part = if name == TAG || value.is_never() {
+                        value.clone()
+                    } else {
+                        place.lent(Step::Field(name.clone()))
+                    };
                     (name.clone(), part)
                 });
                 Value::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))

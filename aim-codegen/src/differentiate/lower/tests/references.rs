@@ -132,4 +132,34 @@ same! {
             spring.ends[0] * spring.k + total + chosen.value() + o.map_or(2.0, |v| v[0]) + p.unwrap_or(0.0) + sum(&v) * w + before
         }
     }
+    copies_of_what_is_lent {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut v = [x, y, 1.0];
+            let (mut s, mut t) = (0.0, 0.0);
+            for w in v.iter_mut() { let old = *w; *w += y; s += old * *w; let z = *w; *w *= z; t += z; }
+            let r = &mut v[1..];
+            let head = r[0];
+            r[0] = x;
+            t += head * r[0];
+            if let [a, b] = *r { r[0] += 5.0; t += a * b; }
+            let q = *r.first_mut().unwrap();
+            r[0] += 1.0;
+            s += q - *r.last_mut().unwrap();
+            let q = { let w = &mut r[1]; *w += 1.0; *w };
+            r[1] *= 2.0;
+            s + q * t + v[0] + v[1] * v[2]
+        }
+    }
+    variants_that_are_never_made {
+        #[derive(Clone, Copy)]
+        enum S { A, B, On(f64) }
+        impl S { fn go(&mut self) { match self { S::On(k) => *k += 1.0, S::A => *self = S::B, S::B => {} } } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let s = if x > 1.0 { S::A } else { S::B };
+            let mut u = match s { S::On(k) => S::On(k), S::A => S::B, S::B => S::A };
+            u.go();
+            let v = if let S::On(k) = u { k } else { y };
+            v + match s { S::On(k) => k, S::A => y, S::B => x } + match u { S::A => 1.0, S::B => 2.0, S::On(k) => k }
+        }
+    }
 }
