@@ -162,7 +162,7 @@ messages! {
 
     assigned_through_reference() =>
         "what is changed through a reference is not followed",
-        "assign to the element itself: `for i in 0..N {{ a[i] = …; }}`";
+        "assign to the element itself, as in `a[i] = …`, or go over `a.iter_mut()`";
 
     not_assignable() => "this cannot be assigned to", "assign to a variable, a field or an element";
 
