@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map};
-use super::value::{Optional, Order, Struct, Value};
+use super::value::{Optional, Order, Slice, Struct, Value};
 use super::{lists, square};
 
 impl Struct {
@@ -65,6 +65,11 @@ impl Value {
                 less: Condition::either(condition, &x.less, &y.less),
                 greater: Condition::either(condition, &x.greater, &y.greater),
             })),
+            // Parts of one slice.
+            (Self::Slice(x), Self::Slice(y)) if x.place == y.place => {
+                let (first, len) = (condition.select(a, x.first, y.first), condition.select(a, x.len, y.len));
+                Self::Slice(Rc::new(Slice { first, len, ..(**x).clone() }))
+            }
             (Self::Tuple(x), Self::Tuple(y)) => Self::Tuple(each(a, x, y)?),
             (Self::Array(x), Self::Array(y)) if x.len() == y.len() => Self::Array(each(a, x, y)?),
             (Self::Array(_) | Self::List(_), Self::Array(_) | Self::List(_)) => {

@@ -31,6 +31,31 @@ mod functions {
         area / mesh.count() as f64
     }
 
+    pub(super) struct Sum<'a> {
+        pub(super) terms: &'a [f64],
+        pub(super) total: f64,
+    }
+
+    impl Sum<'_> {
+        fn add(&mut self, x: f64) {
+            if x > 0.0 {
+                self.total += self.terms[0] * x;
+                self.terms = &self.terms[1..];
+            }
+        }
+    }
+
+    /// What a branch leaves out of a slice.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn positive_terms(x: f64, y: f64, sum: Sum<'_>) -> f64 {
+        let mut sum = sum;
+        sum.add(x);
+        sum.add(y);
+        sum.add(x * y);
+        let rest = if x > y { &sum.terms[1..] } else { sum.terms };
+        sum.total + x * rest.iter().sum::<f64>()
+    }
+
     pub(super) struct Fit<'a> {
         pub(super) seen: &'a [f64],
         pub(super) model: (f64, Mesh<'a>),
@@ -48,7 +73,7 @@ mod functions {
 
 use crate::kept::{assert_near, difference};
 use aim::glam::DVec3;
-use functions::{Fit, Mesh};
+use functions::{Fit, Mesh, Sum};
 
 const VERTICES: [DVec3; 5] = [
     DVec3::ZERO,
@@ -84,5 +109,17 @@ fn slices_of_several_structs() {
         let (value, (slope,)) = functions::misfit_gradient(&offsets, 0.4, fit(count));
         assert_near(value, functions::misfit(&offsets, 0.4, fit(count)));
         assert_near(slope, difference(|shift| functions::misfit(&offsets, shift, fit(count)), 0.4));
+    }
+}
+
+#[test]
+fn parts_that_branches_choose() {
+    let terms = [0.5, -1.5, 2.0, 3.0, 4.5];
+    let sum = || Sum { terms: &terms, total: 1.0 };
+    for (x, y) in [(0.5, 2.0), (2.0, 0.7), (-1.0, 0.4), (-0.3, -0.8), (1.5, -2.0)] {
+        let (value, (by_x, by_y)) = functions::positive_terms_gradient(x, y, sum());
+        assert_near(value, functions::positive_terms(x, y, sum()));
+        assert_near(by_x, difference(|x| functions::positive_terms(x, y, sum()), x));
+        assert_near(by_y, difference(|y| functions::positive_terms(x, y, sum()), y));
     }
 }
