@@ -204,7 +204,7 @@ fn every_page_is_whole_and_needs_nothing_else() {
 fn counts_are_those_of_aim_count_and_of_the_trace() {
     let place = Place::new();
     // Of all rigs where there is time for it.
-    let step = if in_full() { 1 } else { 4 };
+    let step = if in_full() { 1 } else { 2 };
     for Page { name, rig, found: on_page, .. } in short_pages().step_by(step) {
         place.write("rig.toml", rig);
         place.write("counts.json", &place.done("count rig.toml --json").stdout);

@@ -16,7 +16,7 @@ pub(super) struct Inputs<'a> {
     varies: Varies,
     /// What derivatives are taken by, in the order of its parts.
     pub(super) variables: Vec<Scalar>,
-    /// How many slices there are before, and then up to its end.
+    /// The number of slices among what is before, and then up to its end.
     pub(super) slices: usize,
 }
 

@@ -36,7 +36,7 @@ impl Arguments {
         if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
             return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
         }
-        if let Some(slice) = self.list.iter().find(|argument| argument.ty.clone().whole().is_none()) {
+        if let Some(slice) = self.list.iter().find(|argument| argument.ty.has_slice()) {
             return report.refuse(place, messages::no_lanes(&slice.ty.tokens.to_string()));
         }
         if self.is_optional {

@@ -27,6 +27,7 @@ mod manifold;
 mod messages;
 mod names;
 mod options;
+mod slices;
 mod slopes;
 mod types;
 

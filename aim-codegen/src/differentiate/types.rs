@@ -133,49 +133,13 @@ fn unknown(written: &syn::Type) -> Fault {
 }
 
 impl Type {
-    /// A slice that is borrowed; `None` of any other type, and where its elements are none of ours.
-    pub(super) fn slice(written: &syn::Type, scope: &Scope, items: &Items) -> Option<Self> {
-        let (slice, element) = slice_of(written)?;
-        let element = Self::parse_in(scope, element, items).ok().filter(|element| !element.borrowed)?;
-        let precision = element.precision;
-        let ty = Self::made(slice.to_token_stream(), Shape::Slice(Box::new(element.whole()?)), precision);
-        Some(Self { borrowed: true, ..ty })
-    }
-
-    /// The type, if there is no slice in it.
-    pub(super) fn whole(self) -> Option<Self> {
-        let mut slices = Vec::new();
-        self.slices(&TokenStream::new(), &mut slices);
-        slices.is_empty().then_some(self)
-    }
-
-    /// The slices of the value that `place` names: what each is called, and the type of its elements.
-    pub(super) fn slices<'t>(&'t self, place: &TokenStream, to: &mut Vec<(TokenStream, &'t Self)>) {
-        match &self.shape {
-            Shape::Slice(element) => to.push((place.clone(), element)),
-            Shape::Tuple(parts) => {
-                for (index, part) in parts.iter().enumerate() {
-                    let member = Member::from(index);
-                    part.slices(&quote!(#place.#member), to);
-                }
-            }
-            Shape::Struct(_, fields, _) => {
-                for (member, field) in fields {
-                    field.slices(&quote!(#place.#member), to);
-                }
-            }
-            // None is inside of any other.
-            _ => {}
-        }
-    }
-
     /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         Self::parse_in(&Scope::default(), written, items)
     }
 
     /// The same of a type that is written elsewhere in the module.
-    fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
+    pub(super) fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         let unknown = || unknown(written);
         match written {
             syn::Type::Group(group) => Self::parse_in(scope, &group.elem, items),
@@ -244,7 +208,9 @@ impl Type {
                 let element = Self::parse_in(scope, &array.elem, items)?;
                 let length = lower::length(&array.len, items, scope)
                     .ok_or_else(|| (quote!(#array), messages::length_unknown()))?;
-                let element = element.whole().filter(|element| !element.borrowed).ok_or_else(unknown)?;
+                if element.borrowed || element.has_slice() {
+                    return Err(unknown());
+                }
                 let precision = element.precision;
                 Self::of_parts(quote!(#written), Shape::Array(Box::new(element), length), precision)
             }
@@ -266,7 +232,7 @@ impl Type {
             && let Some(syn::GenericArgument::Type(inner)) = of.args.first()
         {
             let inner = Self::parse_in(scope, inner, items)?;
-            if let Some(inner) = inner.whole().filter(|inner| !inner.borrowed) {
+            if !inner.borrowed && !inner.has_slice() {
                 let precision = inner.precision;
                 return Self::of_parts(quote!(#written), Shape::Optional(Box::new(inner)), precision);
             }
@@ -313,7 +279,7 @@ impl Type {
     fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
         let variants = of.variants.iter().map(|variant| {
             let mut fields = Self::of_fields(&of.scope, &variant.fields, given, items);
-            fields.retain(|(_, ty)| ty.clone().whole().is_some());
+            fields.retain(|(_, ty)| !ty.has_slice());
             let is_whole = fields.len() == variant.fields.len();
             Variant { name: format_ident!("{}", variant.name), fields, is_whole }
         });
@@ -603,13 +569,6 @@ impl Type {
         let is_facades = self.tokens.to_string().ends_with("Rigid");
         if module.is_empty() || is_facades { quote!(#krate::glam::#name) } else { quote!(#module #name) }
     }
-}
-
-/// A slice that is borrowed, and its element.
-pub(super) fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
-    let syn::Type::Reference(reference) = ty else { return None };
-    let syn::Type::Slice(slice) = &*reference.elem else { return None };
-    reference.mutability.is_none().then_some((&*reference.elem, &*slice.elem))
 }
 
 /// More numbers would make a program nobody wants to compile.

@@ -90,9 +90,7 @@ impl Translation<'_> {
                     return Some(self.refuse_known(&value, *place, messages::index_unknown()));
                 };
                 let Value::Integer(count) = self.counted(&items)? else { return None };
-                let zero = self.algebra.number(0.0);
-                let is_some = Condition::less(self.algebra, index, zero).not();
-                let is_some = is_some.and(Condition::less(self.algebra, index, count));
+                let is_some = Condition::is_index(self.algebra, index, count);
                 if matches!(is_some, Condition::Known(false)) {
                     return Some(Value::none());
                 }

@@ -14,7 +14,7 @@ use super::map::Quaternion;
 use super::methods::{self, Fault, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
-use super::{Translation, functions, iterators, square, strip};
+use super::{Translation, iterators, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -189,54 +189,6 @@ impl Translation<'_> {
         let is_own = self.items.defines(ty);
         let may_be = is_own || types::named(ty).is_some_and(|(shape, _)| !methods::is_of_type(&shape, name));
         if may_be { self.functions(Some(ty), name) } else { Vec::new() }
-    }
-
-    /// Calls a function with arguments as written; a method has its receiver before them.
-    fn inline_written(
-        &mut self,
-        place: &impl ToTokens,
-        function: &Rc<Callable>,
-        receiver: Option<Value>,
-        written: &Punctuated<Expr, Comma>,
-    ) -> Value {
-        let mut arguments: Vec<Value> = receiver.into_iter().collect();
-        let first = arguments.len();
-        for (index, argument) in written.iter().enumerate() {
-            let is_untyped = function.parameters.get(first + index).is_some_and(functions::is_untyped);
-            let lent = function.changed.get(first + index) == Some(&true) || is_untyped && self.is_reference(argument);
-            let expected = self.parameter(function, first + index);
-            arguments.push(match strip(argument) {
-                // A reference that is passed on.
-                place @ Expr::Path(_) if lent => self.reference(place),
-                argument => self.expression_as(argument, &expected),
-            });
-        }
-        self.inline(place, function, arguments)
-    }
-
-    /// Calls that of several functions that takes the arguments as written.
-    fn one_of(
-        &mut self,
-        place: &impl ToTokens,
-        several: &[Rc<Callable>],
-        receiver: Option<Value>,
-        written: &Punctuated<Expr, Comma>,
-    ) -> Value {
-        if let [only] = several {
-            return self.inline_written(place, only, receiver, written);
-        }
-        let mut arguments: Vec<Value> = receiver.into_iter().collect();
-        arguments.extend(written.iter().map(|argument| self.expression(argument)));
-        if let Some(without) = Value::without(&arguments) {
-            return without;
-        }
-        match self.function_for(several, &arguments) {
-            Some(function) => self.inline(place, &function, arguments),
-            None => {
-                let name = several.first().and_then(|function| function.name.clone()).unwrap_or_default();
-                self.refuse(place, messages::several_functions(&name))
-            }
-        }
     }
 
     pub(super) fn call(&mut self, call: &ExprCall, expected: &Expected) -> Value {

@@ -394,7 +394,7 @@ impl Translation<'_> {
         })
     }
 
-    /// Whether a pattern is the name of a variable that it makes.
+    /// True of a pattern that is the name of a variable which it makes.
     fn is_variable(&self, name: &syn::PatIdent) -> bool {
         let is_variant = || self.variant(&[name.ident.to_string()]).is_some();
         name.subpat.is_none() && name.ident != "None" && !self.is_constant(&name.ident) && !is_variant()

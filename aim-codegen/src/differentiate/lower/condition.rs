@@ -45,6 +45,12 @@ impl Condition {
         }
     }
 
+    /// A whole number is an index of so many elements.
+    pub(super) fn is_index(a: &mut Algebra, index: Scalar, count: Scalar) -> Self {
+        let zero = a.number(0.0);
+        Self::less(a, index, zero).not().and(Self::less(a, index, count))
+    }
+
     /// x ≤ y: nothing is smaller than that.
     pub(crate) fn at_most(a: &Algebra, x: Scalar, y: Scalar) -> Self {
         Self::less(a, y, x).not()

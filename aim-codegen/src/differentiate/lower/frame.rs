@@ -111,7 +111,7 @@ impl Frame {
         self.changeable.push(self.variables.len() - 1);
     }
 
-    /// Whether parts of a variable may be changed. Of another one what looks so is behind a reference that it was copied from.
+    /// True of a variable of which parts may be changed. Of another one they are behind a reference that it was copied from.
     pub(super) fn is_changeable(&self, place: usize) -> bool {
         self.changeable.contains(&place) || self.is_lent(place)
     }

@@ -4,13 +4,15 @@ use std::rc::Rc;
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
+use syn::punctuated::Punctuated;
+use syn::token::Comma;
 use syn::{Expr, ExprClosure, ItemFn, Pat};
 
-use super::Translation;
 use super::expected::Expected;
 use super::frame::Frame;
 use super::translation::MOST_ROUNDS;
 use super::value::{Callable, Home, Place, Value};
+use super::{Translation, strip};
 use crate::differentiate::{items, messages};
 
 /// The most calls of a function inside of each other.
@@ -24,14 +26,14 @@ pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> 
     Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, frame.scope.clone(), None) })
 }
 
-/// Whether a closure's parameter is `&mut`.
+/// True of a closure's parameter that is `&mut`.
 fn is_lent(pattern: &Pat) -> bool {
     let Pat::Type(typed) = pattern else { return false };
     matches!(&*typed.ty, syn::Type::Reference(reference) if reference.mutability.is_some())
 }
 
-/// Whether it is a parameter of whose type nothing is written.
-pub(super) fn is_untyped((pattern, ty): &(Pat, Option<syn::Type>)) -> bool {
+/// True of a parameter of whose type nothing is written.
+fn is_untyped((pattern, ty): &(Pat, Option<syn::Type>)) -> bool {
     ty.is_none() && !matches!(pattern, Pat::Type(_))
 }
 
@@ -152,9 +154,7 @@ impl Translation<'_> {
                 // What it returns refers to what was lent, by the caller's names.
                 let lender = |inside: &Rc<Place>| {
                     if let Some(index) = parameters.iter().position(|&variable| variable == inside.variable) {
-                        let outside = lent.get(index)?;
-                        let steps = outside.steps.iter().chain(&inside.steps).cloned().collect();
-                        return Some(Value::Reference(Rc::new(Place { variable: outside.variable, steps })));
+                        return Some(lent.get(index)?.lent_along(&inside.steps));
                     }
                     let is_own = home.is_some() && inside.variable < function.captured.len();
                     is_own.then(|| Value::Reference(inside.clone()))
@@ -162,6 +162,54 @@ impl Translation<'_> {
                 value.with_references(&lender).unwrap_or_else(|| self.refuse(place, messages::mutable_borrow()))
             }
             None => self.refuse(place, messages::returns_differ()),
+        }
+    }
+
+    /// Calls a function with arguments as written; a method has its receiver before them.
+    pub(super) fn inline_written(
+        &mut self,
+        place: &impl ToTokens,
+        function: &Rc<Callable>,
+        receiver: Option<Value>,
+        written: &Punctuated<Expr, Comma>,
+    ) -> Value {
+        let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        let first = arguments.len();
+        for (index, argument) in written.iter().enumerate() {
+            let is_untyped = function.parameters.get(first + index).is_some_and(is_untyped);
+            let lent = function.changed.get(first + index) == Some(&true) || is_untyped && self.is_reference(argument);
+            let expected = self.parameter(function, first + index);
+            arguments.push(match strip(argument) {
+                // A reference that is passed on.
+                place @ Expr::Path(_) if lent => self.reference(place),
+                argument => self.expression_as(argument, &expected),
+            });
+        }
+        self.inline(place, function, arguments)
+    }
+
+    /// Calls that of several functions that takes the arguments as written.
+    pub(super) fn one_of(
+        &mut self,
+        place: &impl ToTokens,
+        several: &[Rc<Callable>],
+        receiver: Option<Value>,
+        written: &Punctuated<Expr, Comma>,
+    ) -> Value {
+        if let [only] = several {
+            return self.inline_written(place, only, receiver, written);
+        }
+        let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        arguments.extend(written.iter().map(|argument| self.expression(argument)));
+        if let Some(without) = Value::without(&arguments) {
+            return without;
+        }
+        match self.function_for(several, &arguments) {
+            Some(function) => self.inline(place, &function, arguments),
+            None => {
+                let name = several.first().and_then(|function| function.name.clone()).unwrap_or_default();
+                self.refuse(place, messages::several_functions(&name))
+            }
         }
     }
 

@@ -176,7 +176,8 @@ impl Translation<'_> {
             ("get_mut", [index]) => match self.step(index)? {
                 Step::Index(index) => some((index < count).then(|| array.lent(Step::Index(index)))),
                 Step::Chosen(index) => {
-                    let is_some = self.is_index(index, count);
+                    let Value::Integer(count) = self.algebra.whole(count) else { return None };
+                    let is_some = Condition::is_index(self.algebra, index, count);
                     Value::some_if(is_some, array.lent(Step::Chosen(index)))
                 }
                 _ => return None,
@@ -205,18 +206,7 @@ impl Translation<'_> {
         })
     }
 
-    /// The condition that a whole number is an index of so many elements.
-    fn is_index(&mut self, index: Scalar, count: usize) -> Condition {
-        let a = &mut *self.algebra;
-        let zero = a.number(0.0);
-        let is_behind = Condition::less(a, index, zero).not();
-        match a.whole(count) {
-            Value::Integer(count) => is_behind.and(Condition::less(a, index, count)),
-            _ => is_behind,
-        }
-    }
-
-    /// What a pattern of parts takes apart: of a `&mut` those to its parts.
+    /// The parts that a pattern takes a value to: of a `&mut` those to its parts.
     pub(super) fn lent_parts(&mut self, value: Value) -> Value {
         let Value::Reference(place) = &value else { return value };
         match self.read(place) {

@@ -264,7 +264,7 @@ impl core::fmt::Debug for Callable {
 pub(super) enum Step {
     /// A field by its name, also of an enum's variant.
     Field(String),
-    /// What is inside of an option.
+    /// The value inside of an option.
     Inside,
     Index(usize),
     /// An element that arguments choose.
@@ -286,7 +286,12 @@ pub(crate) struct Place {
 impl Place {
     /// A `&mut` to a part of it.
     pub(super) fn lent(&self, step: Step) -> Value {
-        let steps = self.steps.iter().cloned().chain([step]).collect();
+        self.lent_along(&[step])
+    }
+
+    /// The same, so many steps inside of it.
+    pub(super) fn lent_along(&self, steps: &[Step]) -> Value {
+        let steps = self.steps.iter().chain(steps).cloned().collect();
         Value::Reference(Rc::new(Self { variable: self.variable, steps }))
     }
 

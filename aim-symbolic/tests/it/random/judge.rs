@@ -34,7 +34,7 @@ fn setting(name: &str) -> Option<u64> {
     std::env::var(name).ok()?.parse().ok()
 }
 
-/// Whether all cases are tested, as `.ci/run` does, or a sixteenth of them, as `cargo test` does by itself.
+/// True where all cases are tested, as by `.ci/run`; `cargo test` by itself takes a sixteenth of them.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
