@@ -330,7 +330,7 @@ pub(crate) struct Led {
     pub(crate) speed: [f32; 2],
     /// Its own speed in that frame, a leap's included, rad/s.
     pub(crate) change: [f32; 2],
-    /// How tired it is of leaps to and fro, 0…1.5.
+    /// How tired it is of leaps to and fro and of being shaken, 0…1.5.
     pub(crate) tired: f32,
 }
 

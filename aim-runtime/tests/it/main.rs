@@ -19,6 +19,7 @@ mod ranges;
 mod reach;
 mod rotations;
 mod sequences;
+mod shaken;
 mod snap;
 mod specialised;
 mod targets;

@@ -203,8 +203,8 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// speed with which the frame begins, and what the goal did at once.
 ///
 /// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the
-/// second frame on, with the region's own speed going on evenly; a leap is all offset, and so is a hop from which the goal has
-/// come back. A region that is shaken goes along with the goal's mean speed.
+/// second frame on, as far as the rate goes, with the region's own speed going on evenly; a leap is all offset, and so is a hop from
+/// which the goal has come back. A region that is shaken goes along with the goal's mean speed.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn follow(
     led: &mut Led,
@@ -223,7 +223,12 @@ pub(super) fn follow(
     let gain = change - led_speed;
     let hops = (gain * (led_change - led_speed)).cmplt(Vec4::ZERO);
     let gain = if lasts { gain } else { Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)) };
-    let mut speed = if square(change) <= rate * rate { led_speed + gain } else { led_speed };
+    let mut speed = led_speed;
+    if square(change) <= rate * rate {
+        speed += gain;
+    } else if lasts {
+        speed = change * (rate / length(change));
+    }
     let mut is_smooth = is_near_to(speed, led_speed, most);
     if !lasts || led.tired > 0.0 {
         (speed, is_smooth) = led.shake(speed, change, lasts, bounds);
@@ -265,7 +270,8 @@ impl Led {
     }
 
     /// A goal that goes on leaving the speed that is gone along with, by v, faster than the acceleration a makes up for shakes the
-    /// head: going along overshoots by v²/2a. The more it is shaken, the more it goes along with the mean of its goal's speed alone.
+    /// head: going along overshoots by v²/2a. So does one that turns back at once. The more it is shaken, the more it goes along with
+    /// the mean of its goal's speed alone.
     ///
     /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration; `lasts` tells whether the
     /// goal's last change was.
@@ -277,20 +283,33 @@ impl Led {
         const SHAKEN_S: f32 = 0.1;
         /// From how far going along overshoots it counts as shaking, and from where in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
+        /// From how far on one turn back counts most, whatever the frame rate, and what that is.
+        const TURN_BACK_RAD: f32 = 5.0 * PI / 180.0;
+        const TURN_BACK: f32 = 0.4;
         let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.speed);
         if !lasts {
-            let off = square(change - before).at_most(square(pair(self.change) - before));
-            let overshoots = off / (2.0 * acceleration);
-            let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
-            self.tired += counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S);
+            let off = square(change - before);
+            // What is faster than the head is a leap.
+            let turns_back = change.x * before.x + change.y * before.y < 0.0 && square(change) <= rate * rate;
+            self.tired += if turns_back {
+                TURN_BACK * (off / (2.0 * acceleration * TURN_BACK_RAD)).at_most(1.0)
+            } else {
+                let overshoots = off.at_most(square(pair(self.change) - before)) / (2.0 * acceleration);
+                let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
+                counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S)
+            };
         }
-        // A leap is no motion: of its speed no more counts than the head's own.
-        let counted = change * (rate / length(change)).at_most(1.0);
+        if !(self.tired > 0.0) {
+            return (speed, is_near_to(speed, before, most));
+        }
+        // A leap is no motion: little of its speed counts. What swings faster one way than the other does, or it would drift.
+        let counted = change * (3.0 * rate / length(change)).at_most(1.0);
         let mean = before + (counted - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.tired.at_most(1.0);
-        (speed, is_near_to(speed, before, most))
+        // Sudden changes one way alone would push the head that way.
+        (before + (speed - before).max(-most).min(most), true)
     }
 
     /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.

@@ -1,0 +1,86 @@
+//! A head without eyes, which has to be on its target itself, while its animation shakes it.
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
+
+use crate::common::*;
+use crate::natural::{FRAME_RATES, aim, at, thug};
+use aim_runtime::glam::{Mat3A, Quat};
+use aim_runtime::{Role, Settings};
+
+/// The thug's joints as those of a head without eyes, which leads.
+fn eyeless() -> NumericRig {
+    let mut rig = thug();
+    for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
+        *info = info.with_role(role).with_heading(-60.0 * DEG, 60.0 * DEG);
+    }
+    rig
+}
+
+/// The most by which a head without eyes is off its target, degrees, from a time on, while its animation turns it by this many
+/// radians at each time.
+fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
+    let (mut rig, target) = (eyeless(), at(25.0, 0.0));
+    let mut worst = 0.0_f64;
+    for frame in 0..(8.0 * hz) as usize {
+        let t = frame as f32 / hz;
+        let mut pose = upright(&rig);
+        pose[0].matrix3 = Mat3A::from_quat(Quat::from_rotation_y(turn_at(t))) * pose[0].matrix3;
+        aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
+        if t > from_s {
+            worst = worst.max(remaining64(&rig, &pose, 0, target));
+        }
+    }
+    worst.to_degrees()
+}
+
+/// A head that leads and whose animation shakes it faster than its acceleration can make up for is off by no more than the shaking
+/// itself; slower shaking it makes up for.
+#[test]
+fn a_shaken_head_does_not_resound() {
+    const SWING_DEG: f32 = 12.0;
+    for hz in FRAME_RATES {
+        for tenths in [5, 10, 15, 16, 18, 20, 25, 30, 40, 50] {
+            let swings_hz = tenths as f32 / 10.0;
+            let worst = worst_shaken(hz, 2.0, |t| SWING_DEG * DEG * (std::f32::consts::TAU * swings_hz * t).sin());
+            let most = if tenths <= 15 { 0.1 } else { 1.15 * f64::from(SWING_DEG) };
+            assert!(worst < most, "{swings_hz} Hz at {hz} frames a second: {worst}° of {SWING_DEG}°");
+        }
+    }
+}
+
+/// Swings between −1 and 1 at a time in seconds, so many a second.
+type Wave = fn(f32, f32) -> f32;
+
+/// A sine that is keyed ten times a second.
+fn keyed(t: f32, swings_hz: f32) -> f32 {
+    let key = (10.0 * t).floor();
+    let [from, to] = [key, key + 1.0].map(|key| (std::f32::consts::TAU * 0.1 * key * swings_hz).sin());
+    from + (to - from) * (10.0 * t - key)
+}
+
+/// Evenly to and fro.
+fn triangle(t: f32, swings_hz: f32) -> f32 {
+    1.0 - 4.0 * ((t * swings_hz).fract() - 0.5).abs()
+}
+
+/// Slower to than fro.
+fn saw(t: f32, swings_hz: f32) -> f32 {
+    let phase = (t * swings_hz).fract();
+    if phase < 0.7 { 2.0 * phase / 0.7 - 1.0 } else { 1.0 - 2.0 * (phase - 0.7) / 0.3 }
+}
+
+/// Nor where the animation turns back at once, as one that is keyed ten times a second does, or faster one way than the other: the
+/// head is thrown off by less than the shaking's whole width, and does not drift away.
+#[test]
+fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
+    const SWING_DEG: f32 = 12.0;
+    let waves: [(&str, Wave); 3] = [("keyed", keyed), ("triangle", triangle), ("saw", saw)];
+    for hz in FRAME_RATES {
+        for (name, wave) in waves {
+            for swings_hz in [0.5, 1.4, 1.8, 2.3, 3.0, 4.0] {
+                let worst = worst_shaken(hz, 4.0, |t| SWING_DEG * DEG * wave(t, swings_hz));
+                let most = if swings_hz < 1.0 { 2.0 } else { 2.0 * f64::from(SWING_DEG) };
+                assert!(worst < most, "{name}, {swings_hz} Hz at {hz} frames a second: {worst}°");
+            }
+        }
+    }
+}
