@@ -1,8 +1,9 @@
 //! Ranges of motion: counted from the bind pose, and narrowing with the heading.
 
 use crate::common::*;
+use crate::shaken::eyeless;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
-use aim_runtime::{Joint, LimitsFrom, Pose, Status};
+use aim_runtime::{Joint, LimitsFrom, Pose, Settings, Status};
 
 /// The thug with absolute ranges.
 fn absolute() -> NumericRig {
@@ -79,6 +80,24 @@ fn an_animation_outside_its_range_is_let_be() {
     assert_eq!(rig.joints[1].heading(), 0.0);
     assert!(settle(&mut rig, &pose, at(20.0 * DEG, 0.0)) == Status::Reached);
     assert!(rig.joints[1].heading() < -10.0 * DEG);
+}
+
+/// Nor is it held back while it goes there, however fast, by a gaze that is to add nothing.
+#[test]
+fn an_animation_that_leaves_its_range_is_let_go() {
+    for speed in [50.0, 200.0, 600.0] {
+        let mut rig = eyeless();
+        for info in &mut rig.infos {
+            info.limits_from = LimitsFrom::BindPose;
+        }
+        let (bind, settings) = (upright(&rig), Settings::default().with_weight(0.0));
+        for frame in 0..120_u8 {
+            let t = f32::from(frame) / 60.0;
+            let turned = with_neck_turned(&rig, (speed * t).min(120.0) * DEG, 0.0);
+            rig.aim_with(&Pose::new(turned).with_bind(bind.clone()), at(0.0, 0.0), 1.0 / 60.0, &settings);
+            assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY), "{speed}°/s, {t} s: {:?}", rig.joints);
+        }
+    }
 }
 
 /// Without a bind pose, and with one that has no rotation, absolute ranges are relative.

@@ -7,7 +7,7 @@ use aim_runtime::glam::{Mat3A, Quat};
 use aim_runtime::{Role, Settings};
 
 /// The thug's joints as those of a head without eyes, which leads.
-fn eyeless() -> NumericRig {
+pub(crate) fn eyeless() -> NumericRig {
     let mut rig = thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
         *info = info.with_role(role).with_heading(-60.0 * DEG, 60.0 * DEG);

@@ -177,7 +177,11 @@ impl Room {
             let acceleration = wary * bounds.acceleration;
             let is_near = left.cmple(Self::stops(speeds, coming, acceleration, bounds.dt));
             for lane in (0..4).filter(|lane| is_near.test(*lane)) {
-                let speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + coming[lane];
+                let mut speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + coming[lane];
+                if speed < 0.0 {
+                    // No end comes nearer than the animation, at which the region has to stop in its turn.
+                    speed = speed.at_least(-braking(sums[lane], bounds.acceleration * bounds.dt, bounds.dt));
+                }
                 most[lane] = most[lane].at_most(speed);
             }
         }
