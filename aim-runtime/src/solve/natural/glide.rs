@@ -288,8 +288,8 @@ impl Led {
         /// From how far going along overshoots it counts as shaking, and from where in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
         /// From how far on one turn back counts most, whatever the frame rate, and what that is.
-        const TURN_BACK_RAD: f32 = 5.0 * PI / 180.0;
-        const TURN_BACK: f32 = 0.4;
+        const TURN_BACK_RAD: f32 = 14.0 * PI / 180.0;
+        const TURN_BACK: f32 = 1.1;
         let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.speed);
