@@ -302,6 +302,10 @@ messages! {
         "this comparison is {kind}",
         "compare two numbers by `partial_cmp` or `total_cmp`";
 
+    unknown_pattern(name: &str) =>
+        "whether `{name}` is a constant or a new name cannot be seen from here",
+        "{MODULE}, or write its value; new names begin with a small letter";
+
     match_pattern() =>
         "this pattern is not understood",
         "match whole numbers, `true` and `false`, ranges, tuples of these, names and `_`";

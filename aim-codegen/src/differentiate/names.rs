@@ -4,7 +4,7 @@
 
 use syn::UseTree;
 
-use super::lower::is_mathematical;
+use super::lower::names_at;
 
 /// The modules, the items that they define, and what they import.
 #[derive(Default)]
@@ -157,7 +157,7 @@ impl Names {
             let mut path = import.path.clone();
             match self.follow(module, &path, under_way) {
                 Some(Meaning::Own(inner)) => self.name(&inner, name, under_way),
-                _ if path.last().is_some_and(|last| last == "consts") && is_mathematical(name) => {
+                _ if names_at(&path).any(|known| known == name) => {
                     path.push(name.to_owned());
                     Some(Meaning::Outside(path))
                 }

@@ -84,6 +84,16 @@ fn used(x: f32, v: Vec3) -> f32 {
     x.to_degrees().next_down() * v.x
 }
 
+const WALKING: i32 = 1;
+
+#[differentiate(wrt(x))]
+fn gait(x: f32, gait: i32) -> f32 {
+    match gait {
+        WALKING => x,
+        _ => x * x,
+    }
+}
+
 fn main() {
     let (value, (by_x, by_v)): (f32, (f32, Vec3)) = used_gradient(1.0, Vec3::X);
     let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY, 1));

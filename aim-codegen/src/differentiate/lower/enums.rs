@@ -239,7 +239,7 @@ impl Translation<'_> {
             return value;
         }
         let depth = self.frame.depth();
-        let matched = self.pattern(&pattern, &value).and_then(|matched| self.guarded(matched, guard.as_ref()));
+        let matched = self.guarded(&pattern, guard.as_ref(), &value);
         self.frame.leave(depth);
         matched.map_or(Value::Unknown, Value::Truth)
     }

@@ -66,6 +66,8 @@ pub(super) struct Frame {
     captured: usize,
     /// Those that are declared `mut`, or have no name.
     changeable: Vec<usize>,
+    /// Those that are constants of a block.
+    constants: Vec<usize>,
     /// The values before they were assigned, of the variables assigned in each branch and region under way.
     journals: Vec<Assigned>,
     /// Where control has gone to other ends before the function was called.
@@ -111,6 +113,16 @@ impl Frame {
         self.changeable.push(self.variables.len() - 1);
     }
 
+    /// The variable that was declared last is a constant.
+    pub(super) fn make_constant(&mut self) {
+        self.constants.push(self.variables.len() - 1);
+    }
+
+    /// True of a constant of a block; of what comes from outside of a closure nothing else is known than its name.
+    pub(super) fn is_constant(&self, place: usize) -> bool {
+        self.constants.contains(&place) || place < self.captured
+    }
+
     /// True of a variable of which parts may be changed. Of another one they are behind a reference that it was copied from.
     pub(super) fn is_changeable(&self, place: usize) -> bool {
         self.changeable.contains(&place) || self.is_lent(place)
@@ -125,6 +137,7 @@ impl Frame {
     pub(super) fn leave(&mut self, depth: usize) {
         self.variables.truncate(depth);
         self.changeable.retain(|&place| place < depth);
+        self.constants.retain(|&place| place < depth);
         if let Some(journal) = self.journals.last_mut() {
             journal.retain(|(place, _)| *place < depth);
         }

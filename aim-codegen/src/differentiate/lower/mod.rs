@@ -27,6 +27,7 @@ mod optional;
 mod outside;
 mod overloads;
 mod paths;
+mod patterns;
 mod place_types;
 mod places;
 mod rounds;
@@ -52,7 +53,7 @@ use self::expected::Expected;
 use self::extents::Extents;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
-pub(super) use self::numbers::is_mathematical;
+pub(super) use self::numbers::names_at;
 pub(super) use self::outside::{At, KeptLoop, Outside, State};
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
@@ -263,7 +264,16 @@ impl Translation<'_> {
                     }
                     return Some(Value::Scalar(self.algebra.number(value)));
                 }
+                // As above: nobody else calls a variant so.
+                if let [name] = path.as_slice()
+                    && self.frame.scope.module.is_empty()
+                {
+                    return Value::ordering(name);
+                }
                 let [before @ .., module, name] = path.as_slice() else { return None };
+                if module == "Ordering" {
+                    return Value::ordering(name);
+                }
                 let is_known = module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64");
                 let value = if is_known { numbers::mathematical(name) } else { None };
                 value.map(|value| Value::Scalar(self.algebra.number(value)))

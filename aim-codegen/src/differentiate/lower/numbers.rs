@@ -1,4 +1,4 @@
-//! The mathematical constants of the standard library.
+//! The constants of the standard library that are known by name.
 
 use core::f64::consts;
 
@@ -17,12 +17,17 @@ pub(super) fn mathematical(name: &str) -> Option<f64> {
     NUMBERS.iter().find(|(known, _)| *known == name).map(|&(_, value)| value)
 }
 
-/// The names of the mathematical constants.
-pub(super) fn names() -> impl Iterator<Item = &'static str> {
-    NUMBERS.iter().map(|(name, _)| *name)
+/// The variants of `std::cmp::Ordering`.
+pub(super) const ORDERINGS: [&str; 3] = ["Less", "Equal", "Greater"];
+
+/// True if the standard library has a constant or a variant of this name that is often imported.
+pub(super) fn is_known(name: &str) -> bool {
+    mathematical(name).is_some() || ORDERINGS.contains(&name)
 }
 
-/// True if there is a mathematical constant of this name.
-pub(in crate::differentiate) fn is_mathematical(name: &str) -> bool {
-    mathematical(name).is_some()
+/// The names that all of what is at this path of the standard library brings.
+pub(in crate::differentiate) fn names_at(path: &[String]) -> impl Iterator<Item = &'static str> {
+    let last = path.last().map_or("", String::as_str);
+    let numbers = NUMBERS.iter().filter(move |_| last == "consts").map(|(name, _)| *name);
+    numbers.chain(ORDERINGS.into_iter().filter(move |_| last == "Ordering"))
 }

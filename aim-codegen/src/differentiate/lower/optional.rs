@@ -10,6 +10,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
+use super::numbers;
 use super::value::{Optional, Order, Value};
 use crate::differentiate::messages;
 
@@ -53,7 +54,7 @@ impl Value {
     /// `Ordering::Less` and its like.
     pub(super) fn ordering(name: &str) -> Option<Self> {
         let known = |name: &str, expected: &str| Condition::Known(name == expected);
-        let is_one = ["Less", "Equal", "Greater"].contains(&name);
+        let is_one = numbers::ORDERINGS.contains(&name);
         is_one.then(|| Self::Ordering(Rc::new(Order { less: known(name, "Less"), greater: known(name, "Greater") })))
     }
 }
@@ -78,6 +79,41 @@ fn of_nothing(function: &Expr) -> Expr {
 }
 
 impl Translation<'_> {
+    fn ordering_method(&mut self, order: &Order, call: &ExprMethodCall, arguments: &[&Expr]) -> Option<Value> {
+        let Order { less, greater } = order.clone();
+        let equal = less.clone().or(greater.clone()).not();
+        let name = call.method.to_string();
+        let truth = match (name.as_str(), arguments) {
+            ("is_lt", []) => less,
+            ("is_le", []) => greater.not(),
+            ("is_gt", []) => greater,
+            ("is_ge", []) => less.not(),
+            ("is_eq", []) => equal,
+            ("is_ne", []) => equal.not(),
+            ("reverse", []) => return Some(Value::Ordering(Rc::new(Order { less: greater, greater: less }))),
+            ("then" | "then_with", [next]) => {
+                let next = if name == "then" {
+                    self.expression(next)
+                } else {
+                    let function = self.function_argument(next, 0)?;
+                    self.under(call, &equal, |this| this.inline(&call.method, &function, Vec::new()))
+                };
+                let Value::Ordering(next) = &next else {
+                    let text = messages::not_an_ordering(&next.describe());
+                    return Some(self.refuse_known(&next, &call.method, text));
+                };
+                let less = less.or(equal.clone().and(next.less.clone()));
+                let greater = greater.or(equal.and(next.greater.clone()));
+                return Some(Value::Ordering(Rc::new(Order { less, greater })));
+            }
+            _ => {
+                let known = ["reverse", "then", "then_with", "is_lt", "is_le", "is_gt", "is_ge", "is_eq", "is_ne"];
+                return Some(self.refuse(&call.method, messages::unknown_method(&name, "an ordering", &known)));
+            }
+        };
+        Some(Value::Truth(truth))
+    }
+
     /// A method of an option or an ordering, or one of a condition that makes an option; `None` of any other receiver.
     pub(super) fn optional_method(
         &mut self,
@@ -88,10 +124,7 @@ impl Translation<'_> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let optional = match (receiver, name.as_str()) {
-            (Value::Ordering(order), "reverse") => {
-                let Order { less, greater } = (**order).clone();
-                return Some(Value::Ordering(Rc::new(Order { less: greater, greater: less })));
-            }
+            (Value::Ordering(order), _) => return self.ordering_method(order, call, &arguments),
             (Value::Truth(holds), "then_some") if arguments.len() == 1 => {
                 let value = self.expression(arguments[0]);
                 return Some(Value::some_if(holds.clone(), value));
@@ -105,10 +138,6 @@ impl Translation<'_> {
                 return Some(Value::some_if(holds.clone(), value));
             }
             (Value::Optional(optional), _) => optional,
-            (Value::Ordering(_), _) => {
-                let text = messages::unknown_method(&name, &receiver.describe(), &["reverse"]);
-                return Some(self.refuse(&call.method, text));
-            }
             _ => return None,
         };
         let Optional { is_some, value } = &**optional;

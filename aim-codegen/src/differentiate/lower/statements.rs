@@ -65,6 +65,7 @@ impl Translation<'_> {
             let expected = self.expected(ty);
             let value = self.expression_as(value, &expected);
             self.frame.declare(name.to_string(), value);
+            self.frame.make_constant();
         }
         for statement in &block.stmts {
             if let Stmt::Item(Item::Fn(item)) = statement {
@@ -88,10 +89,7 @@ impl Translation<'_> {
         for (_, path) in all {
             let there: Vec<String> = match self.items.meaning(&scope, &path) {
                 Meaning::Own(module) => self.items.names_in(&module).map(str::to_owned).collect(),
-                Meaning::Outside(path) if path.last().is_some_and(|last| last == "consts") => {
-                    numbers::names().map(str::to_owned).collect()
-                }
-                Meaning::Outside(_) => Vec::new(),
+                Meaning::Outside(path) => numbers::names_at(&path).map(str::to_owned).collect(),
             };
             let of_name = |name: String| (name.clone(), [path.as_slice(), &[name]].concat());
             scope.imports.extend(there.into_iter().map(of_name));

@@ -3,6 +3,7 @@
 mod control;
 mod items;
 mod parts;
+mod patterns;
 mod references;
 mod sequences;
 

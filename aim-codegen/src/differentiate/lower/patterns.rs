@@ -1,0 +1,340 @@
+//! Patterns: whether a value matches one, and what its names are then worth.
+
+use aim_symbolic::Scalar;
+use syn::{Expr, ExprMethodCall, Member, Pat, RangeLimits};
+
+use super::condition::Condition;
+use super::numbers;
+use super::statements::is_rest;
+use super::value::Value;
+use super::{Translation, operators, strip};
+use crate::differentiate::messages;
+use crate::differentiate::names::{Meaning, segments};
+
+impl Translation<'_> {
+    /// Whether a value matches a pattern, whose names it is given; `None` after an error.
+    pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
+        if value.is_unknown() {
+            // Its names are known, and nothing more is said about them.
+            let errors = self.report.count();
+            self.bind(pattern, Value::Unknown);
+            self.report.forget(errors);
+            return None;
+        }
+        if let Value::Reference(place) = value {
+            match pattern {
+                Pat::Paren(_) | Pat::Reference(_) | Pat::Guard(_) | Pat::Or(_) | Pat::Wild(_) => {}
+                Pat::Ident(name) if self.is_variable(name) => {}
+                Pat::Slice(slice) if slice.elems.iter().any(is_rest) => {
+                    let is_long = !matches!(self.read(place), Value::Array(all) if all.len() + 1 < slice.elems.len());
+                    if is_long {
+                        self.bind(pattern, value.clone());
+                    }
+                    return Some(Condition::Known(is_long));
+                }
+                // It is taken apart, or compared by what it refers to.
+                _ => {
+                    let parts = self.lent_parts(value.clone());
+                    let parts = self.referenced(parts);
+                    return self.pattern(pattern, &parts);
+                }
+            }
+        }
+        if let Some((ty, tag)) = path_of(pattern).and_then(|path| self.variant(&path)) {
+            return self.matches_variant(pattern, (&ty, tag), value);
+        }
+        match pattern {
+            Pat::Paren(paren) => self.pattern(&paren.pat, value),
+            Pat::Reference(reference) => {
+                let value = self.referenced(value.clone());
+                self.pattern(&reference.pat, &value)
+            }
+            Pat::Guard(guard) => self.guarded(&guard.pat, Some(&guard.guard), value),
+            Pat::Lit(literal) => self.equal_to(&Expr::Lit(literal.clone()), value),
+            Pat::Ident(name) if name.ident == "None" && matches!(value, Value::Optional(_)) => match value {
+                Value::Optional(optional) => Some(optional.is_some.clone().not()),
+                _ => None,
+            },
+            Pat::Ident(name) if name.subpat.is_none() && self.is_constant(&name.ident) => {
+                let path = &name.ident;
+                self.equal_to(&syn::parse_quote!(#path), value)
+            }
+            Pat::Ident(name) if name.subpat.is_none() && self.may_be_constant(&name.ident) => {
+                self.refuse(name, messages::unknown_pattern(&name.ident.to_string()));
+                None
+            }
+            Pat::Path(path) => self.equal_to(&Expr::Path(path.clone()), value),
+            Pat::Or(or) => self.any_of(pattern, &Vec::from_iter(or.cases.iter().cloned()), None, value),
+            Pat::Range(range) => {
+                let ends = [&range.start, &range.end].map(Option::as_deref);
+                self.is_between(number(value), ends, &range.limits)
+            }
+            Pat::Tuple(tuple) => match value {
+                Value::Tuple(values) if values.len() == tuple.elems.len() => {
+                    self.patterns(tuple.elems.iter().zip(values))
+                }
+                other => {
+                    self.refuse(tuple, messages::pattern_of(&other.describe()));
+                    None
+                }
+            },
+            Pat::Slice(slice) if !slice.elems.iter().any(is_rest) => match value {
+                Value::Array(values) if values.len() == slice.elems.len() => {
+                    self.patterns(slice.elems.iter().zip(values))
+                }
+                Value::Array(_) => Some(Condition::Known(false)),
+                other => {
+                    self.refuse(slice, messages::pattern_of(&other.describe()));
+                    None
+                }
+            },
+            Pat::TupleStruct(of) => match (value, of.path.segments.last()) {
+                (Value::Optional(optional), Some(last)) if last.ident == "Err" => {
+                    if !of.elems.iter().all(|element| matches!(element, Pat::Wild(_) | Pat::Rest(_))) {
+                        self.refuse(of, messages::error_value());
+                        return None;
+                    }
+                    Some(optional.is_some.clone().not())
+                }
+                (Value::Optional(optional), Some(last)) if last.ident == "Some" || last.ident == "Ok" => {
+                    match &optional.is_some {
+                        Condition::Known(false) => Some(Condition::Known(false)),
+                        is_some => {
+                            let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));
+                            inner.flatten().map(|inner| is_some.clone().and(inner))
+                        }
+                    }
+                }
+                _ => {
+                    let parts = of.elems.iter().enumerate().map(|(index, _)| Member::from(index));
+                    let parts: Vec<Value> = parts.map(|member| self.moved_part(value, &member)).collect();
+                    self.patterns(of.elems.iter().zip(&parts))
+                }
+            },
+            Pat::Struct(of) => {
+                let parts: Vec<Value> = of.fields.iter().map(|field| self.moved_part(value, &field.member)).collect();
+                self.patterns(of.fields.iter().map(|field| &*field.pat).zip(&parts))
+            }
+            // There are fewer than the pattern names.
+            Pat::Slice(slice) if matches!(value, Value::Array(values) if values.len() + 1 < slice.elems.len()) => {
+                Some(Condition::Known(false))
+            }
+            Pat::Ident(syn::PatIdent { subpat: Some((_, inner)), .. }) => {
+                let mut name = pattern.clone();
+                if let Pat::Ident(name) = &mut name {
+                    name.subpat = None;
+                }
+                self.bind(&name, value.clone());
+                self.pattern(inner, value)
+            }
+            Pat::Wild(_) | Pat::Ident(_) | Pat::Slice(_) => {
+                self.bind(pattern, value.clone());
+                Some(Condition::Known(true))
+            }
+            other => {
+                self.refuse(other, messages::match_pattern());
+                None
+            }
+        }
+    }
+
+    /// Whether a value matches a pattern and its guard holds, which is asked for each of its alternatives; `None` after an error.
+    pub(super) fn guarded(&mut self, pattern: &Pat, guard: Option<&Expr>, value: &Value) -> Option<Condition> {
+        match (alternatives(pattern).as_slice(), guard) {
+            (cases @ [_, _, ..], Some(_)) => self.any_of(pattern, cases, guard, value),
+            _ => {
+                let matched = self.pattern(pattern, value)?;
+                self.and_guard(matched, guard)
+            }
+        }
+    }
+
+    fn and_guard(&mut self, matched: Condition, guard: Option<&Expr>) -> Option<Condition> {
+        match (matched, guard) {
+            (matched @ Condition::Known(false), _) | (matched, None) => Some(matched),
+            (matched, Some(guard)) => {
+                let guard = self.under(guard, &matched, |this| this.condition(guard))?;
+                Some(matched.and(guard))
+            }
+        }
+    }
+
+    /// The condition that a value matches one of several patterns, and the guard with what that binds. What they bind has the values
+    /// of the first of which that holds.
+    fn any_of(&mut self, place: &Pat, patterns: &[Pat], guard: Option<&Expr>, value: &Value) -> Option<Condition> {
+        let depth = self.frame.depth();
+        let mut cases = Vec::new();
+        for case in patterns {
+            let matched = self.pattern(case, value)?;
+            let matched = self.and_guard(matched, guard)?;
+            // What cannot match binds nothing.
+            if !matches!(matched, Condition::Known(false)) {
+                cases.push((matched, self.frame.variables()[depth..].to_vec()));
+            }
+            self.frame.leave(depth);
+        }
+        let Some((_, names)) = cases.last().cloned() else { return Some(Condition::Known(false)) };
+        for (name, value) in names {
+            let chosen = cases.iter().rev().skip(1).try_fold(value, |otherwise, (matched, bound)| {
+                let (_, value) = bound.iter().find(|(known, _)| *known == name)?;
+                value.select(self.algebra, matched, &otherwise)
+            });
+            let chosen = chosen.unwrap_or_else(|| self.refuse(place, messages::match_pattern()));
+            self.frame.declare(name, chosen);
+        }
+        Some(cases.into_iter().fold(Condition::Known(false), |any, (matched, _)| any.or(matched)))
+    }
+
+    /// `(low..high).contains(&x)`; `None` for any other call.
+    pub(super) fn contained(&mut self, call: &ExprMethodCall) -> Option<Value> {
+        let (Expr::Range(range), "contains", Some(x), 1) =
+            (strip(&call.receiver), call.method.to_string().as_str(), call.args.first(), call.args.len())
+        else {
+            return None;
+        };
+        let x = self.expression(x);
+        let x = number(&self.referenced(x));
+        let ends = [&range.start, &range.end].map(Option::as_deref);
+        Some(self.is_between(x, ends, &range.limits).map_or(Value::Unknown, Value::Truth))
+    }
+
+    /// The condition that a number is in a range.
+    fn is_between(
+        &mut self,
+        x: Option<Scalar>,
+        [start, end]: [Option<&Expr>; 2],
+        limits: &RangeLimits,
+    ) -> Option<Condition> {
+        let low = match start {
+            Some(start) => {
+                let start = number(&self.expression(start))?;
+                Condition::at_most(self.algebra, start, x?)
+            }
+            None => Condition::Known(true),
+        };
+        let high = match end {
+            Some(end) => {
+                let end = number(&self.expression(end))?;
+                match limits {
+                    RangeLimits::Closed(_) => Condition::at_most(self.algebra, x?, end),
+                    RangeLimits::HalfOpen(_) => Condition::less(self.algebra, x?, end),
+                }
+            }
+            None => Condition::Known(true),
+        };
+        Some(low.and(high))
+    }
+
+    /// Whether each of several values matches its pattern.
+    pub(super) fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
+        parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
+            let next = self.pattern(pattern, value)?;
+            Some(matched.and(next))
+        })
+    }
+
+    /// True of a pattern that is the name of a variable which it makes.
+    fn is_variable(&self, name: &syn::PatIdent) -> bool {
+        let is_variant = || self.variant(&[name.ident.to_string()]).is_some();
+        name.subpat.is_none() && name.ident != "None" && !self.is_constant(&name.ident) && !is_variant()
+    }
+
+    /// Whether a name of a pattern is that of a constant, of the module, of a block, or imported.
+    fn is_constant(&self, name: &syn::Ident) -> bool {
+        let name = name.to_string();
+        let is_capital = name.starts_with(char::is_uppercase);
+        if let Some(place) = self.frame.find(&name).filter(|_| is_capital) {
+            return self.frame.is_constant(place);
+        }
+        match self.items.meaning(&self.frame.scope, &[name]) {
+            Meaning::Own(name) => self.items.constant(None, &name).is_some(),
+            Meaning::Outside(path) if path.len() > 1 => is_capital,
+            // As in expressions, these are taken for known where imports cannot be seen.
+            Meaning::Outside(path) => {
+                let is_known = |name: &String| name.len() > 1 && numbers::is_known(name);
+                self.frame.scope.module.is_empty() && path.iter().all(is_known)
+            }
+        }
+    }
+
+    /// Whether a name of a pattern is one that constants have and variables do not, and nothing is known of it.
+    fn may_be_constant(&self, name: &syn::Ident) -> bool {
+        let name = name.to_string();
+        name.len() > 1 && name.starts_with(char::is_uppercase) && self.frame.find(&name).is_none()
+    }
+
+    fn equal_to(&mut self, expected: &Expr, value: &Value) -> Option<Condition> {
+        let expected_value = self.expression(expected);
+        if expected_value.is_unknown() {
+            return None;
+        }
+        match operators::binary(self.algebra, &syn::parse_quote!(==), value, &expected_value) {
+            Some(Value::Truth(condition)) => Some(condition),
+            _ => {
+                self.refuse(expected, messages::pattern_of(&value.describe()));
+                None
+            }
+        }
+    }
+}
+
+/// The path of a pattern that may be a variant's.
+fn path_of(pattern: &Pat) -> Option<Vec<String>> {
+    match pattern {
+        Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => Some(vec![name.ident.to_string()]),
+        Pat::Path(path) => Some(segments(&path.path)),
+        Pat::TupleStruct(of) => Some(segments(&of.path)),
+        Pat::Struct(of) => Some(segments(&of.path)),
+        _ => None,
+    }
+}
+
+/// The patterns that stand in a pattern.
+fn parts(pattern: &mut Pat) -> Vec<&mut Pat> {
+    match pattern {
+        Pat::Paren(of) => vec![&mut of.pat],
+        Pat::Reference(of) => vec![&mut of.pat],
+        Pat::Ident(of) => of.subpat.iter_mut().map(|(_, inner)| &mut **inner).collect(),
+        Pat::Or(of) => of.cases.iter_mut().collect(),
+        Pat::Tuple(of) => of.elems.iter_mut().collect(),
+        Pat::TupleStruct(of) => of.elems.iter_mut().collect(),
+        Pat::Slice(of) => of.elems.iter_mut().collect(),
+        Pat::Struct(of) => of.fields.iter_mut().map(|field| &mut *field.pat).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Whether a pattern has names, of which guards may tell one alternative from another.
+fn has_names(pattern: &mut Pat) -> bool {
+    matches!(pattern, Pat::Ident(_)) || parts(pattern).into_iter().any(has_names)
+}
+
+/// The patterns that a pattern stands for, in the order in which they are tried: one for each choice of those alternatives that have
+/// names.
+fn alternatives(pattern: &Pat) -> Vec<Pat> {
+    let mut pattern = pattern.clone();
+    if !has_names(&mut pattern) {
+        return vec![pattern];
+    }
+    if let Pat::Or(or) = &pattern {
+        return or.cases.iter().flat_map(alternatives).collect();
+    }
+    (0..parts(&mut pattern).len()).fold(vec![pattern], |made, place| {
+        let with_each = |mut one: Pat| {
+            let choices = alternatives(parts(&mut one)[place]);
+            choices.into_iter().map(move |choice| {
+                let mut one = one.clone();
+                *parts(&mut one)[place] = choice;
+                one
+            })
+        };
+        made.into_iter().flat_map(with_each).collect()
+    })
+}
+
+fn number(value: &Value) -> Option<Scalar> {
+    match value {
+        Value::Scalar(x) | Value::Integer(x) => Some(*x),
+        _ => None,
+    }
+}
