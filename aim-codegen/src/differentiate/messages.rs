@@ -260,14 +260,14 @@ messages! {
         "a loop cannot go over {found}",
         "loops go over ranges of known whole numbers, arrays, and their iterators";
 
-    range_without_end() => "a loop needs a range with both ends", "write it as in `0..N`";
+    range_without_end() => "a range needs both of its ends here", "write it as in `0..N`";
 
     rounds_unknown() =>
         "how often this loop runs is not known here",
         "loops are written out round by round: bound a count, as in `0..n.min(8)` or by `assert!(n <= 8)` before it, and what ends by its values, as in `while n < 20 && error > 1e-9`";
 
     exit_of_kept_loop() =>
-        "a function that changes what its caller lends it cannot return from inside of a loop of which no end is known",
+        "a closure, or a function that changes what its caller lends it, cannot return from inside of a loop of which no end is known",
         "assign what it returns to a variable and `break`, or bound the loop, as in `0..n.min(8)`";
 
     state_of_kept_loop(kind: &str) =>
@@ -371,6 +371,10 @@ messages! {
         "this whole number is beyond 2⁵³, which is rounded here",
         "pass it as an argument; what is made of random bits is no function to differentiate";
 
+    wrapped_whole_number() =>
+        "this whole number may have been negative and wrap round, beyond 2⁵³, where it is rounded",
+        "divide by `rem_euclid` before it is cast";
+
     effect_of_error() =>
         "an error that changes a variable is not followed",
         "change the variable before";
@@ -445,9 +449,10 @@ messages! {
 
     not_a_condition(found: &str) => "`if` needs a condition, found {found}", "compare two numbers";
 
-    branches_differ(then: &str, otherwise: &str) =>
+    branches_differ(then: &str, otherwise: &str)
+        where help = if then == otherwise { "use it in each branch" } else { "both must be of one kind" } =>
         "one branch is {then}, the other {otherwise}",
-        "both must be of one kind";
+        "{help}";
 
     unknown_result() => "the value of this function cannot be told", "the compiler's own errors may say why";
 

@@ -94,6 +94,11 @@ fn gait(x: f32, gait: i32) -> f32 {
     }
 }
 
+#[differentiate(wrt(x))]
+fn ring(x: f32, n: i32) -> f32 {
+    [x, x * x][(n as usize + 1) % 2]
+}
+
 fn main() {
     let (value, (by_x, by_v)): (f32, (f32, Vec3)) = used_gradient(1.0, Vec3::X);
     let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY, 1));

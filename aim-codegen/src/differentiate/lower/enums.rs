@@ -10,7 +10,7 @@ use syn::{BinOp, Expr, Member, Pat, Token};
 use super::condition::Condition;
 use super::expected::Expected;
 use super::fields::name_of;
-use super::statements::is_rest;
+use super::patterns::placed;
 use super::value::{Struct, Value};
 use super::{Translation, operators};
 use crate::differentiate::items::Enumeration;
@@ -111,13 +111,8 @@ impl Translation<'_> {
         let parts: Vec<(&Pat, Value)> = match pattern {
             Pat::Struct(of) => of.fields.iter().map(|written| (&*written.pat, field(&written.member))).collect(),
             Pat::TupleStruct(of) => {
-                let (count, written) = (variant.fields.len(), of.elems.len());
-                let rest = of.elems.iter().position(is_rest);
-                let place = |index| {
-                    if rest.is_some_and(|rest| rest < index) { (index + count).saturating_sub(written) } else { index }
-                };
-                let elements = of.elems.iter().enumerate().filter(|(_, element)| !is_rest(element));
-                elements.map(|(index, element)| (element, field(&Member::from(place(index))))).collect()
+                let placed = placed(&of.elems, variant.fields.len()).into_iter();
+                placed.map(|(place, element)| (element, field(&Member::from(place)))).collect()
             }
             _ => Vec::new(),
         };

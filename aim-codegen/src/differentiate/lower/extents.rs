@@ -37,6 +37,12 @@ impl Extent {
         Self { least, most, is_whole: true }
     }
 
+    /// The same of what is positive where both are, however it is rounded.
+    fn made_in_kind(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
+        let made = self.made(other, ends);
+        if self.least >= 0.0 && other.least >= 0.0 { made.at_least(0.0) } else { made }
+    }
+
     fn at_most(self, most: f64) -> Self {
         Self { most: self.most.min(most), ..self }
     }
@@ -115,9 +121,9 @@ impl<'a> Extents<'a> {
                 let inner = self.of(inner);
                 Extent { least: -inner.most, most: -inner.least, ..inner }
             }
-            Op::Add(one, other) => self.of(one).made(self.of(other), |x, y| x + y),
+            Op::Add(one, other) => self.of(one).made_in_kind(self.of(other), |x, y| x + y),
             Op::Sub(one, other) => self.of(one).made(self.of(other), |x, y| x - y),
-            Op::Mul(one, other) => self.of(one).made(self.of(other), |x, y| x * y),
+            Op::Mul(one, other) => self.of(one).made_in_kind(self.of(other), |x, y| x * y),
             Op::Div(one, divisor) => {
                 let (one, divisor) = (self.of(one), self.of(divisor));
                 match divisor.least == divisor.most && divisor.least > 0.0 {
@@ -134,6 +140,12 @@ impl<'a> Extents<'a> {
             Op::SelectLess(less, more, then, otherwise) => {
                 let (below, above) = (self.of(less), self.of(more));
                 let (mut one, mut other) = (self.of(then), self.of(otherwise));
+                if below.least >= above.most {
+                    return other;
+                }
+                if self.a.g.scalar_node(then) == ScalarNode::Op(Op::Neg(less)) {
+                    one = one.at_least(-above.most);
+                }
                 if then == less {
                     one = one.at_most(above.most);
                 }

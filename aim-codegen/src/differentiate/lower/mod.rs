@@ -40,9 +40,10 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashSet;
 use std::rc::Rc;
 
-use aim_symbolic::Scalar;
+use aim_symbolic::{Node, Scalar};
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
@@ -406,6 +407,11 @@ impl Translation<'_> {
         if operators::compares(operator) && self.is_ambiguous(left, right) {
             return self.refuse(place, messages::rounded_constants());
         }
+        if matches!(operator, syn::BinOp::Div(_) | syn::BinOp::Rem(_))
+            && [left, right].into_iter().any(|value| self.may_have_wrapped(value))
+        {
+            return self.refuse(place, messages::wrapped_whole_number());
+        }
         let value = operators::binary(self.algebra, operator, left, right);
         if let Value::Integer(_) = left
             && [Some(left), Some(right), value.as_ref()]
@@ -436,7 +442,22 @@ impl Translation<'_> {
     /// Whether a known whole number is rounded here.
     fn is_too_large_to_count(&self, value: &Value) -> bool {
         let Value::Integer(x) = value else { return false };
-        self.algebra.constant_of(*x).is_some_and(|x| x.abs() > LARGEST_WHOLE)
+        self.algebra.constant_of(*x).is_some_and(|x| x.abs() >= LARGEST_WHOLE)
+    }
+
+    /// Whether a whole number is made of one that 64 bits may have wrapped round: it compares as it should, but is rounded.
+    fn may_have_wrapped(&self, value: &Value) -> bool {
+        let Value::Integer(x) = value else { return false };
+        let (mut nodes, mut seen) = (vec![Node::Scalar(*x)], HashSet::new());
+        while let Some(node) = nodes.pop() {
+            if matches!(node, Node::Scalar(x) if self.algebra.constant_of(x) == Some(WRAPPED)) {
+                return true;
+            }
+            if seen.insert(node) {
+                nodes.extend(self.algebra.g.parts(node));
+            }
+        }
+        false
     }
 
     /// `left && right` or `left || right`: what is on the right is done only where the left side does not decide.
@@ -498,8 +519,8 @@ impl Translation<'_> {
             // No number that counts is beyond their ends.
             (Value::Integer(_), "i32" | "i64" | "isize", None) => value,
             (Value::Integer(x), "u32" | "usize" | "u64", _) => {
-                let (x, end) = (*x, if ty == "u32" { 32 } else { 64 });
-                let (zero, turn) = (self.algebra.number(0.0), self.algebra.number(2_f64.powi(end)));
+                let (x, turn) = (*x, if ty == "u32" { f64::from(u32::MAX) + 1.0 } else { WRAPPED });
+                let (zero, turn) = (self.algebra.number(0.0), self.algebra.number(turn));
                 let wrapped = self.algebra.add(x, turn);
                 Value::Integer(Condition::less(self.algebra, x, zero).select(self.algebra, wrapped, x))
             }
@@ -535,6 +556,9 @@ const NEAR: f64 = 1e-5;
 
 /// Beyond this, numbers are rounded to whole ones.
 const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
+
+/// What 64 bits add to a negative number without a sign.
+const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
 
 /// A whole number in an integer type; it wraps round.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]

@@ -1,6 +1,8 @@
 //! Patterns: whether a value matches one, and what its names are then worth.
 
 use aim_symbolic::Scalar;
+use syn::punctuated::Punctuated;
+use syn::token::Comma;
 use syn::{Expr, ExprMethodCall, Member, Pat, RangeLimits};
 
 use super::condition::Condition;
@@ -70,8 +72,9 @@ impl Translation<'_> {
                 self.is_between(number(value), ends, &range.limits)
             }
             Pat::Tuple(tuple) => match value {
-                Value::Tuple(values) if values.len() == tuple.elems.len() => {
-                    self.patterns(tuple.elems.iter().zip(values))
+                Value::Tuple(values) if fits(&tuple.elems, values.len()) => {
+                    let placed = placed(&tuple.elems, values.len()).into_iter();
+                    self.patterns(placed.map(|(place, element)| (element, &values[place])))
                 }
                 other => {
                     self.refuse(tuple, messages::pattern_of(&other.describe()));
@@ -99,6 +102,7 @@ impl Translation<'_> {
                 (Value::Optional(optional), Some(last)) if last.ident == "Some" || last.ident == "Ok" => {
                     match &optional.is_some {
                         Condition::Known(false) => Some(Condition::Known(false)),
+                        is_some if matches!(of.elems.first(), Some(Pat::Rest(_))) => Some(is_some.clone()),
                         is_some => {
                             let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));
                             inner.flatten().map(|inner| is_some.clone().and(inner))
@@ -106,9 +110,8 @@ impl Translation<'_> {
                     }
                 }
                 _ => {
-                    let parts = of.elems.iter().enumerate().map(|(index, _)| Member::from(index));
-                    let parts: Vec<Value> = parts.map(|member| self.moved_part(value, &member)).collect();
-                    self.patterns(of.elems.iter().zip(&parts))
+                    let parts = self.parts_of(of, value);
+                    self.patterns(parts.iter().map(|(element, part)| (*element, part)))
                 }
             },
             Pat::Struct(of) => {
@@ -163,9 +166,14 @@ impl Translation<'_> {
     /// of the first of which that holds.
     fn any_of(&mut self, place: &Pat, patterns: &[Pat], guard: Option<&Expr>, value: &Value) -> Option<Condition> {
         let depth = self.frame.depth();
-        let mut cases = Vec::new();
+        let mut cases: Vec<(Condition, Vec<(String, Value)>)> = Vec::new();
         for case in patterns {
             let matched = self.pattern(case, value)?;
+            let matched = match guard {
+                // It is asked where none before has held.
+                Some(_) => cases.iter().fold(matched, |left, (before, _)| left.and(before.clone().not())),
+                None => matched,
+            };
             let matched = self.and_guard(matched, guard)?;
             // What cannot match binds nothing.
             if !matches!(matched, Condition::Known(false)) {
@@ -225,6 +233,16 @@ impl Translation<'_> {
         Some(low.and(high))
     }
 
+    /// The patterns of a tuple struct's fields, and these.
+    pub(super) fn parts_of<'p>(&mut self, of: &'p syn::PatTupleStruct, value: &Value) -> Vec<(&'p Pat, Value)> {
+        let count = match value {
+            Value::Struct(of) => of.fields.len(),
+            _ => of.elems.len(),
+        };
+        let placed = placed(&of.elems, count).into_iter();
+        placed.map(|(place, element)| (element, self.moved_part(value, &Member::from(place)))).collect()
+    }
+
     /// Whether each of several values matches its pattern.
     pub(super) fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
         parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
@@ -260,7 +278,7 @@ impl Translation<'_> {
     /// Whether a name of a pattern is one that constants have and variables do not, and nothing is known of it.
     fn may_be_constant(&self, name: &syn::Ident) -> bool {
         let name = name.to_string();
-        name.len() > 1 && name.starts_with(char::is_uppercase) && self.frame.find(&name).is_none()
+        name.starts_with(char::is_uppercase) && self.frame.find(&name).is_none()
     }
 
     fn equal_to(&mut self, expected: &Expr, value: &Value) -> Option<Condition> {
@@ -287,6 +305,20 @@ fn path_of(pattern: &Pat) -> Option<Vec<String>> {
         Pat::Struct(of) => Some(segments(&of.path)),
         _ => None,
     }
+}
+
+/// Whether patterns are those of so many parts; `..` stands for any number of them.
+fn fits(elements: &Punctuated<Pat, Comma>, count: usize) -> bool {
+    let written = elements.len();
+    written == count || elements.iter().any(is_rest) && written <= count + 1
+}
+
+/// The patterns but for `..`, each with the place of its part among so many.
+pub(super) fn placed(elements: &Punctuated<Pat, Comma>, count: usize) -> Vec<(usize, &Pat)> {
+    let rest = elements.iter().position(is_rest).unwrap_or(elements.len());
+    let place = |index| if rest < index { (index + count).saturating_sub(elements.len()) } else { index };
+    let written = elements.iter().enumerate().filter(|(index, _)| *index != rest);
+    written.map(|(index, element)| (place(index), element)).collect()
 }
 
 /// The patterns that stand in a pattern.

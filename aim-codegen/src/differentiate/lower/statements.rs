@@ -239,8 +239,7 @@ impl Translation<'_> {
                 }
             }
             Pat::TupleStruct(of) => {
-                for (index, pattern) in of.elems.iter().enumerate() {
-                    let part = self.moved_part(&value, &syn::Member::from(index));
+                for (pattern, part) in self.parts_of(of, &value) {
                     self.bind(pattern, part);
                 }
             }

@@ -65,4 +65,29 @@ same! {
             matched + match R { T => T * 3.0 }
         }
     }
+    parts_that_are_left_out {
+        struct P(f64, f64, f64);
+        enum V { A(f64, f64, f64), B }
+        fn of_tuples(t: (f64, f64, f64)) -> f64 { match t { (a, ..) if a > 0.0 => a, (.., c) => c } }
+        fn of_structs(p: P) -> f64 { match p { P(a, ..) if a > 1.0 => a, P(.., c) => 3.0 * c } }
+        fn of_variants(v: V, x: f64) -> f64 { match v { V::A(.., c) if c > x => c, V::A(a, ..) => a, V::B => 7.0 } }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (a, .., c) = (x, y, 3.0);
+            let P(.., d) = P(x, y, x * y);
+            let P(e, ..) = P(x, 1.0, y);
+            let v = if x > y { V::A(x, y, 2.0) } else { V::B };
+            let some = if x > 0.0 { Some((x, y)) } else { None };
+            let is_some = if let Some(..) = some { 10.0 } else { y };
+            let sum: f64 = [(x, y, 1.0), (y, x, 2.0)].iter().map(|(first, .., last)| first * last).sum();
+            a + c * d + e + of_tuples((x, y, 2.0)) + 10.0 * of_structs(P(x, y, 2.0)) + of_variants(v, x) * is_some + sum
+        }
+    }
+    guards_act_only_where_those_before_did_not_hold {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut asked = 0.0;
+            let mut is_large = |v: f64| { asked += 1.0; v > 0.6 };
+            let found = match (x, y) { (a, _) | (_, a) if is_large(a) => a, _ => -1.0 };
+            found + 100.0 * asked
+        }
+    }
 }
