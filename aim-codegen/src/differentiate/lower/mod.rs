@@ -504,6 +504,7 @@ impl Translation<'_> {
         };
         match (&value, ty.as_str(), self.algebra.known_integer(&value)) {
             (Value::Unknown | Value::Never, ..) => value,
+            (Value::Integer(_), "f32", Some(whole)) => Value::Scalar(self.algebra.number(in_single(whole))),
             (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
             // A constant that is cut off may be another one in single precision.
@@ -559,6 +560,12 @@ const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
 
 /// What 64 bits add to a negative number without a sign.
 const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
+
+/// A whole number as `f32` rounds it.
+#[expect(clippy::cast_precision_loss, reason = "as `as` does")]
+fn in_single(whole: i64) -> f64 {
+    f64::from(whole as f32)
+}
 
 /// A whole number in an integer type; it wraps round.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]

@@ -548,4 +548,7 @@ same! {
             x * m.data[2][1] + y * n.data[1][0]
         }
     }
+    whole_numbers_that_single_precision_rounds {
+        pub fn f(x: f64, y: f64) -> f64 { (16777217i32 as f32 as f64 - 16777216.0) * x + (-3i32) as f32 as f64 * y }
+    }
 }
