@@ -37,8 +37,8 @@ impl Extent {
         Self { least, most, is_whole: true }
     }
 
-    /// The same of what is positive where both are, however it is rounded.
-    fn made_in_kind(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
+    /// A sum or a product, which is not negative where neither part is, however it is rounded.
+    fn sum_or_product(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
         let made = self.made(other, ends);
         if self.least >= 0.0 && other.least >= 0.0 { made.at_least(0.0) } else { made }
     }
@@ -121,9 +121,9 @@ impl<'a> Extents<'a> {
                 let inner = self.of(inner);
                 Extent { least: -inner.most, most: -inner.least, ..inner }
             }
-            Op::Add(one, other) => self.of(one).made_in_kind(self.of(other), |x, y| x + y),
+            Op::Add(one, other) => self.of(one).sum_or_product(self.of(other), |x, y| x + y),
             Op::Sub(one, other) => self.of(one).made(self.of(other), |x, y| x - y),
-            Op::Mul(one, other) => self.of(one).made_in_kind(self.of(other), |x, y| x * y),
+            Op::Mul(one, other) => self.of(one).sum_or_product(self.of(other), |x, y| x * y),
             Op::Div(one, divisor) => {
                 let (one, divisor) = (self.of(one), self.of(divisor));
                 match divisor.least == divisor.most && divisor.least > 0.0 {

@@ -5,6 +5,7 @@ mod algebra;
 mod arrays;
 mod bounds;
 mod calls;
+mod casts;
 mod choices;
 mod condition;
 mod constants;
@@ -40,10 +41,8 @@ mod value;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashSet;
 use std::rc::Rc;
 
-use aim_symbolic::{Node, Scalar};
 use quote::ToTokens;
 use syn::{Expr, UnOp};
 
@@ -51,7 +50,6 @@ pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
 pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
-use self::extents::Extents;
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::names_at;
@@ -59,8 +57,8 @@ pub(super) use self::outside::{At, KeptLoop, Outside, State};
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Slice, Struct, Value};
+use super::messages;
 use super::names::{Meaning, segments};
-use super::{messages, types};
 use crate::differentiate::items::Constant;
 use crate::emit::Precision;
 
@@ -255,21 +253,18 @@ impl Translation<'_> {
                 if path == ["None"] {
                     return Some(Value::none());
                 }
+                // It may be imported where this cannot be seen.
                 if let [name] = path.as_slice()
-                    && let Some(value) = numbers::mathematical(name).filter(|_| name.len() > 1)
                     && self.frame.scope.module.is_empty()
                 {
-                    // It is imported where this cannot be seen: the companion makes sure of its value.
+                    let Some(value) = numbers::mathematical(name).filter(|_| name.len() > 1) else {
+                        return Value::ordering(name);
+                    };
+                    // The companion makes sure of its value.
                     if !self.algebra.taken_for_known.contains(name) {
                         self.algebra.taken_for_known.push(name.clone());
                     }
                     return Some(Value::Scalar(self.algebra.number(value)));
-                }
-                // As above: nobody else calls a variant so.
-                if let [name] = path.as_slice()
-                    && self.frame.scope.module.is_empty()
-                {
-                    return Value::ordering(name);
                 }
                 let [before @ .., module, name] = path.as_slice() else { return None };
                 if module == "Ordering" {
@@ -439,27 +434,6 @@ impl Translation<'_> {
         is_beyond(x) || is_beyond(y) || x != y && (x - y).abs() <= NEAR * x.abs().max(y.abs())
     }
 
-    /// Whether a known whole number is rounded here.
-    fn is_too_large_to_count(&self, value: &Value) -> bool {
-        let Value::Integer(x) = value else { return false };
-        self.algebra.constant_of(*x).is_some_and(|x| x.abs() >= LARGEST_WHOLE)
-    }
-
-    /// Whether a whole number is made of one that 64 bits may have wrapped round: it compares as it should, but is rounded.
-    fn may_have_wrapped(&self, value: &Value) -> bool {
-        let Value::Integer(x) = value else { return false };
-        let (mut nodes, mut seen) = (vec![Node::Scalar(*x)], HashSet::new());
-        while let Some(node) = nodes.pop() {
-            if matches!(node, Node::Scalar(x) if self.algebra.constant_of(x) == Some(WRAPPED)) {
-                return true;
-            }
-            if seen.insert(node) {
-                nodes.extend(self.algebra.g.parts(node));
-            }
-        }
-        false
-    }
-
     /// `left && right` or `left || right`: what is on the right is done only where the left side does not decide.
     fn short_circuit(&mut self, binary: &syn::ExprBinary) -> Value {
         let is_and = matches!(binary.op, syn::BinOp::And(_));
@@ -482,67 +456,6 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether a number is known, but whether it is below or above a whole number is not, in single precision.
-    fn is_nearly_whole(&self, x: Scalar) -> bool {
-        let known = self.algebra.known(x).filter(|_| self.precision == Some(Precision::Single));
-        known.is_some_and(|x| x.fract() != 0.0 && (x - x.round()).abs() <= NEAR * x.abs())
-    }
-
-    /// Whether a whole number is certainly one of this type.
-    fn fits(&self, x: Scalar, ty: &str) -> bool {
-        let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
-        let (least, most) = types::ends(ty);
-        extent.least >= least && extent.most <= most
-    }
-
-    /// `value as type`
-    fn cast(&mut self, cast: &syn::ExprCast) -> Value {
-        let value = self.expression(&cast.expr);
-        let ty = cast.ty.to_token_stream().to_string();
-        let is_integer = |ty: &str| {
-            ["usize", "isize"].contains(&ty) || (ty.starts_with(['u', 'i']) && ty[1..].parse::<u8>().is_ok())
-        };
-        match (&value, ty.as_str(), self.algebra.known_integer(&value)) {
-            (Value::Unknown | Value::Never, ..) => value,
-            (Value::Integer(_), "f32", Some(whole)) => Value::Scalar(self.algebra.number(in_single(whole))),
-            (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
-            (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
-            // A constant that is cut off may be another one in single precision.
-            (Value::Scalar(x), ty, _) if is_integer(ty) && self.is_nearly_whole(*x) => {
-                self.refuse(&cast.as_token, messages::rounded_constants())
-            }
-            (Value::Integer(_), ty, Some(whole))
-                if is_integer(ty) && (whole >= 0 || !["u64", "usize"].contains(&ty)) =>
-            {
-                self.algebra.integer(wrapped(whole, ty))
-            }
-            (Value::Integer(x), ty, _) if is_integer(ty) && self.fits(*x, ty) => value,
-            // No number that counts is beyond their ends.
-            (Value::Integer(_), "i32" | "i64" | "isize", None) => value,
-            (Value::Integer(x), "u32" | "usize" | "u64", _) => {
-                let (x, turn) = (*x, if ty == "u32" { f64::from(u32::MAX) + 1.0 } else { WRAPPED });
-                let (zero, turn) = (self.algebra.number(0.0), self.algebra.number(turn));
-                let wrapped = self.algebra.add(x, turn);
-                Value::Integer(Condition::less(self.algebra, x, zero).select(self.algebra, wrapped, x))
-            }
-            (Value::Truth(condition), ty, _) if is_integer(ty) => Value::Integer(self.algebra.number_of(condition)),
-            (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
-                self.discriminant(cast, of)
-            }
-            (Value::Scalar(_), ty, _) if is_integer(ty) => methods::whole(self.algebra, &value, ty),
-            (Value::Integer(_), ty, _) if is_integer(ty) => self.unsupported(
-                &cast.as_token,
-                "a whole number that may wrap round",
-                "cast it to `i32`, `i64` or `usize`",
-            ),
-            _ => self.unsupported(
-                &cast.as_token,
-                "a cast",
-                "a function computes in one number type: write the number or take an argument of that type",
-            ),
-        }
-    }
-
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         match expression {
             Expr::Let(e) => self.unsupported(&e.let_token, "a pattern in this condition", CHOICE),
@@ -554,33 +467,6 @@ impl Translation<'_> {
 
 /// How far constants are from each other, relative to their size, that rounding may put in another order.
 const NEAR: f64 = 1e-5;
-
-/// Beyond this, numbers are rounded to whole ones.
-const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
-
-/// What 64 bits add to a negative number without a sign.
-const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
-
-/// A whole number as `f32` rounds it.
-#[expect(clippy::cast_precision_loss, reason = "as `as` does")]
-fn in_single(whole: i64) -> f64 {
-    f64::from(whole as f32)
-}
-
-/// A whole number in an integer type; it wraps round.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]
-fn wrapped(whole: i64, ty: &str) -> i64 {
-    match ty {
-        "u8" => (whole as u8).into(),
-        "u16" => (whole as u16).into(),
-        "u32" => (whole as u32).into(),
-        "i8" => (whole as i8).into(),
-        "i16" => (whole as i16).into(),
-        "i32" => (whole as i32).into(),
-        // Of what is wider i64 has no more.
-        _ => whole,
-    }
-}
 
 /// Whether an expression is a variable or a part of one.
 fn is_place(expression: &Expr) -> bool {

@@ -1,0 +1,130 @@
+//! Casts, and the whole numbers that are rounded here, as they are computed in a number type.
+
+use aim_symbolic::{Op, Scalar, ScalarNode};
+use quote::ToTokens;
+
+use super::condition::Condition;
+use super::extents::Extents;
+use super::value::Value;
+use super::{NEAR, Translation, methods};
+use crate::differentiate::{messages, types};
+use crate::emit::Precision;
+
+impl Translation<'_> {
+    /// True of a known whole number that is rounded here.
+    pub(super) fn is_too_large_to_count(&self, value: &Value) -> bool {
+        let Value::Integer(x) = value else { return false };
+        self.algebra.constant_of(*x).is_some_and(|x| x.abs() >= LARGEST_WHOLE)
+    }
+
+    /// True of a whole number that is made of one which 64 bits may have wrapped round: it compares as it should, but is rounded.
+    pub(super) fn may_have_wrapped(&self, value: &Value) -> bool {
+        let Value::Integer(x) = value else { return false };
+        let (mut parts, mut next) = (vec![*x], 0);
+        while let Some(&part) = parts.get(next) {
+            next += 1;
+            let ScalarNode::Op(op) = self.algebra.g.scalar_node(part) else { continue };
+            let made_of = match op {
+                Op::Constant(constant) if constant.value() >= 0.5 * WRAPPED => return true,
+                // What is cut off was a number before, which is rounded as everywhere.
+                Op::Call(..) => Vec::new(),
+                Op::SelectLess(_, _, then, otherwise) => vec![then, otherwise],
+                op => op.operands().collect(),
+            };
+            for part in made_of {
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+        }
+        false
+    }
+
+    /// True of a known number of which single precision may make one on the other side of a whole number.
+    fn is_nearly_whole(&self, x: Scalar) -> bool {
+        let known = self.algebra.known(x).filter(|_| self.precision == Some(Precision::Single));
+        known.is_some_and(|x| x.fract() != 0.0 && (x - x.round()).abs() <= NEAR * x.abs())
+    }
+
+    /// True of a whole number that is certainly one of this type.
+    fn fits(&self, x: Scalar, ty: &str) -> bool {
+        let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
+        let (least, most) = types::ends(ty);
+        extent.least >= least && extent.most <= most
+    }
+
+    /// `value as type`
+    pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {
+        let value = self.expression(&cast.expr);
+        let ty = cast.ty.to_token_stream().to_string();
+        let is_integer = |ty: &str| {
+            ["usize", "isize"].contains(&ty) || (ty.starts_with(['u', 'i']) && ty[1..].parse::<u8>().is_ok())
+        };
+        match (&value, ty.as_str(), self.algebra.known_integer(&value)) {
+            (Value::Unknown | Value::Never, ..) => value,
+            (Value::Integer(_), "f32", Some(whole)) => Value::Scalar(self.algebra.number(in_single(whole))),
+            (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
+            (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
+            // A constant that is cut off may be another one in single precision.
+            (Value::Scalar(x), ty, _) if is_integer(ty) && self.is_nearly_whole(*x) => {
+                self.refuse(&cast.as_token, messages::rounded_constants())
+            }
+            (Value::Integer(_), ty, Some(whole))
+                if is_integer(ty) && (whole >= 0 || !["u64", "usize"].contains(&ty)) =>
+            {
+                self.algebra.integer(wrapped(whole, ty))
+            }
+            (Value::Integer(x), ty, _) if is_integer(ty) && self.fits(*x, ty) => value,
+            // No number that counts is beyond their ends.
+            (Value::Integer(_), "i32" | "i64" | "isize", None) => value,
+            (Value::Integer(x), "u32" | "usize" | "u64", _) => {
+                let (x, turn) = (*x, if ty == "u32" { f64::from(u32::MAX) + 1.0 } else { WRAPPED });
+                let (zero, turn) = (self.algebra.number(0.0), self.algebra.number(turn));
+                let wrapped = self.algebra.add(x, turn);
+                Value::Integer(Condition::less(self.algebra, x, zero).select(self.algebra, wrapped, x))
+            }
+            (Value::Truth(condition), ty, _) if is_integer(ty) => Value::Integer(self.algebra.number_of(condition)),
+            (Value::Struct(of), ty, _) if is_integer(ty) && self.items.enumeration(&of.name).is_some() => {
+                self.discriminant(cast, of)
+            }
+            (Value::Scalar(_), ty, _) if is_integer(ty) => methods::whole(self.algebra, &value, ty),
+            (Value::Integer(_), ty, _) if is_integer(ty) => self.unsupported(
+                &cast.as_token,
+                "a whole number that may wrap round",
+                "cast it to `i32`, `i64` or `usize`",
+            ),
+            _ => self.unsupported(
+                &cast.as_token,
+                "a cast",
+                "a function computes in one number type: write the number or take an argument of that type",
+            ),
+        }
+    }
+}
+
+/// Beyond this, numbers are rounded to whole ones.
+const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
+
+/// The number that 64 bits add to a negative one without a sign.
+const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
+
+/// A whole number as `f32` rounds it.
+#[expect(clippy::cast_precision_loss, reason = "as `as` does")]
+fn in_single(whole: i64) -> f64 {
+    f64::from(whole as f32)
+}
+
+/// A whole number in an integer type; it wraps round.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]
+fn wrapped(whole: i64, ty: &str) -> i64 {
+    match ty {
+        "u8" => (whole as u8).into(),
+        "u16" => (whole as u16).into(),
+        "u32" => (whole as u32).into(),
+        "i8" => (whole as i8).into(),
+        "i16" => (whole as i16).into(),
+        "i32" => (whole as i32).into(),
+        // Of what is wider i64 has no more.
+        _ => whole,
+    }
+}
