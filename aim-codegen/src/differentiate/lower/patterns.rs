@@ -14,7 +14,7 @@ use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 
 impl Translation<'_> {
-    /// Whether a value matches a pattern, whose names it is given; `None` after an error.
+    /// The condition that a value matches a pattern, whose names it is given; `None` after an error.
     pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
         if value.is_unknown() {
             // Its names are known, and nothing more is said about them.
@@ -57,16 +57,16 @@ impl Translation<'_> {
                 Value::Optional(optional) => Some(optional.is_some.clone().not()),
                 _ => None,
             },
-            Pat::Ident(name) if name.subpat.is_none() && self.is_constant(&name.ident) => {
+            Pat::Ident(name) if name.subpat.is_none() && self.named(&name.ident) == Named::Constant => {
                 let path = &name.ident;
                 self.equal_to(&syn::parse_quote!(#path), value)
             }
-            Pat::Ident(name) if name.subpat.is_none() && self.may_be_constant(&name.ident) => {
+            Pat::Ident(name) if name.subpat.is_none() && self.named(&name.ident) == Named::Unknown => {
                 self.refuse(name, messages::unknown_pattern(&name.ident.to_string()));
                 None
             }
             Pat::Path(path) => self.equal_to(&Expr::Path(path.clone()), value),
-            Pat::Or(or) => self.any_of(pattern, &Vec::from_iter(or.cases.iter().cloned()), None, value),
+            Pat::Or(or) => self.any_of(pattern, or.cases.iter(), None, value),
             Pat::Range(range) => {
                 let ends = [&range.start, &range.end].map(Option::as_deref);
                 self.is_between(number(value), ends, &range.limits)
@@ -141,14 +141,18 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether a value matches a pattern and its guard holds, which is asked for each of its alternatives; `None` after an error.
+    /// The condition that a value matches a pattern and its guard holds, which is asked for each of its alternatives; `None` after
+    /// an error.
     pub(super) fn guarded(&mut self, pattern: &Pat, guard: Option<&Expr>, value: &Value) -> Option<Condition> {
-        match (alternatives(pattern).as_slice(), guard) {
-            (cases @ [_, _, ..], Some(_)) => self.any_of(pattern, cases, guard, value),
-            _ => {
+        if guard.is_none() {
+            return self.pattern(pattern, value);
+        }
+        match alternatives(pattern).as_slice() {
+            [_] => {
                 let matched = self.pattern(pattern, value)?;
                 self.and_guard(matched, guard)
             }
+            cases => self.any_of(pattern, cases.iter(), guard, value),
         }
     }
 
@@ -164,7 +168,13 @@ impl Translation<'_> {
 
     /// The condition that a value matches one of several patterns, and the guard with what that binds. What they bind has the values
     /// of the first of which that holds.
-    fn any_of(&mut self, place: &Pat, patterns: &[Pat], guard: Option<&Expr>, value: &Value) -> Option<Condition> {
+    fn any_of<'p>(
+        &mut self,
+        place: &Pat,
+        patterns: impl Iterator<Item = &'p Pat>,
+        guard: Option<&Expr>,
+        value: &Value,
+    ) -> Option<Condition> {
         let depth = self.frame.depth();
         let mut cases: Vec<(Condition, Vec<(String, Value)>)> = Vec::new();
         for case in patterns {
@@ -243,7 +253,7 @@ impl Translation<'_> {
         placed.map(|(place, element)| (element, self.moved_part(value, &Member::from(place)))).collect()
     }
 
-    /// Whether each of several values matches its pattern.
+    /// The condition that each of several values matches its pattern.
     pub(super) fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
         parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
             let next = self.pattern(pattern, value)?;
@@ -254,31 +264,24 @@ impl Translation<'_> {
     /// True of a pattern that is the name of a variable which it makes.
     fn is_variable(&self, name: &syn::PatIdent) -> bool {
         let is_variant = || self.variant(&[name.ident.to_string()]).is_some();
-        name.subpat.is_none() && name.ident != "None" && !self.is_constant(&name.ident) && !is_variant()
+        name.subpat.is_none() && name.ident != "None" && self.named(&name.ident) != Named::Constant && !is_variant()
     }
 
-    /// Whether a name of a pattern is that of a constant, of the module, of a block, or imported.
-    fn is_constant(&self, name: &syn::Ident) -> bool {
+    /// A name of a pattern; those of constants have a capital.
+    fn named(&self, name: &syn::Ident) -> Named {
         let name = name.to_string();
         let is_capital = name.starts_with(char::is_uppercase);
         if let Some(place) = self.frame.find(&name).filter(|_| is_capital) {
-            return self.frame.is_constant(place);
+            return if self.frame.is_constant(place) { Named::Constant } else { Named::New };
         }
+        // As in expressions, these are taken for known where imports cannot be seen.
+        let is_taken_for_known = self.frame.scope.module.is_empty() && name.len() > 1 && numbers::is_known(&name);
         match self.items.meaning(&self.frame.scope, &[name]) {
-            Meaning::Own(name) => self.items.constant(None, &name).is_some(),
-            Meaning::Outside(path) if path.len() > 1 => is_capital,
-            // As in expressions, these are taken for known where imports cannot be seen.
-            Meaning::Outside(path) => {
-                let is_known = |name: &String| name.len() > 1 && numbers::is_known(name);
-                self.frame.scope.module.is_empty() && path.iter().all(is_known)
-            }
+            Meaning::Own(name) if self.items.constant(None, &name).is_some() => Named::Constant,
+            Meaning::Outside(path) if is_taken_for_known || is_capital && path.len() > 1 => Named::Constant,
+            Meaning::Outside(_) if is_capital => Named::Unknown,
+            _ => Named::New,
         }
-    }
-
-    /// Whether a name of a pattern is one that constants have and variables do not, and nothing is known of it.
-    fn may_be_constant(&self, name: &syn::Ident) -> bool {
-        let name = name.to_string();
-        name.starts_with(char::is_uppercase) && self.frame.find(&name).is_none()
     }
 
     fn equal_to(&mut self, expected: &Expr, value: &Value) -> Option<Condition> {
@@ -296,6 +299,17 @@ impl Translation<'_> {
     }
 }
 
+/// The meaning of a name in a pattern.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Named {
+    /// That of a constant of the module, of a block, or imported.
+    Constant,
+    /// A variable that the pattern makes.
+    New,
+    /// One or the other, which cannot be seen.
+    Unknown,
+}
+
 /// The path of a pattern that may be a variant's.
 fn path_of(pattern: &Pat) -> Option<Vec<String>> {
     match pattern {
@@ -307,7 +321,7 @@ fn path_of(pattern: &Pat) -> Option<Vec<String>> {
     }
 }
 
-/// Whether patterns are those of so many parts; `..` stands for any number of them.
+/// True of the patterns of so many parts; `..` stands for any number of them.
 fn fits(elements: &Punctuated<Pat, Comma>, count: usize) -> bool {
     let written = elements.len();
     written == count || elements.iter().any(is_rest) && written <= count + 1
@@ -336,7 +350,7 @@ fn parts(pattern: &mut Pat) -> Vec<&mut Pat> {
     }
 }
 
-/// Whether a pattern has names, of which guards may tell one alternative from another.
+/// True of a pattern with names, by which guards may tell one alternative from another.
 fn has_names(pattern: &mut Pat) -> bool {
     matches!(pattern, Pat::Ident(_)) || parts(pattern).into_iter().any(has_names)
 }

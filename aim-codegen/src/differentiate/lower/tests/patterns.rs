@@ -65,6 +65,10 @@ same! {
             matched + match R { T => T * 3.0 }
         }
     }
+    structs_without_fields_match_themselves {
+        struct Marker;
+        pub fn f(x: f64, y: f64) -> f64 { match (Marker, x) { (Marker, a) if a > 0.0 => a * y, (Marker, _) => y } }
+    }
     parts_that_are_left_out {
         struct P(f64, f64, f64);
         enum V { A(f64, f64, f64), B }
