@@ -127,8 +127,7 @@ impl Raster {
 
     /// Draws one face where it is the nearest.
     ///
-    /// The loops have only numbers and no iterators in them: a figure is millions of samples, and this crate is not
-    /// optimised in tests.
+    /// The loops have only numbers and no iterators in them: a figure is millions of samples, and tests are hardly optimised.
     fn draw(&mut self, face: Face) {
         let [a, b, c] = face.corners.map(|corner| corner.screen);
         let area = cross(b - a, c - a);
@@ -143,20 +142,23 @@ impl Raster {
         let rows = span(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.height);
         let columns = span(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.width);
         // The sides opposite the first and the second corner: a share is the distance from them.
-        let ((bc_x, bc_y), (ca_x, ca_y)) = ((c.x - b.x, c.y - b.y), (a.x - c.x, a.y - c.y));
+        let (bc_x, bc_y) = ((c.x - b.x) / area, (c.y - b.y) / area);
+        let (ca_x, ca_y) = ((a.x - c.x) / area, (a.y - c.y) / area);
         let (first_x, step) = ((count(columns.start) + 0.5) / samples, 1.0 / samples);
+        let mut is_seen = false;
         for row in rows {
             let y = (count(row) + 0.5) / samples;
             let (u_of_row, v_of_row) = (bc_x * (y - b.y), ca_x * (y - c.y));
             let (mut at, mut x) = (row * self.width * SAMPLES + columns.start, first_x);
             let end = at + columns.len();
             while at < end {
-                let u = (u_of_row - bc_y * (x - b.x)) / area;
-                let v = (v_of_row - ca_y * (x - c.x)) / area;
+                let u = u_of_row - bc_y * (x - b.x);
+                let v = v_of_row - ca_y * (x - c.x);
                 let w = 1.0 - u - v;
                 if u >= 0.0 && v >= 0.0 && w >= 0.0 {
                     let depth = a.z * u + b.z * v + c.z * w;
                     if depth > self.depth[at] {
+                        is_seen = true;
                         self.depth[at] = depth;
                         self.nearest[at] = Hit { face: self.faces.len(), u, v };
                     }
@@ -165,7 +167,9 @@ impl Raster {
                 x += step;
             }
         }
-        self.faces.push(face);
+        if is_seen {
+            self.faces.push(face);
+        }
     }
 
     /// The picture as a `data:` address; `None` where nothing was drawn.
@@ -178,7 +182,7 @@ impl Raster {
         let mut encoder = png::Encoder::new(&mut bytes, width, height);
         encoder.set_color(png::ColorType::Rgba);
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
+        encoder.set_compression(png::Compression::Balanced);
         let mut writer = encoder.write_header().ok()?;
         writer.write_image_data(&self.pixels()).ok()?;
         writer.finish().ok()?;
