@@ -373,7 +373,7 @@ messages! {
 
     wrapped_whole_number() =>
         "this whole number may have been negative and wrap round, beyond 2⁵³, where it is rounded",
-        "divide by `rem_euclid` before it is cast";
+        "divide by `rem_euclid`, or subtract, before it is cast";
 
     effect_of_error() =>
         "an error that changes a variable is not followed",

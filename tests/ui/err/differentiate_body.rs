@@ -99,6 +99,14 @@ fn ring(x: f32, n: i32) -> f32 {
     [x, x * x][(n as usize + 1) % 2]
 }
 
+#[differentiate(wrt(x))]
+fn steps(x: f32, n: i32, m: i32) -> f32 {
+    let euclid = (n as usize + 1).rem_euclid(2);
+    let back = n as usize - m as usize;
+    let beyond = 9007199254740991i64.abs_diff(-2);
+    x * (euclid + back + beyond as usize) as f32
+}
+
 fn main() {
     let (value, (by_x, by_v)): (f32, (f32, Vec3)) = used_gradient(1.0, Vec3::X);
     let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY, 1));

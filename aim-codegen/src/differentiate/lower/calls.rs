@@ -523,6 +523,10 @@ impl Translation<'_> {
         }
         let Callee { name, function, tables, kind } = callee;
         let text = match methods::call(tables, function, self.algebra, &arguments) {
+            Some(Ok(Value::Unknown)) if arguments.iter().any(|argument| self.may_have_wrapped(argument)) => {
+                messages::wrapped_whole_number()
+            }
+            Some(Ok(Value::Unknown)) => messages::large_whole_number(),
             Some(Ok(value)) => return value,
             Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
             Some(Err((Fault::Text(text), _))) => text,

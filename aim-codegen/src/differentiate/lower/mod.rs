@@ -402,9 +402,13 @@ impl Translation<'_> {
         if operators::compares(operator) && self.is_ambiguous(left, right) {
             return self.refuse(place, messages::rounded_constants());
         }
-        if matches!(operator, syn::BinOp::Div(_) | syn::BinOp::Rem(_))
-            && [left, right].into_iter().any(|value| self.may_have_wrapped(value))
-        {
+        let mut sides = [left, right].into_iter();
+        let is_rounded = match operator {
+            syn::BinOp::Div(_) | syn::BinOp::Rem(_) => sides.any(|value| self.may_have_wrapped(value)),
+            syn::BinOp::Sub(_) => sides.all(|value| self.may_have_wrapped(value)),
+            _ => false,
+        };
+        if is_rounded {
             return self.refuse(place, messages::wrapped_whole_number());
         }
         let value = operators::binary(self.algebra, operator, left, right);
