@@ -85,7 +85,10 @@ pub fn read(folder: &Path) -> Result<Counts, String> {
     let mut folders = vec![folder.to_owned()];
     while let Some(folder) = folders.pop() {
         let entries = fs::read_dir(&folder).map_err(|error| {
-            format!("{}: {error}; run cargo bench --bench instructions -- --save-summary=json", folder.display())
+            format!(
+                "{}: {error}; run cargo bench -p aim-benches --bench instructions -- --save-summary=json",
+                folder.display()
+            )
         })?;
         for path in entries.filter_map(|entry| Some(entry.ok()?.path())) {
             if path.is_dir() {
