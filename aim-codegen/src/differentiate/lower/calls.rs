@@ -523,13 +523,9 @@ impl Translation<'_> {
         }
         let Callee { name, function, tables, kind } = callee;
         let text = match methods::call(tables, function, self.algebra, &arguments) {
-            Some(Ok(Value::Unknown)) if arguments.iter().any(|argument| self.may_have_wrapped(argument)) => {
-                messages::wrapped_whole_number()
-            }
-            Some(Ok(Value::Unknown)) => messages::large_whole_number(),
             Some(Ok(value)) => return value,
             Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
-            Some(Err((Fault::Text(text), _))) => text,
+            Some(Err((Fault::Text(text) | Fault::Refused(text), _))) => text,
             Some(Err((Fault::Arguments, function))) => {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
                 messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "))

@@ -14,6 +14,8 @@ pub(in crate::differentiate::lower) enum Fault {
     Arguments,
     /// They are wrong in another way.
     Text(Text),
+    /// What the function does is refused for them.
+    Refused(Text),
 }
 
 impl From<Text> for Fault {
@@ -68,15 +70,23 @@ fn words(kind: &str) -> &'static str {
     }
 }
 
-/// The value of an expression of the language that is translated; unknown only where a whole number is too large, or wrapped round.
-pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
+/// The value of an expression of the language that is translated, or why there is none: of whole numbers alone, which are rounded.
+pub(super) fn evaluated(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Result<Value, Fault> {
     let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
     let mut report = Report::new(Notation::Rust);
     let (expression, items) = (syn::parse_str(formula), Items::default());
     let value =
         expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, &items, None).formula(&it, names));
-    let may_be_unknown = values.iter().any(|value| matches!(value, Value::Integer(_)));
-    debug_assert!(may_be_unknown || report.is_empty() && !value.is_unknown(), "`{formula}` has a value");
+    match report.into_list().first() {
+        Some(refused) => Err(Fault::Refused(Text::new(refused.message(), refused.help()))),
+        None => Ok(value),
+    }
+}
+
+/// The same of values that are no whole numbers.
+pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
+    let value = evaluated(a, formula, names, values).unwrap_or(Value::Unknown);
+    debug_assert!(!value.is_unknown(), "`{formula}` has a value");
     value
 }
 
@@ -111,7 +121,7 @@ macro_rules! functions {
     }};
     (@value $a:ident $arguments:ident [$($argument:ident),*] $formula:expr) => {{
         let names = &[$(stringify!($argument)),*];
-        $crate::differentiate::lower::methods::function::evaluate($a, stringify!($formula), names, $arguments)
+        $crate::differentiate::lower::methods::function::evaluated($a, stringify!($formula), names, $arguments)?
     }};
 }
 pub(super) use functions;

@@ -127,7 +127,7 @@ pub(super) fn call(
             match function.call(a, &lifted) {
                 Ok(Value::Vector(v)) => return Some(Ok(Value::Planar(v))),
                 Ok(value) => return Some(Ok(value)),
-                Err(found @ Fault::Text(_)) => fault = Some(Err((found, function))),
+                Err(found @ (Fault::Text(_) | Fault::Refused(_))) => fault = Some(Err((found, function))),
                 Err(Fault::Arguments) => {}
             }
         }

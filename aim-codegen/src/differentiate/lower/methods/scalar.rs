@@ -59,8 +59,7 @@ functions! {
         if rest < 0.5 && rest > -0.5 { whole } else { whole + x.signum() }
     };
     rem_euclid(x: Scalar, y: Scalar) -> Scalar {
-        let size = evaluate(a, "y.abs()", &["y"], &[Value::Scalar(y)]);
-        let Value::Scalar(size) = size else { return Err(Fault::Arguments) };
+        let size = size(a, y)?;
         let quotient = a.div(x, size);
         let turns = a.call(Floor, quotient);
         let whole = a.mul(size, turns);
