@@ -1,4 +1,5 @@
-//! Judges the counts that `cargo bench -p aim-benches --bench instructions -- --save-summary=json` left, and writes them into README.md.
+//! Judges the counts that `cargo bench -p aim-benches --bench instructions -- --save-summary=json` left, and writes them
+//! into README.md.
 //!
 //! `bench_table [--check] [FOLDER]`: with `--check` nothing is written, and a stale table is a failure. FOLDER is where
 //! gungraun left its summaries, by default that of this workspace's target folder. Exits 1 when a limit is exceeded.
