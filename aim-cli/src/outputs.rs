@@ -1,5 +1,6 @@
 //! Checks of output paths: nothing is written over what a command reads, and no two things into one file.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use aim_gltf::Document;
@@ -32,11 +33,15 @@ impl Outputs {
     /// Adds a file that is going to be written because of `option`.
     ///
     /// # Errors
-    /// The file is one of the others.
+    /// The file is one of the others, or its folder is not there.
     pub(crate) fn writes(&mut self, path: &Path, option: &str) -> Result {
         let at = place(path);
         if let Some((_, what)) = self.taken.iter().find(|(taken, _)| *taken == at) {
             return Err(Failure::in_file(path, format!("is used twice: it is {what}; give {option} another name")));
+        }
+        // Told before the work, not after it.
+        if let Err(source) = at.parent().map_or(Ok(()), |folder| fs::metadata(folder.join(".")).map(drop)) {
+            return Err(Failure::input(aim_gltf::Error::Write { path: path.to_owned(), source }.to_string()));
         }
         self.taken.push((at, format!("what {option} writes")));
         Ok(())

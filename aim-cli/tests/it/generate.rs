@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::common::{Place, bundled_rigs, installed};
+use crate::common::{Place, bundled_rigs, different_rigs, installed};
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, FirstLink};
 
 const LANGUAGES: [&str; 5] = ["rust", "c", "wgsl", "latex", "maxima"];
@@ -31,7 +31,7 @@ fn generate(place: &Place, rig: &Path, language: &str) -> String {
 #[test]
 fn every_language_for_every_rig_twice_the_same() {
     let place = Place::new();
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         for language in LANGUAGES {
             let file = generate(&place, &rig, language);
             let printed = place.run(["generate".as_ref(), rig.as_os_str(), "--lang".as_ref(), language.as_ref()]);
@@ -69,7 +69,7 @@ fn a_check_tells_fresh_from_stale() {
 fn c_compiles_without_a_warning() {
     let place = Place::new();
     let mut all = String::new();
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         let file = generate(&place, &rig, "c");
         all += &format!("#include \"{file}\"\n");
     }
@@ -91,7 +91,7 @@ fn maxima_computes_what_the_interpreter_does() {
     }
     let place = Place::new();
     let (mut batch, mut expected) = (String::from("display2d: false$ fpprintprec: 12$\n"), Vec::new());
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         let file = generate(&place, &rig, "maxima");
         let text = std::fs::read_to_string(&rig).expect("the rig is there");
         let spec = aim_codegen::declare::from_toml("rig.toml", &text).expect("a bundled rig is right");
@@ -130,7 +130,7 @@ fn maxima_computes_what_the_interpreter_does() {
 fn latex_compiles() {
     let Some(compiler) = ["tectonic", "pdflatex"].into_iter().find(|program| installed(program)) else { return };
     let place = Place::new();
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         let file = generate(&place, &rig, "latex");
         crate::common::latex::compile(&place, compiler, &file, name(&rig));
     }
@@ -139,7 +139,7 @@ fn latex_compiles() {
 #[test]
 fn latex_is_balanced() {
     let place = Place::new();
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         let text = String::from_utf8(place.read(&generate(&place, &rig, "latex"))).expect("text");
         crate::common::latex::assert_balanced(&text, name(&rig));
     }
@@ -148,7 +148,7 @@ fn latex_is_balanced() {
 #[test]
 fn derivatives_are_right_and_a_wrong_sign_is_found() {
     let place = Place::new();
-    for rig in bundled_rigs() {
+    for rig in different_rigs() {
         let check = |more: &[&str]| {
             place.run(["check".as_ref(), rig.as_os_str()].into_iter().chain(more.iter().map(AsRef::as_ref)))
         };

@@ -165,6 +165,11 @@ pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
     rigs
 }
 
+/// All bundled rigs; by default those that stand for what differs from them by its axes' names alone.
+pub(crate) fn different_rigs() -> Vec<PathBuf> {
+    if in_full() { bundled_rigs() } else { ["rigify", "thug", "turret"].map(bundled_rig).into() }
+}
+
 /// True where the tests take all of their cases, as in `.ci/run`; `cargo test` by itself takes a part.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
