@@ -272,11 +272,12 @@ impl Memory {
     /// What a natural gaze remembers of the head's goal, in the place of what a search remembers of its target.
     pub(crate) fn led(&self) -> Led {
         let [goal_0, goal_1, speed_0] = self.target;
-        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change: self.lambda, tired: self.strain }
+        let (tired, gains) = (self.strain.abs(), self.strain.is_sign_negative());
+        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change: self.lambda, tired, gains }
     }
 
-    pub(crate) fn set_led(&mut self, Led { goal, speed, change, tired }: Led) {
-        self.strain = tired;
+    pub(crate) fn set_led(&mut self, Led { goal, speed, change, tired, gains }: Led) {
+        self.strain = if gains { -tired } else { tired };
         (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
     }
 
@@ -332,6 +333,8 @@ pub(crate) struct Led {
     pub(crate) change: [f32; 2],
     /// How tired it is of leaps to and fro and of being shaken, 0…1.5.
     pub(crate) tired: f32,
+    /// Whether it gained speed in that frame: its next gain is no jerk.
+    pub(crate) gains: bool,
 }
 
 /// The activity of the joints that support a natural gaze.

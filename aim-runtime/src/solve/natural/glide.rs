@@ -217,6 +217,9 @@ pub(super) fn follow(
     part: f32,
     bounds: &Bounds,
 ) -> [Pair; 2] {
+    /// The part of the acceleration that is gained at once where nothing was in the frame before, and what counts as a gain.
+    const AT_ONCE: f32 = 0.5;
+    const GAINS: f32 = 0.25;
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
     let [led_goal, led_speed, led_change] = [led.goal, led.speed, led.change].map(pair);
@@ -226,7 +229,12 @@ pub(super) fn follow(
     // The goal hops where its speeds of two frames lie on either side of what is gone along with.
     let gain = change - led_speed;
     let hops = (gain * (led_change - led_speed)).cmplt(Vec4::ZERO);
-    let gain = if lasts { gain } else { Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)) };
+    let gain = match (lasts, led.gains) {
+        (true, true) => gain,
+        (true, false) => gain.max(most * -AT_ONCE).min(most * AT_ONCE),
+        (false, _) => Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)),
+    };
+    led.gains = !is_near_to(change, led_speed, most * GAINS);
     let mut speed = led_speed;
     if square(change) <= rate * rate {
         speed += gain;
