@@ -222,10 +222,18 @@ impl Arguments {
             Takes::Direction => {
                 let variables = self.variables().into_iter();
                 let named = variables.filter_map(|variable| Some((variable.name.as_ref()?, &variable.slope)));
-                named.map(|(name, ty)| (format_ident!("along_{}", word_of(name).text), ty.owned())).collect()
+                named.map(|(name, ty)| (self.free(format!("along_{}", word_of(name).text)), ty.owned())).collect()
             }
-            Takes::Weights => self.result.iter().map(|ty| (format_ident!("weights"), ty.owned())).collect(),
+            Takes::Weights => self.result.iter().map(|ty| (self.free("weights".to_owned()), ty.owned())).collect(),
         }
+    }
+
+    /// This name, or the same with `_` after it where an argument has it.
+    fn free(&self, mut name: String) -> Ident {
+        while self.list.iter().any(|argument| argument.name.as_ref().is_some_and(|known| *known == name)) {
+            name.push('_');
+        }
+        format_ident!("{name}")
     }
 
     /// Declares their numbers as further inputs.

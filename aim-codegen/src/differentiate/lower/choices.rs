@@ -175,8 +175,11 @@ impl Translation<'_> {
         let Some((arm, rest)) = arms.split_first() else { return Value::Never };
         let depth = self.frame.depth();
         let mut condition = self.pattern(&arm.pat, value);
-        // The last arm is taken where no other is.
+        // The last arm is taken where no other is; by none at all if no branch has made what it takes apart.
         if rest.is_empty() && condition.is_some() {
+            if matches!(condition, Some(Condition::Known(false))) {
+                return self.left(&choice.match_token, depth, Value::Never);
+            }
             condition = Some(Condition::Known(true));
         }
         let found = self.branch(

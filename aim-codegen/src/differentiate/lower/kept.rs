@@ -281,10 +281,10 @@ impl Translation<'_> {
         rounds: &Rounds,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
     ) -> Option<Ends> {
-        // What a round changes may lead it to change more.
+        // What a round changes, and what it puts into an option or an enum that had nothing, may lead it to change more.
         let mut changed: Vec<(usize, Value)> = Vec::new();
-        let (after, ends) = loop {
-            let mut inputs = 0..;
+        let (after, ends, inputs) = loop {
+            let mut inputs = 0_usize..;
             let mut before = Vec::with_capacity(changed.len());
             for (variable, made) in &changed {
                 let variable = *variable;
@@ -306,13 +306,22 @@ impl Translation<'_> {
             }
             let mark = self.mark();
             let (after, ends) = self.one_round(place, label, number, rounds, before, round)?;
-            let is_known = |variable: usize| changed.iter().any(|(known, _)| *known == variable);
-            let more: Vec<(usize, Value)> =
-                after.iter().filter(|(variable, _)| !is_known(*variable)).cloned().collect();
-            if more.is_empty() {
-                break (after, ends);
+            let a = &mut *self.algebra;
+            let mut grows = false;
+            for (variable, made) in &after {
+                let size = |value: &Value, a: &mut Algebra| value.numbers(a).map(|numbers| numbers.len());
+                if let Some((_, known)) = changed.iter_mut().find(|(known, _)| known == variable) {
+                    let both = known.shaped_like(a, made);
+                    grows |= size(&both, a) != size(known, a);
+                    *known = both;
+                } else {
+                    changed.push((*variable, made.clone()));
+                    grows = true;
+                }
             }
-            changed.extend(more);
+            if !grows {
+                break (after, ends, inputs.start);
+            }
             self.take_back(mark);
         };
         for (variable, _) in changed {
@@ -335,6 +344,11 @@ impl Translation<'_> {
             }
             let value = first.of_numbers(a, &mut left.into_iter())?;
             self.frame.assign(variable, value);
+        }
+        if self.algebra.loops[number].states.len() != inputs {
+            // Else a state would be taken for another.
+            self.refuse(place, messages::state_of_kept_loop("what changes its kind"));
+            return None;
         }
         Some(ends)
     }

@@ -121,3 +121,15 @@ fn of_a_vector() {
         }
     }
 }
+
+#[differentiate(wrt(x, y), jvp, vjp)]
+fn named_alike(x: f64, along_x: f64, weights: f64, y: f64) -> f64 {
+    x * along_x + weights * x * x + y
+}
+
+#[test]
+fn arguments_that_are_called_what_companions_take() {
+    let (value, slope) = named_alike_jvp(2.0, 3.0, 0.5, 1.0, 0.25, -1.0);
+    assert_eq!((value, slope), (9.0, 0.25 * 5.0 - 1.0));
+    assert_eq!(named_alike_vjp(2.0, 3.0, 0.5, 1.0, 2.0), (9.0, (10.0, 2.0)));
+}

@@ -74,6 +74,12 @@ macro_rules! objectives {
             let cosine = (upper * upper + lower * lower - p.length_squared()) / (2.0 * upper * lower);
             cosine.clamp(-1.0, 1.0).acos()
         }
+
+        /// One who goes so far towards another, or away from it.
+        #[differentiate(wrt(p, far))]
+        pub(super) fn pursuit(p: $vec3, far: $real, other: $vec3) -> $vec3 {
+            p.move_towards(other, far)
+        }
     };
 }
 
@@ -122,6 +128,11 @@ mod dual {
     pub(super) fn reach<D: Number>(lift: D, bend: D, upper: D, lower: D, goal: Vector<D>) -> D {
         let hand = hand(D::from(0.0), lift, bend, upper, lower);
         (goal - hand).dot(goal - hand)
+    }
+
+    pub(super) fn pursuit<D: Number>(p: Vector<D>, far: D, other: Vector<D>) -> Vector<D> {
+        let way = other - p;
+        if way.length().re() <= far.re() { other } else { Vector(way.unit().0.map(|part| part * far)) + p }
     }
 
     pub(super) fn hand<D: Number>(turn: D, lift: D, bend: D, upper: D, lower: D) -> Vector<D> {
@@ -279,4 +290,19 @@ fn elbow_by_the_law_of_cosines() {
         let point = [x, 0.0, 0.0, 1.0, 0.5];
         singular(&point, double::elbow, double::elbow_gradient, single::elbow_gradient, &[0.0; 5]);
     }
+}
+
+#[test]
+fn pursuit_and_flight() {
+    let sample = |r: &mut Random| [r.vector(0.3..2.0), r.numbers(1, -6.0..6.0), r.vector(0.3..2.0)].concat();
+    let keep = |x: &[f64]| {
+        let apart = (0..3).map(|k| (x[k] - x[4 + k]).powi(2)).sum::<f64>().sqrt();
+        apart > 0.2 && (apart - x[3]).abs() > 0.1
+    };
+    At(|r: &mut Random| r.until(sample, keep)).check(
+        double::pursuit,
+        double::pursuit_jacobian,
+        single::pursuit_jacobian,
+        dual::pursuit::<Dual64>,
+    );
 }

@@ -184,6 +184,142 @@ mod functions {
     }
 }
 
+/// States that have nothing at first: what they have in the end comes in more than one round.
+#[aim::differentiate]
+mod filled {
+    #[derive(Clone, Copy)]
+    enum Phase {
+        Idle,
+        Rising(f64),
+        Falling(f64),
+    }
+
+    impl Phase {
+        fn nudge(&mut self, by: f64) -> f64 {
+            match self {
+                Self::Idle => return 0.0,
+                Self::Rising(value) => *value += by,
+                Self::Falling(value) => *value *= by,
+            }
+            0.5
+        }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn second_differences(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut last, mut older, mut sum) = (None, None, y);
+        for &v in s {
+            if let (Some(p), Some(q)) = (last, older) {
+                let bend: f64 = v - 2.0 * p + q;
+                sum += x * bend * bend;
+            }
+            older = last;
+            last = Some(v * x);
+        }
+        sum + older.unwrap_or(y)
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn three_before(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut first, mut second, mut third, mut sum) = (None, None, None, x * y);
+        for v in s {
+            if let (Some(p), Some(q), Some(r)) = (first, second, third) {
+                let twist: f64 = v - 3.0 * p + 3.0 * q - r;
+                sum += y * twist * twist;
+            }
+            third = second;
+            second = first;
+            first = Some(*v);
+        }
+        sum
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn beside_an_option(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut b, mut c) = ((2.0, None), (3.0, None));
+        for v in s {
+            b = c;
+            c = (1.5 * y, Some(*v));
+        }
+        b.0 * x + b.1.unwrap_or(y)
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn one_after_the_other(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut phase = Phase::Idle;
+        for v in s {
+            phase = match phase {
+                Phase::Falling(_) => Phase::Idle,
+                Phase::Rising(top) => Phase::Falling(top * v),
+                Phase::Idle => Phase::Rising(y),
+            };
+        }
+        if let Phase::Falling(value) = phase {
+            value
+        } else if let Phase::Rising(value) = phase {
+            10.0 * value
+        } else {
+            7.0 * x
+        }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn in_turn(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut phase = Phase::Rising(x);
+        for v in s {
+            phase = Phase::Rising(
+                v * match phase {
+                    Phase::Idle => 0.7,
+                    Phase::Rising(value) => value * y,
+                    Phase::Falling(value) => value.tanh(),
+                },
+            );
+        }
+        let (Phase::Rising(value) | Phase::Falling(value)) = phase else { return 0.0 };
+        value
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn emptied(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut phase = Phase::Falling(x);
+        for v in s {
+            phase = match phase {
+                Phase::Falling(value) if value > 0.0 => Phase::Idle,
+                Phase::Falling(value) => Phase::Falling(value + v),
+                Phase::Rising(value) => Phase::Rising(value),
+                Phase::Idle => Phase::Rising(y),
+            };
+        }
+        match phase {
+            Phase::Idle => 1.0,
+            Phase::Rising(value) => value,
+            Phase::Falling(value) => value * value,
+        }
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn nudged(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut phase, mut sum) = (Phase::Rising(y), 0.0);
+        for v in s {
+            sum += phase.nudge(*v);
+        }
+        sum * x + phase.nudge(y)
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn now_and_then(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut kept = [None; 2];
+        for v in s {
+            if *v > 0.0 {
+                kept[0] = Some(v * y);
+            } else if let Some(first) = kept[0] {
+                kept[1] = Some(first);
+            }
+        }
+        kept[1].unwrap_or(x)
+    }
+}
+
 type Gradient<R> = fn(f64, f64, &[f64]) -> R;
 
 /// Holds a gradient against differences, with slices of several lengths.
@@ -204,6 +340,18 @@ fn agrees(name: &str, f: Gradient<f64>, gradient: Gradient<(f64, (f64, f64))>, l
             }
         }
     }
+}
+
+#[test]
+fn options_and_enums_that_are_filled_round_by_round() {
+    agrees("second differences", filled::second_differences, filled::second_differences_gradient, 0);
+    agrees("three before", filled::three_before, filled::three_before_gradient, 0);
+    agrees("beside an option", filled::beside_an_option, filled::beside_an_option_gradient, 0);
+    agrees("one after the other", filled::one_after_the_other, filled::one_after_the_other_gradient, 0);
+    agrees("in turn", filled::in_turn, filled::in_turn_gradient, 0);
+    agrees("emptied", filled::emptied, filled::emptied_gradient, 0);
+    agrees("nudged", filled::nudged, filled::nudged_gradient, 0);
+    agrees("now and then", filled::now_and_then, filled::now_and_then_gradient, 0);
 }
 
 #[test]

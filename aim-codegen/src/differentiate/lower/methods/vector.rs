@@ -44,7 +44,7 @@ functions! {
         0.0 * v
     };
     move_towards(v: Vector, w: Vector, most: Scalar) =
-        if (w - v).length_squared() <= most * most { w } else { v + most * (w - v).normalize() };
+        if (w - v).length() <= most { w } else { v + most * (w - v).normalize() };
     clamp_length(v: Vector, least: Scalar, most: Scalar) = v.clamp_length_min(least).clamp_length_max(most);
     clamp_length_min(v: Vector, least: Scalar) =
         if v.length_squared() < least * least { least * v.normalize() } else { v };
