@@ -84,3 +84,38 @@ fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
         }
     }
 }
+
+/// A body that jerks ten times a second, as one whose keys are a tenth of a second apart does, by less than the head's acceleration
+/// makes up for: the head takes each jerk up in two frames, and its acceleration does not leap from end to end.
+#[test]
+fn jerks_of_the_body_do_not_reverse_the_head() {
+    const ACCELERATION_DEG_S2: f32 = 1200.0;
+    const JERKS_HZ: f32 = 10.0;
+    for hz in [30.0, 60.0, 120.0] {
+        let (mut rig, target) = (eyeless(), at(25.0, 0.0));
+        // A triangle turns back by 8 times its swing and frequency.
+        let jerk_deg_s = 0.8 * ACCELERATION_DEG_S2 / hz;
+        let swing_deg = jerk_deg_s / (4.0 * JERKS_HZ);
+        let (mut headings, mut worst) = (Vec::new(), 0.0_f64);
+        for frame in 0..(4.0 * hz) as usize {
+            let t = frame as f32 / hz;
+            let mut pose = upright(&rig);
+            let turned = Quat::from_rotation_y(swing_deg * DEG * triangle(t + 0.001, 0.5 * JERKS_HZ));
+            pose[0].matrix3 = Mat3A::from_quat(turned) * pose[0].matrix3;
+            aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
+            if t > 2.0 {
+                let [head, neck] = [0, 1].map(|joint| rig.joints[joint].heading());
+                headings.push((head + neck).to_degrees());
+                worst = worst.max(remaining64(&rig, &pose, 0, target).to_degrees());
+            }
+        }
+        let accelerations: Vec<f32> =
+            headings.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]) * hz * hz).collect();
+        let peaks = accelerations
+            .iter()
+            .map(|gain| gain / ACCELERATION_DEG_S2)
+            .fold([0.0_f32; 2], |[most, least], gain| [most.max(gain), least.min(gain)]);
+        assert!(peaks[0] < 0.6 && peaks[1] > -0.6, "{peaks:?} of the acceleration at {hz} frames a second");
+        assert!(worst < 0.4 * f64::from(jerk_deg_s / hz), "{worst}° off at {hz} frames a second");
+    }
+}

@@ -208,7 +208,9 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 ///
 /// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the
 /// second frame on, as far as the rate goes, with the region's own speed going on evenly; a leap is all offset, and so is a hop from
-/// which the goal has come back. A region that is shaken goes along with the goal's mean speed.
+/// which the goal has come back. A change that the acceleration makes up for comes over two frames where it is a jerk, as at a key:
+/// jerks to and fro would throw the head from end to end of its acceleration. A region that is shaken goes along with the goal's
+/// mean speed.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn follow(
     led: &mut Led,
@@ -217,7 +219,7 @@ pub(super) fn follow(
     part: f32,
     bounds: &Bounds,
 ) -> [Pair; 2] {
-    /// The part of the acceleration that is gained at once where nothing was in the frame before, and what counts as a gain.
+    /// The part of the acceleration that makes up for a jerk at once; what is less than this part before it is no gain of speed.
     const AT_ONCE: f32 = 0.5;
     const GAINS: f32 = 0.25;
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
