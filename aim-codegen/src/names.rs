@@ -46,7 +46,8 @@ pub(crate) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     known.iter().find(is_shortened).copied().or_else(|| {
         // Letters put in, left out, replaced, or swapped with their neighbour.
         let (distance, nearest) = known.iter().map(|known| (strsim::osa_distance(&name, known), *known)).min()?;
-        (distance <= (nearest.len() / 3).max(1)).then_some(nearest)
+        // A name of which no letter is left is another one.
+        (distance <= (nearest.len() / 3).max(1) && distance < name.len()).then_some(nearest)
     })
 }
 

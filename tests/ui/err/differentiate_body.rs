@@ -107,6 +107,15 @@ fn steps(x: f32, n: i32, m: i32) -> f32 {
     x * (euclid + back + beyond as usize) as f32
 }
 
+#[differentiate(wrt(x))]
+fn error_told(x: f64) -> f64 {
+    let known = if x > 0.0 { Ok(x) } else { Err(2.0) };
+    match known {
+        Ok(value) => value,
+        Err(told) => told * told,
+    }
+}
+
 fn main() {
     let (value, (by_x, by_v)): (f32, (f32, Vec3)) = used_gradient(1.0, Vec3::X);
     let _ = (value, by_x, by_v, statements_gradient(1.0, Vec3::X), calls_gradient(1.0, Vec3::X, Mat3::IDENTITY, 1));

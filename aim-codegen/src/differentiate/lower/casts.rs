@@ -7,6 +7,7 @@ use super::condition::Condition;
 use super::extents::Extents;
 use super::value::Value;
 use super::{NEAR, Translation, methods};
+use crate::differentiate::names::segments;
 use crate::differentiate::{messages, types};
 use crate::emit::Precision;
 
@@ -56,7 +57,10 @@ impl Translation<'_> {
     /// `value as type`
     pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {
         let value = self.expression(&cast.expr);
-        let ty = cast.ty.to_token_stream().to_string();
+        let ty = match &*cast.ty {
+            syn::Type::Path(path) => self.resolved(&segments(&path.path)),
+            other => other.to_token_stream().to_string(),
+        };
         let is_integer = |ty: &str| {
             ["usize", "isize"].contains(&ty) || (ty.starts_with(['u', 'i']) && ty[1..].parse::<u8>().is_ok())
         };

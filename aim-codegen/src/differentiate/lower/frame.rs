@@ -178,7 +178,8 @@ impl Frame {
     }
 
     pub(super) fn names(&self) -> Vec<&str> {
-        self.variables.iter().map(|(name, _)| name.as_str()).collect()
+        // Hidden ones have none.
+        self.variables.iter().map(|(name, _)| name.as_str()).filter(|name| !name.is_empty()).collect()
     }
 
     /// All variables, for a closure.

@@ -95,6 +95,7 @@ impl Translation<'_> {
                 (Value::Optional(optional), Some(last)) if last.ident == "Err" => {
                     if !of.elems.iter().all(|element| matches!(element, Pat::Wild(_) | Pat::Rest(_))) {
                         self.refuse(of, messages::error_value());
+                        self.patterns(of.elems.iter().map(|element| (element, &Value::Unknown)));
                         return None;
                     }
                     Some(optional.is_some.clone().not())

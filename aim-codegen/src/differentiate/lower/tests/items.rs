@@ -53,7 +53,7 @@ same! {
             let mut spring = Spring::new(y);
             spring.stiffness += 1.0;
             let Pair(of, w) = Pair(spring, 3.0);
-            let scale = 0.5;
+            let scale = SECOND as Real - 1u8 as Real;
             let half = |v: f64| v * scale;
             dot(&WEIGHTS, &[x, y, half(x)]) + of.energy(x) * w + clamp(twice(y), (-1.0, 1.0)) + Spring::SOFT.energy(x)
         }
