@@ -64,6 +64,8 @@ impl Value {
             }
             Self::Tuple(values) | Self::Array(values) => each(&values.iter().collect::<Vec<_>>(), a),
             Self::Struct(of) => each(&of.fields.iter().map(|(_, value)| value).collect::<Vec<_>>(), a),
+            // Nothing was put into it: it is `None` all the time.
+            Self::Optional(optional) if optional.value.is_never() => Some(Vec::new()),
             Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
             Self::Never => Some(Vec::new()),
             _ => None,
@@ -115,6 +117,7 @@ impl Value {
                 let fields = names.zip(each(&values, a)?).collect();
                 Self::Struct(Rc::new(Struct { name: of.name.clone(), fields }))
             }
+            Self::Optional(optional) if optional.value.is_never() => self.clone(),
             Self::Optional(optional) => {
                 let parts = each(&[Self::Truth(optional.is_some.clone()), optional.value.clone()], a)?;
                 let [Self::Truth(is_some), value] = <[Self; 2]>::try_from(parts).ok()? else { return None };
@@ -304,8 +307,8 @@ impl Translation<'_> {
                     }
                 }
             }
-            let mark = self.mark();
-            let (after, ends) = self.one_round(place, label, number, rounds, before, round)?;
+            let (mark, errors) = (self.mark(), self.report.count());
+            let (after, ends) = self.one_round(place, label, number, rounds, before, round);
             let a = &mut *self.algebra;
             let mut grows = false;
             for (variable, made) in &after {
@@ -320,13 +323,16 @@ impl Translation<'_> {
                 }
             }
             if !grows {
-                break (after, ends, inputs.start);
+                break (after, ends?, inputs.start);
             }
+            // What is wrong with a round that finds less than there is says nothing.
+            self.report.forget(errors);
             self.take_back(mark);
         };
         for (variable, _) in changed {
             let first = self.frame.value(variable).clone();
-            let (_, next) = after.iter().find(|(known, _)| *known == variable)?.clone();
+            let made = after.iter().find(|(known, _)| *known == variable).map(|(_, next)| next.clone());
+            let next = made.unwrap_or_else(|| first.clone());
             let a = &mut *self.algebra;
             let first = first.shaped_like(a, &next);
             let next = next.shaped_like(a, &first);
@@ -353,7 +359,7 @@ impl Translation<'_> {
         Some(ends)
     }
 
-    /// What a round makes of the variables that are given; `None` after an error.
+    /// What a round makes of the variables that are given, and how it ends; `None` after an error.
     fn one_round(
         &mut self,
         place: &impl ToTokens,
@@ -362,7 +368,7 @@ impl Translation<'_> {
         rounds: &Rounds,
         before: Vec<(usize, Value)>,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> Option<(Vec<(usize, Value)>, Ends)> {
+    ) -> (Vec<(usize, Value)>, Option<Ends>) {
         let (errors, exits, loops) = (self.report.count(), self.frame.exits(), self.frame.loops());
         let (whole, once) = (Target::Loop(loops), Target::Round(loops));
         self.frame.begin_branch(Condition::Known(true));
@@ -384,11 +390,12 @@ impl Translation<'_> {
         let outer = self.frame.end(self.algebra, goes_on);
         let mut after = self.frame.end_branch();
         if self.report.count() > errors {
-            return None;
+            self.frame.forget_exits(exits);
+            return (after, None);
         }
         let Some(exits) = self.frame.take_exits_beyond(exits) else {
             self.refuse(place, messages::exit_of_kept_loop());
-            return None;
+            return (after, None);
         };
         // What variables are where control goes to the end of another loop.
         let to_loops = exits.iter().rev().filter(|exit| exit.target != Target::Function);
@@ -406,10 +413,10 @@ impl Translation<'_> {
             Some(())
         });
         match (inner, outer, brought, joined) {
-            (Some(_), Some(_), Some(brought), Some(())) => Some((after, Ends { leaves, brought, exits })),
+            (Some(_), Some(_), Some(brought), Some(())) => (after, Some(Ends { leaves, brought, exits })),
             _ => {
                 self.refuse(place, messages::state_of_kept_loop("a list that grows, or what changes its kind,"));
-                None
+                (after, None)
             }
         }
     }

@@ -34,6 +34,12 @@ macro_rules! functions {
             pub(super) fn ln_1p_over(x: $real) -> $real {
                 x.ln_1p() / x
             }
+            /// ln t / (t − 1), by the distance from 1.
+            #[differentiate(wrt(t), hessian)]
+            pub(super) fn ln_over_distance(t: $real) -> $real {
+                let u = t - 1.0;
+                u.ln_1p() / u
+            }
             #[differentiate(wrt(x), hessian)]
             pub(super) fn asinh_over(x: $real) -> $real {
                 x.asinh() / x
@@ -119,6 +125,7 @@ fn no_digits_are_lost_beside_zero() {
 fn quotients_have_limits_at_zero() {
     for (found, expected) in [
         (double::ln_1p_over_hessian(0.0), (1.0, (-0.5,), [[2.0 / 3.0]])),
+        (double::ln_over_distance_hessian(1.0), (1.0, (-0.5,), [[2.0 / 3.0]])),
         (double::asinh_over_hessian(0.0), (1.0, (0.0,), [[-1.0 / 3.0]])),
         (double::atanh_over_hessian(0.0), (1.0, (0.0,), [[2.0 / 3.0]])),
     ] {

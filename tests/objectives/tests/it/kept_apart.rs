@@ -235,6 +235,43 @@ mod filled {
     }
 
     #[differentiate(wrt(x, y))]
+    pub(super) fn mapped(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut last, mut older, mut doubled, mut sum) = (None, None, None, x);
+        for v in s {
+            let twice = older.map(|v: f64| 2.0 * v);
+            sum += x + twice.unwrap_or(y) + f64::from(u8::from(older.is_some_and(|v| v > x)));
+            doubled = older.as_ref().map(|v| v * y);
+            older = last.filter(|v| *v > -1.0);
+            last = Some(v * y);
+        }
+        sum + doubled.unwrap_or(0.5 * x)
+    }
+
+    #[differentiate(wrt(x, y))]
+    pub(super) fn never_filled(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut none, mut sum) = (None::<f64>, x);
+        for v in s {
+            none = none.map(|h| 2.0 * h).filter(|h| *h > 0.0);
+            sum += v * x * y;
+        }
+        sum + none.unwrap_or(y)
+    }
+
+    /// The first round has filled it.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn unwrapped(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut sum, mut last) = (y, None);
+        for (i, v) in s.iter().enumerate() {
+            if i > 0 {
+                let before: f64 = last.unwrap();
+                sum += before * x;
+            }
+            last = Some(*v * y);
+        }
+        sum
+    }
+
+    #[differentiate(wrt(x, y))]
     pub(super) fn beside_an_option(x: f64, y: f64, s: &[f64]) -> f64 {
         let (mut b, mut c) = ((2.0, None), (3.0, None));
         for v in s {
@@ -346,6 +383,9 @@ fn agrees(name: &str, f: Gradient<f64>, gradient: Gradient<(f64, (f64, f64))>, l
 fn options_and_enums_that_are_filled_round_by_round() {
     agrees("second differences", filled::second_differences, filled::second_differences_gradient, 0);
     agrees("three before", filled::three_before, filled::three_before_gradient, 0);
+    agrees("mapped", filled::mapped, filled::mapped_gradient, 0);
+    agrees("never filled", filled::never_filled, filled::never_filled_gradient, 0);
+    agrees("unwrapped", filled::unwrapped, filled::unwrapped_gradient, 0);
     agrees("beside an option", filled::beside_an_option, filled::beside_an_option_gradient, 0);
     agrees("one after the other", filled::one_after_the_other, filled::one_after_the_other_gradient, 0);
     agrees("in turn", filled::in_turn, filled::in_turn_gradient, 0);
