@@ -454,6 +454,8 @@ messages! {
         "one branch is {then}, the other {otherwise}",
         "{help}";
 
+    unknown_round() => "what a round of this loop does cannot be told", "the compiler's own errors may say why";
+
     unknown_result() => "the value of this function cannot be told", "the compiler's own errors may say why";
 
     wrong_result(found: &str, expected: &str) =>

@@ -307,7 +307,7 @@ impl Translation<'_> {
                     }
                 }
             }
-            let (mark, errors) = (self.mark(), self.report.count());
+            let (mark, said) = (self.mark(), self.said());
             let (after, ends) = self.one_round(place, label, number, rounds, before, round);
             let a = &mut *self.algebra;
             let mut grows = false;
@@ -326,7 +326,7 @@ impl Translation<'_> {
                 break (after, ends?, inputs.start);
             }
             // What is wrong with a round that finds less than there is says nothing.
-            self.report.forget(errors);
+            self.unsay(said);
             self.take_back(mark);
         };
         for (variable, _) in changed {
@@ -383,6 +383,9 @@ impl Translation<'_> {
             None => Value::Unknown,
         };
         self.frame.leave(depth);
+        if matches!(done, Value::Unknown) && self.report.count() == 0 {
+            self.refuse(place, messages::unknown_round());
+        }
         let goes_on = !done.is_never() || self.frame.has_exits(once);
         let inner = self.frame.end(self.algebra, !done.is_never());
         let leaves = self.frame.exit_condition(whole);

@@ -18,9 +18,9 @@ impl Translation<'_> {
     pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
         if value.is_unknown() {
             // Its names are known, and nothing more is said about them.
-            let errors = self.report.count();
+            let said = self.said();
             self.bind(pattern, Value::Unknown);
-            self.report.forget(errors);
+            self.unsay(said);
             return None;
         }
         if let Value::Reference(place) = value {

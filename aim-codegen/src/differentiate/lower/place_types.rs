@@ -121,9 +121,9 @@ impl Translation<'_> {
 
     /// The length of an array; nothing is said of one that is not known.
     pub(super) fn known_length(&mut self, length: &Expr) -> Option<usize> {
-        let errors = self.report.count();
+        let said = self.said();
         let value = self.expression(length);
-        self.report.forget(errors);
+        self.unsay(said);
         self.algebra.known_index(&value)
     }
 }

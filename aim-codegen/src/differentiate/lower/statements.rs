@@ -159,31 +159,30 @@ impl Translation<'_> {
 
     /// The value of what makes an error, which nothing is known of, but that it must not change variables.
     pub(super) fn without_error_effect(&mut self, error: &Expr, value: Value) -> Value {
-        let errors = self.report.count();
+        let said = self.said();
         let (_, has_effect) = self.tracked(|this| this.expression(error));
-        self.report.forget(errors);
+        self.unsay(said);
         if has_effect { self.refuse(error, messages::effect_of_error()) } else { value }
     }
 
     /// What an assertion asserts holds from there on, as far as it is understood.
     fn assume_asserted(&mut self, call: &syn::Macro) {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
-        let errors = self.report.count();
+        let said = self.said();
         if let Some(asserted) = written.first().and_then(|asserted| self.condition(asserted)) {
             self.frame.assume(asserted);
         }
-        self.report.forget(errors);
+        self.unsay(said);
     }
 
     /// Whether what a macro is given changes a variable. What of it is not understood does not matter.
     fn has_effect(&mut self, call: &syn::Macro) -> bool {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
-        let (errors, faults) = (self.report.count(), self.items.faults());
+        let said = self.said();
         self.frame.begin_branch(Condition::Known(true));
         written.iter().for_each(|part| _ = self.expression(part));
         let changed = self.frame.end_branch();
-        self.report.forget(errors);
-        self.items.forget_faults(faults);
+        self.unsay(said);
         !changed.is_empty()
     }
 
@@ -355,22 +354,23 @@ impl Translation<'_> {
         if self.endless.contains(&place) {
             return kept(self);
         }
-        let (frame, errors, mark) = (self.frame.clone(), self.report.count(), self.mark());
+        let (frame, before, mark) = (self.frame.clone(), self.said(), self.mark());
         (self.is_endless, self.is_open) = (false, false);
         let value = written(self);
         let (is_endless, is_open) = (core::mem::take(&mut self.is_endless), self.is_open);
-        let fails = is_open && self.report.count() > errors;
+        let fails = is_open && self.report.count() > before.errors;
         if !is_endless && !fails {
             return value;
         }
         self.frame = frame;
-        let said = self.report.forget(errors);
+        let said = self.report.forget(before.errors);
+        self.unsay(before);
         self.take_back(mark);
         self.endless.push(place);
         let value = kept(self);
         // Where a round is wrong by itself, that was said.
-        if !is_endless && self.report.count() > errors {
-            self.report.forget(errors);
+        if !is_endless && self.report.count() > before.errors {
+            self.report.forget(before.errors);
             self.report.restore(said);
         }
         value

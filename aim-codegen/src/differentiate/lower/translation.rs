@@ -55,6 +55,13 @@ pub(super) struct Mark {
     loops: usize,
 }
 
+/// How much was reported: errors, and functions that are at fault.
+#[derive(Clone, Copy)]
+pub(super) struct Said {
+    pub(super) errors: usize,
+    faults: usize,
+}
+
 impl<'a> Translation<'a> {
     /// A function beside these items, that computes in this number type.
     pub(in crate::differentiate) fn new(
@@ -88,6 +95,17 @@ impl<'a> Translation<'a> {
         let result = act(self);
         self.frame = outer;
         result
+    }
+
+    /// What was reported so far.
+    pub(super) fn said(&self) -> Said {
+        Said { errors: self.report.count(), faults: self.items.faults() }
+    }
+
+    /// Forgets what was reported since, and that a function is at fault for it: where it is called again, it is run again.
+    pub(super) fn unsay(&mut self, said: Said) {
+        self.report.forget(said.errors);
+        self.items.forget_faults(said.faults);
     }
 
     pub(super) fn mark(&self) -> Mark {

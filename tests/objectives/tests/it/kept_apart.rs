@@ -271,6 +271,46 @@ mod filled {
         sum
     }
 
+    fn taken(option: Option<f64>) -> f64 {
+        option.unwrap()
+    }
+
+    /// The function that is called fails as long as nothing is known to be in the option.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn unwrapped_elsewhere(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut sum, mut last) = (x, None);
+        for (i, v) in s.iter().enumerate() {
+            if i > 0 {
+                sum += taken(last);
+            }
+            last = Some(*v * y);
+        }
+        sum
+    }
+
+    fn twice_sine(v: f64) -> f64 {
+        (2.0 * v).sin()
+    }
+
+    fn through(v: f64) -> f64 {
+        twice_sine(v)
+    }
+
+    /// It is tried round by round first.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn counted_by_an_option(x: f64, y: f64, s: &[f64]) -> f64 {
+        let (mut sum, mut count, mut some) = (x, 0, Some(y));
+        while let Some(value) = some {
+            count += 1;
+            if count > s.len() {
+                break;
+            }
+            sum += through(value * x);
+            some = Some(y);
+        }
+        sum
+    }
+
     #[differentiate(wrt(x, y))]
     pub(super) fn beside_an_option(x: f64, y: f64, s: &[f64]) -> f64 {
         let (mut b, mut c) = ((2.0, None), (3.0, None));
@@ -386,6 +426,8 @@ fn options_and_enums_that_are_filled_round_by_round() {
     agrees("mapped", filled::mapped, filled::mapped_gradient, 0);
     agrees("never filled", filled::never_filled, filled::never_filled_gradient, 0);
     agrees("unwrapped", filled::unwrapped, filled::unwrapped_gradient, 0);
+    agrees("unwrapped elsewhere", filled::unwrapped_elsewhere, filled::unwrapped_elsewhere_gradient, 0);
+    agrees("counted by an option", filled::counted_by_an_option, filled::counted_by_an_option_gradient, 0);
     agrees("beside an option", filled::beside_an_option, filled::beside_an_option_gradient, 0);
     agrees("one after the other", filled::one_after_the_other, filled::one_after_the_other_gradient, 0);
     agrees("in turn", filled::in_turn, filled::in_turn_gradient, 0);
