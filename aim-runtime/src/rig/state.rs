@@ -333,7 +333,7 @@ pub(crate) struct Led {
     pub(crate) change: [f32; 2],
     /// How tired it is of leaps to and fro and of being shaken, 0…1.5.
     pub(crate) tired: f32,
-    /// Whether its speed changed in that frame: its next change is no jerk.
+    /// True if its speed changed in that frame: its next change is no jerk.
     pub(crate) gains: bool,
 }
 

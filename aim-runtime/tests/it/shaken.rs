@@ -15,21 +15,26 @@ pub(crate) fn eyeless() -> NumericRig {
     rig
 }
 
-/// The most by which a head without eyes is off its target, degrees, from a time on, while its animation turns it by this many
-/// radians at each time.
-fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
+/// Shows each frame of a head without eyes from a time on, while its animation turns it by this many radians at each time: the rig,
+/// and by how much it is off its target, degrees.
+fn shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32, mut look: impl FnMut(&NumericRig, f64)) {
     let (mut rig, target) = (eyeless(), at(25.0, 0.0));
-    let mut worst = 0.0_f64;
     for frame in 0..(8.0 * hz) as usize {
         let t = frame as f32 / hz;
         let mut pose = upright(&rig);
         pose[0].matrix3 = Mat3A::from_quat(Quat::from_rotation_y(turn_at(t))) * pose[0].matrix3;
         aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
         if t > from_s {
-            worst = worst.max(remaining64(&rig, &pose, 0, target));
+            look(&rig, remaining64(&rig, &pose, 0, target).to_degrees());
         }
     }
-    worst.to_degrees()
+}
+
+/// The most by which it is off its target, degrees.
+fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
+    let mut worst = 0.0_f64;
+    shaken(hz, from_s, turn_at, |_, off| worst = worst.max(off));
+    worst
 }
 
 /// A head that leads and whose animation shakes it faster than its acceleration can make up for is off by no more than the shaking
@@ -92,23 +97,16 @@ fn jerks_of_the_body_do_not_reverse_the_head() {
     const ACCELERATION_DEG_S2: f32 = 1200.0;
     const JERKS_HZ: f32 = 10.0;
     for hz in [30.0, 60.0, 120.0] {
-        let (mut rig, target) = (eyeless(), at(25.0, 0.0));
         // A triangle turns back by 8 times its swing and frequency.
         let jerk_deg_s = 0.8 * ACCELERATION_DEG_S2 / hz;
         let swing_deg = jerk_deg_s / (4.0 * JERKS_HZ);
         let (mut headings, mut worst) = (Vec::new(), 0.0_f64);
-        for frame in 0..(4.0 * hz) as usize {
-            let t = frame as f32 / hz;
-            let mut pose = upright(&rig);
-            let turned = Quat::from_rotation_y(swing_deg * DEG * triangle(t + 0.001, 0.5 * JERKS_HZ));
-            pose[0].matrix3 = Mat3A::from_quat(turned) * pose[0].matrix3;
-            aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
-            if t > 2.0 {
-                let [head, neck] = [0, 1].map(|joint| rig.joints[joint].heading());
-                headings.push((head + neck).to_degrees());
-                worst = worst.max(remaining64(&rig, &pose, 0, target).to_degrees());
-            }
-        }
+        let turn_at = |t| swing_deg * DEG * triangle(t + 0.001, 0.5 * JERKS_HZ);
+        shaken(hz, 2.0, turn_at, |rig, off| {
+            let [head, neck] = [0, 1].map(|joint| rig.joints[joint].heading());
+            headings.push((head + neck).to_degrees());
+            worst = worst.max(off);
+        });
         let accelerations: Vec<f32> =
             headings.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]) * hz * hz).collect();
         let peaks = accelerations

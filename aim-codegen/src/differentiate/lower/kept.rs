@@ -359,7 +359,7 @@ impl Translation<'_> {
         Some(ends)
     }
 
-    /// What a round makes of the variables that are given, and how it ends; `None` after an error.
+    /// Runs a round with these variables: the values that it leaves variables with, and its end; `None` after an error.
     fn one_round(
         &mut self,
         place: &impl ToTokens,

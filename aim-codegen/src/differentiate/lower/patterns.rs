@@ -102,10 +102,7 @@ impl Translation<'_> {
                 }
                 (Value::Optional(optional), Some(last)) if last.ident == "Some" || last.ident == "Ok" => {
                     match &optional.is_some {
-                        // Or nothing was put into it in any branch.
-                        is_some if matches!(is_some, Condition::Known(false)) || optional.value.is_never() => {
-                            Some(Condition::Known(false))
-                        }
+                        Condition::Known(false) => Some(Condition::Known(false)),
                         is_some if matches!(of.elems.first(), Some(Pat::Rest(_))) => Some(is_some.clone()),
                         is_some => {
                             let inner = of.elems.first().map(|inner| self.pattern(inner, &optional.value));

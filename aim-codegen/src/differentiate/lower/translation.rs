@@ -55,7 +55,7 @@ pub(super) struct Mark {
     loops: usize,
 }
 
-/// How much was reported: errors, and functions that are at fault.
+/// Counts of what was reported: errors, and functions that are at fault.
 #[derive(Clone, Copy)]
 pub(super) struct Said {
     pub(super) errors: usize,
@@ -97,7 +97,7 @@ impl<'a> Translation<'a> {
         result
     }
 
-    /// What was reported so far.
+    /// Counts what was reported so far.
     pub(super) fn said(&self) -> Said {
         Said { errors: self.report.count(), faults: self.items.faults() }
     }

@@ -14,7 +14,7 @@ pub(in crate::differentiate::lower) enum Fault {
     Arguments,
     /// They are wrong in another way.
     Text(Text),
-    /// What the function does is refused for them.
+    /// They are right for it, and its formula is refused for them.
     Refused(Text),
 }
 
