@@ -19,18 +19,27 @@ const METHODS: &[&str] = &[
     "is_some",
     "is_none",
     "is_some_and",
+    "is_none_or",
     "unwrap",
     "expect",
     "unwrap_or",
     "unwrap_or_else",
     "map",
     "map_or",
+    "map_or_else",
     "and_then",
     "filter",
     "or",
     "or_else",
+    "and",
+    "xor",
+    "zip",
+    "as_mut",
     "take",
     "replace",
+    "insert",
+    "get_or_insert",
+    "get_or_insert_with",
 ];
 
 impl Value {
@@ -171,8 +180,14 @@ impl Translation<'_> {
                     self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
                 Value::some_if(is_some.clone(), mapped)
             }
-            ("map_or", [otherwise, function]) => {
-                let otherwise = self.expression_as(otherwise, expected);
+            ("map_or" | "map_or_else", [otherwise, function]) => {
+                let otherwise = if name == "map_or" {
+                    self.expression_as(otherwise, expected)
+                } else {
+                    let otherwise = self.function_argument(&of_nothing(otherwise), 0)?;
+                    let is_none = is_some.clone().not();
+                    self.under(call, &is_none, |this| this.inline(&call.method, &otherwise, Vec::new()))
+                };
                 let function = self.function_argument(function, 1)?;
                 let mapped = if nothing {
                     Value::Never
@@ -191,12 +206,14 @@ impl Translation<'_> {
                 "filter" => receiver.clone(),
                 _ => Value::Truth(Condition::Known(false)),
             },
-            ("is_some_and" | "filter", [function]) => {
+            ("is_none_or", [_]) if nothing => Value::Truth(Condition::Known(true)),
+            ("is_some_and" | "is_none_or" | "filter", [function]) => {
                 let function = self.function_argument(function, 1)?;
                 match self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()])) {
                     Value::Truth(holds) if name == "filter" => {
                         Value::some_if(is_some.clone().and(holds), value.clone())
                     }
+                    Value::Truth(holds) if name == "is_none_or" => Value::Truth(is_some.clone().not().or(holds)),
                     Value::Truth(holds) => Value::Truth(is_some.clone().and(holds)),
                     other => self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe())),
                 }
@@ -204,6 +221,22 @@ impl Translation<'_> {
             ("or", [other]) => {
                 let other = self.expression(other);
                 self.either_value(call, is_some, receiver, &other)
+            }
+            ("and", [other]) => {
+                let other = self.expression(other);
+                self.either_value(call, is_some, &other, &Value::none())
+            }
+            ("xor" | "zip", [other]) => {
+                let other = self.expression(other);
+                let Value::Optional(of_other) = &other else {
+                    return Some(self.refuse_known(&other, &call.args, messages::not_an_option(&other.describe())));
+                };
+                let both = is_some.clone().and(of_other.is_some.clone());
+                if name == "zip" {
+                    return Some(Value::some_if(both, Value::Tuple(vec![value.clone(), of_other.value.clone()])));
+                }
+                let one = self.either_value(call, is_some, receiver, &other);
+                self.either_value(call, &both, &Value::none(), &one)
             }
             ("or_else", [_]) if matches!(is_some, Condition::Known(true)) => receiver.clone(),
             ("or_else", [function]) => {

@@ -290,23 +290,44 @@ impl Translation<'_> {
         }
     }
 
-    /// `take` and `replace` of an option; `None` if it is another method, or of something else.
+    /// A method that changes an option, or lends what is in it; `None` if it is another method, or of something else.
     fn option_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
-        let is_one = call.method == "take" && call.args.is_empty() || call.method == "replace" && call.args.len() == 1;
-        if !is_one || !is_place(&call.receiver) {
+        let name = call.method.to_string();
+        let count = match name.as_str() {
+            "take" | "as_mut" => 0,
+            "replace" | "insert" | "get_or_insert" | "get_or_insert_with" => 1,
+            _ => return None,
+        };
+        if call.args.len() != count || !is_place(&call.receiver) {
             return None;
         }
         let place = self.still_place(&call.receiver)?;
         let before = self.read(&place);
-        if !matches!(before, Value::Optional(_)) {
-            return None;
+        let Value::Optional(optional) = &before else { return None };
+        let Optional { is_some, value: inside } = (**optional).clone();
+        if name == "as_mut" {
+            return Some(Value::some_if(is_some, place.lent(Step::Inside)));
         }
-        let now = match call.args.first() {
-            Some(value) => Value::some(self.expression(value)),
+        let new = match call.args.first() {
             None => Value::none(),
+            Some(function) if name == "get_or_insert_with" => {
+                let function = self.function_argument(function, 0)?;
+                let is_none = is_some.clone().not();
+                self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()))
+            }
+            Some(value) => self.expression(value),
+        };
+        let now = match name.as_str() {
+            "take" => new,
+            "replace" | "insert" => Value::some(new),
+            _ => Value::some(self.either_value(call, &is_some, &inside, &new)),
         };
         let written = self.write(&call.method, &place, now);
-        Some(if written.is_unknown() { written } else { before })
+        Some(match name.as_str() {
+            _ if written.is_unknown() => written,
+            "take" | "replace" => before,
+            _ => place.lent(Step::Inside),
+        })
     }
 
     /// `mem::replace(&mut place, value)`
