@@ -9,6 +9,7 @@ use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
+use super::enums::TAG;
 use super::frame::{Exit, Target};
 use super::map::{Affine, Map, Quaternion};
 use super::outside::{KeptLoop, Outside, State};
@@ -225,15 +226,17 @@ impl Translation<'_> {
                 .map(|exit| (&exit.condition, &exit.value))
                 .try_fold(Value::Never, |other, (condition, value)| value.select(self.algebra, condition, &other));
             let state = value.and_then(|value| {
-                let whole = Value::Tuple(vec![Value::Truth(is_left), value]);
-                self.left_state(number, &whole)
+                let Value::Truth(left) = self.left_state(number, &is_left, &Value::Truth(is_left.clone()))? else {
+                    return None;
+                };
+                Some((left, self.left_state(number, &is_left, &value)?))
             });
             match state {
-                Some(Value::Tuple(parts)) => left.push((*target, parts)),
-                _ => return self.refuse(place, messages::state_of_kept_loop("what it returns")),
+                Some(state) => left.push((*target, state)),
+                None => return self.refuse(place, messages::state_of_kept_loop("what it returns")),
             }
         }
-        let Some(brought) = self.left_state(number, &brought) else {
+        let Some(brought) = self.left_state(number, &leaves, &brought) else {
             return self.refuse(place, messages::state_of_kept_loop(&brought.describe()));
         };
         let a = &mut *self.algebra;
@@ -243,8 +246,7 @@ impl Translation<'_> {
         let zero = a.number(0.0);
         let count = reached.select(a, rounds.count, zero);
         (a.loops[number].count, a.loops[number].leaves) = (count, leaves);
-        for (target, parts) in left {
-            let Ok([Value::Truth(is_left), value]) = <[Value; 2]>::try_from(parts) else { continue };
+        for (target, (is_left, value)) in left {
             self.frame.begin_branch(is_left.clone());
             self.frame.exit(target, value);
             self.frame.end_branch();
@@ -265,8 +267,45 @@ impl Translation<'_> {
         number
     }
 
-    /// The value of which a round makes this, after the last one; `None` if it is none that may be a state.
-    fn left_state(&mut self, number: usize, value: &Value) -> Option<Value> {
+    /// A value of numbers that are 0 where they are not there: where this does not hold, in an option that is `None`, and in the
+    /// variants that an enum is not. From what would not be a number, rounds would make slopes that are none, either.
+    fn there(&mut self, value: &Value, holds: &Condition) -> Value {
+        match value {
+            Value::Optional(of) if !of.value.is_never() => {
+                let is_some = of.is_some.clone();
+                let value = self.there(&of.value, &holds.clone().and(is_some.clone()));
+                Value::Optional(Rc::new(Optional { is_some, value }))
+            }
+            Value::Tuple(values) => Value::Tuple(values.iter().map(|value| self.there(value, holds)).collect()),
+            Value::Array(values) => Value::Array(values.iter().map(|value| self.there(value, holds)).collect()),
+            Value::Struct(of) => {
+                let mut holds_of = vec![holds.clone(); of.fields.len()];
+                if let (Some(Value::Integer(tag)), Some(of)) = (of.field(TAG), self.items.enumeration(&of.name)) {
+                    let sizes = of.variants.iter().map(|variant| variant.fields.len());
+                    holds_of = vec![holds.clone()];
+                    for (number, size) in sizes.enumerate() {
+                        let Value::Integer(number) = self.algebra.whole(number) else { unreachable!("it is one") };
+                        let is_it = Condition::equal(self.algebra, *tag, number);
+                        holds_of.extend(core::iter::repeat_n(holds.clone().and(is_it), size));
+                    }
+                }
+                let fields = of.fields.iter().zip(holds_of);
+                let fields = fields.map(|((name, value), holds)| (name.clone(), self.there(value, &holds)));
+                Value::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
+            }
+            value => {
+                let a = &mut *self.algebra;
+                let mut zeros = core::iter::repeat(a.number(0.0));
+                let nothing = value.of_numbers(a, &mut zeros);
+                nothing.and_then(|nothing| value.select(a, holds, &nothing)).unwrap_or_else(|| value.clone())
+            }
+        }
+    }
+
+    /// The value of which a round makes this, after the last one, where it leaves the loop with it; `None` if it is none that may be a
+    /// state.
+    fn left_state(&mut self, number: usize, leaves: &Condition, value: &Value) -> Option<Value> {
+        let value = &self.there(value, leaves);
         let a = &mut *self.algebra;
         let numbers = value.numbers(a)?;
         let zero = a.number(0.0);
@@ -336,6 +375,8 @@ impl Translation<'_> {
             let a = &mut *self.algebra;
             let first = first.shaped_like(a, &next);
             let next = next.shaped_like(a, &first);
+            let [first, next] = [first, next].map(|value| self.there(&value, &Condition::Known(true)));
+            let a = &mut *self.algebra;
             let (Some(numbers), Some(nexts)) = (first.numbers(a), next.numbers(a)) else {
                 self.refuse(place, messages::state_of_kept_loop(&next.describe()));
                 return None;
