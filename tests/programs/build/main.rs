@@ -1,0 +1,25 @@
+//! Writes random functions twice: as `#[differentiate]` reads them, and of dual numbers.
+
+mod writer;
+
+use std::path::PathBuf;
+use std::{env, fs};
+
+fn main() {
+    println!("cargo::rerun-if-changed=build");
+    println!("cargo::rerun-if-env-changed=AIM_TEST_SCALE");
+    println!("cargo::rerun-if-env-changed=AIM_PROGRAMS");
+    // From which number on, and up to which.
+    let full = env::var("AIM_TEST_SCALE").is_ok_and(|scale| scale == "full");
+    let range = env::var("AIM_PROGRAMS").unwrap_or_else(|_| if full { "0..1000" } else { "0..50" }.to_owned());
+    let (first, end) = range.split_once("..").expect("AIM_PROGRAMS is a range like 0..40");
+    let [first, end] = [first, end].map(|number| number.parse::<u64>().expect("AIM_PROGRAMS is a range of numbers"));
+    let mut rust = String::new();
+    for number in first..end {
+        rust += &writer::module(number);
+    }
+    let rows = (first..end).map(|n| format!("({n}, program_{n}::program_{n}_gradient, twin_{n}::program_{n}),\n"));
+    rust += &format!("const PROGRAMS: &[(u64, Companion, Twin)] = &[\n{}];\n", rows.collect::<String>());
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
+    fs::write(out.join("programs.rs"), rust).expect("the output folder is writable");
+}
