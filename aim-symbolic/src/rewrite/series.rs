@@ -42,7 +42,7 @@ impl Coefficient {
 
 /// A power series.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Series([Coefficient; TERMS]);
+struct Series([Coefficient; TERMS]);
 
 /// The sum of f(j) over j.
 fn sum(range: impl Iterator<Item = usize>, f: impl Fn(usize) -> Coefficient) -> Coefficient {
@@ -186,13 +186,13 @@ impl Series {
     }
 
     /// The lowest power; `None` of 0, as far as the series goes.
-    pub(super) fn order(&self) -> Option<usize> {
+    fn order(&self) -> Option<usize> {
         self.0.iter().position(|c| !c.is_zero())
     }
 
     /// The coefficients from the lowest power on, as many as count, and up to which number they do for all digits of a double; at
     /// most 1.
-    pub(super) fn near_zero(&self) -> (Vec<f64>, f64) {
+    fn near_zero(&self) -> (Vec<f64>, f64) {
         let mut coefficients: Vec<f64> = self.0[self.order().unwrap_or(TERMS)..].iter().map(|c| c.value).collect();
         let least = 0.25 * f64::EPSILON * coefficients.first().map_or(0.0, |c| c.abs());
         let last = coefficients.len().saturating_sub(4);
@@ -215,15 +215,25 @@ pub(super) struct Expansion {
     number: Scalar,
     square: Option<Scalar>,
     known: FxHashMap<Scalar, Option<Series>>,
+    /// Up to which u each select so far takes the branch that it takes at 0.
+    reach: f64,
 }
 
 impl Expansion {
     pub(super) fn new(number: Scalar, square: Option<Scalar>) -> Self {
-        Self { number, square, known: FxHashMap::default() }
+        Self { number, square, known: FxHashMap::default(), reach: f64::INFINITY }
+    }
+
+    /// The lowest power of the series of `s`, its coefficients from that on, and up to which number they do for all digits of a
+    /// double; `None` of 0, where something else varies in `s`, or where it has no series.
+    pub(super) fn near_zero(&mut self, g: &Graph, s: Scalar) -> Option<(usize, Vec<f64>, f64)> {
+        let series = self.of(g, s)?;
+        let (coefficients, radius) = series.near_zero();
+        Some((series.order()?, coefficients, radius.min(self.reach)))
     }
 
     /// The series of `s`; `None` where something else varies in it, or where it has none.
-    pub(super) fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
+    fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
         let mut open = vec![(s, false)];
         while let Some((s, has_parts)) = open.pop() {
             if self.known.contains_key(&s) {
@@ -231,6 +241,9 @@ impl Expansion {
             }
             if has_parts || s == self.number || Some(s) == self.square {
                 let found = self.find(g, s);
+                if let ScalarNode::Op(Op::SelectLess(a, b, ..)) = g.scalar_node(s) {
+                    self.reach = self.reach.min(self.reach_of_branch(a, b));
+                }
                 self.known.insert(s, found);
                 continue;
             }
@@ -245,6 +258,18 @@ impl Expansion {
             }
         }
         self.known_of(s).copied()
+    }
+
+    /// A number up to which a < b is what it is at 0: what varies of a − b is at most half of what does not.
+    fn reach_of_branch(&self, a: Scalar, b: Scalar) -> f64 {
+        let (Some(a), Some(b)) = (self.known_of(a), self.known_of(b)) else { return f64::INFINITY };
+        let margin = a.plus(&b.scaled(-1.0));
+        let (coefficients, mut reach) = margin.near_zero();
+        let varies = |u: f64| coefficients.iter().skip(1).rfold(0.0, |sum, c| u * (sum + c.abs()));
+        while margin.at_zero() != 0.0 && varies(reach) > 0.5 * margin.at_zero().abs() {
+            reach *= 0.5;
+        }
+        reach
     }
 
     fn known_of(&self, s: Scalar) -> Option<&Series> {

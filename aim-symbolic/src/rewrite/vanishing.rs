@@ -154,9 +154,8 @@ impl Vanishing {
             let numbers =
                 [Some((base, None)), Some((root(g, base), Some(base))), argument(g, s, base).map(|m| (m, None))];
             numbers.into_iter().flatten().find_map(|(number, square)| {
-                let series = Expansion::new(number, square).of(g, s)?;
-                let order = i32::try_from(series.order()?).ok().filter(|&order| order > 0)?;
-                let (coefficients, radius) = series.near_zero();
+                let (order, coefficients, radius) = Expansion::new(number, square).near_zero(g, s)?;
+                let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
                 let rest = Rest::Series { common: common.clone(), of: s, number, coefficients, radius };
                 let length = Length::of(g, number, &[base]).filter(|length| length.base == base)?;
                 Some(Self { length, order, negative: false, rest })

@@ -193,3 +193,24 @@ fn two_guards_keep_out_what_has_no_value() {
         assert_near(&at(&g, z, &[a.into()], &[at_a, at_b]), &[slope]);
     }
 }
+
+#[test]
+fn a_branch_has_its_limit_as_far_as_it_is_taken() {
+    for edge in [-0.3, -1e-3, 0.3] {
+        let mut g = Graph::new();
+        let (x, end) = (g.input("x"), g.constant(edge));
+        let sine = g.call(Function::Sin, x);
+        let one = g.constant(1.0);
+        let square = g.mul(x, x);
+        // `if x < edge { 1 + x² } else { sin x } / x`
+        let other = g.add(one, square);
+        let (below, above) = if edge < 0.0 { (other, sine) } else { (sine, other) };
+        let bent = g.select_less(x, end, below, above);
+        let quotient = g.div(bent, x);
+        let by_x = |x: f64| if (x < edge) == (edge < 0.0) { 1.0 - 1.0 / (x * x) } else { (x.cos() - x.sin() / x) / x };
+        for point in [-2.0, -0.9, 3.0 * edge, 1.01 * edge, 0.99 * edge, 0.1 * edge, 0.01, 0.9, 2.0] {
+            assert_near(&at(&g, quotient, &[x.into()], &[point]), &[by_x(point)]);
+        }
+        assert_near(&at(&g, quotient, &[x.into()], &[1e-9]), &[-1e-9 / 3.0]);
+    }
+}
