@@ -43,7 +43,7 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_endless: bool,
     /// The loops that were given up before, by where they are.
     pub(super) endless: Vec<*const ()>,
-    /// How many nodes of the graph are of what was given up.
+    /// How many nodes of the graph are of what was given up, or was there before.
     pub(super) given_up: usize,
 }
 
@@ -71,6 +71,8 @@ impl<'a> Translation<'a> {
         precision: Option<Precision>,
     ) -> Self {
         let frame = Frame::new(Vec::new(), Rc::default());
+        // What another function has made is not held against this one.
+        let given_up = algebra.g.len();
         Self {
             algebra,
             report,
@@ -85,7 +87,7 @@ impl<'a> Translation<'a> {
             is_open: false,
             is_endless: false,
             endless: Vec::new(),
-            given_up: 0,
+            given_up,
         }
     }
 
