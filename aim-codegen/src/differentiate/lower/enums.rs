@@ -99,7 +99,7 @@ impl Translation<'_> {
         // Of a value of another type the compiler speaks.
         let Some(Value::Integer(found)) = of.field(TAG).filter(|_| of.name == ty) else { return None };
         let variant = self.items.enumeration(ty)?.variants.get(tag)?;
-        let Value::Integer(tag) = self.algebra.whole(tag) else { return None };
+        let tag = self.algebra.count(tag);
         let is_it = Condition::equal(self.algebra, *found, tag);
         // What has no fields was made in no branch.
         let is_made =
@@ -193,7 +193,7 @@ impl Translation<'_> {
         let (Value::Integer(tag), Value::Integer(other)) = (x.field(TAG)?, y.field(TAG)?) else { return None };
         let mut all = Condition::equal(self.algebra, *tag, *other);
         for (number, variant) in variants.iter().enumerate() {
-            let Value::Integer(number) = self.algebra.whole(number) else { return None };
+            let number = self.algebra.count(number);
             let is_another = Condition::equal(self.algebra, *tag, number).not();
             for (member, _) in &variant.fields {
                 let name = field_of(&variant.name, member);

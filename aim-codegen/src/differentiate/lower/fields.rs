@@ -67,10 +67,10 @@ impl Value {
     pub(super) fn element(&self, a: &mut Algebra, place: usize) -> Option<Self> {
         match self {
             Self::Array(values) => values.get(place).cloned(),
-            Self::List(items) if place < items.len() => match a.whole(place) {
-                Self::Integer(place) => lists::ranked(a, items, place),
-                _ => None,
-            },
+            Self::List(items) if place < items.len() => {
+                let place = a.count(place);
+                lists::ranked(a, items, place)
+            }
             Self::Planar(v) if place < 2 => Some(Self::Scalar(a.component(*v, place))),
             Self::Vector(v) if place < 3 => Some(Self::Scalar(a.component(*v, place))),
             Self::Four(parts) => parts.get(place).map(|&x| Self::Scalar(x)),
@@ -92,7 +92,7 @@ impl Value {
         let mut elements = self.elements(a).into_iter().enumerate().rev();
         let (_, last) = elements.next()?;
         elements.try_fold(last, |chosen, (index, element)| {
-            let Self::Integer(next) = a.whole(index + 1) else { return None };
+            let next = a.count(index + 1);
             let is_here = Condition::less(a, place, next);
             element.select(a, &is_here, &chosen)
         })

@@ -13,7 +13,7 @@ use super::enums::TAG;
 use super::frame::{Exit, Target};
 use super::map::{Affine, Map, Quaternion};
 use super::outside::{KeptLoop, Outside, State};
-use super::value::{Element, Optional, Rounds, Struct, Value};
+use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
 use super::{Translation, columns};
 use crate::differentiate::messages;
 
@@ -65,6 +65,12 @@ impl Value {
             }
             Self::Tuple(values) | Self::Array(values) => each(&values.iter().collect::<Vec<_>>(), a),
             Self::Struct(of) => each(&of.fields.iter().map(|(_, value)| value).collect::<Vec<_>>(), a),
+            Self::List(items) => {
+                let flags = items.iter().map(|item| Self::Truth(item.is_there.clone()));
+                let parts: Vec<Self> = flags.zip(items).flat_map(|(flag, item)| [flag, item.value.clone()]).collect();
+                each(&parts.iter().collect::<Vec<_>>(), a)
+            }
+            Self::Slice(slice) => Some(vec![(slice.first, Kind::Whole), (slice.len, Kind::Whole)]),
             // Nothing was put into it: it is `None` all the time.
             Self::Optional(optional) if optional.value.is_never() => Some(Vec::new()),
             Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
@@ -93,6 +99,17 @@ impl Value {
             (Self::Tuple(values), Self::Tuple(others)) if values.len() == others.len() => {
                 Self::Tuple(values.iter().zip(others).map(|(value, other)| value.shaped_like(a, other)).collect())
             }
+            (Self::Array(values), Self::List(others)) if values.len() == others.len() => {
+                let values = values.iter().zip(others).map(|(value, other)| value.shaped_like(a, &other.value));
+                Self::List(values.map(Element::new).collect())
+            }
+            (Self::List(items), Self::List(others)) if items.len() == others.len() => {
+                let items = items.iter().zip(others).map(|(item, other)| Element {
+                    is_there: item.is_there.clone(),
+                    value: item.value.shaped_like(a, &other.value),
+                });
+                Self::List(items.collect())
+            }
             (Self::Array(values), Self::Array(others)) if values.len() == others.len() => {
                 Self::Array(values.iter().zip(others).map(|(value, other)| value.shaped_like(a, other)).collect())
             }
@@ -117,6 +134,18 @@ impl Value {
                 let names = of.fields.iter().map(|(name, _)| name.clone());
                 let fields = names.zip(each(&values, a)?).collect();
                 Self::Struct(Rc::new(Struct { name: of.name.clone(), fields }))
+            }
+            Self::List(items) => {
+                let items = items.iter().map(|item| {
+                    let parts = each(&[Self::Truth(item.is_there.clone()), item.value.clone()], a)?;
+                    let [Self::Truth(is_there), value] = <[Self; 2]>::try_from(parts).ok()? else { return None };
+                    Some(Element { is_there, value })
+                });
+                Self::List(items.collect::<Option<_>>()?)
+            }
+            Self::Slice(slice) => {
+                let [first, len] = take(from)?;
+                Self::Slice(Rc::new(Slice { first, len, ..(**slice).clone() }))
             }
             Self::Optional(optional) if optional.value.is_never() => self.clone(),
             Self::Optional(optional) => {
@@ -278,13 +307,20 @@ impl Translation<'_> {
             }
             Value::Tuple(values) => Value::Tuple(values.iter().map(|value| self.there(value, holds)).collect()),
             Value::Array(values) => Value::Array(values.iter().map(|value| self.there(value, holds)).collect()),
+            Value::List(items) => {
+                let items = items.iter().map(|item| {
+                    let value = self.there(&item.value, &holds.clone().and(item.is_there.clone()));
+                    Element { is_there: item.is_there.clone(), value }
+                });
+                Value::List(items.collect())
+            }
             Value::Struct(of) => {
                 let mut holds_of = vec![holds.clone(); of.fields.len()];
                 if let (Some(Value::Integer(tag)), Some(of)) = (of.field(TAG), self.items.enumeration(&of.name)) {
                     let sizes = of.variants.iter().map(|variant| variant.fields.len());
                     holds_of = vec![holds.clone()];
                     for (number, size) in sizes.enumerate() {
-                        let Value::Integer(number) = self.algebra.whole(number) else { unreachable!("it is one") };
+                        let number = self.algebra.count(number);
                         let is_it = Condition::equal(self.algebra, *tag, number);
                         holds_of.extend(core::iter::repeat_n(holds.clone().and(is_it), size));
                     }
@@ -382,7 +418,11 @@ impl Translation<'_> {
                 return None;
             };
             if !numbers.iter().map(|(_, kind)| kind).eq(nexts.iter().map(|(_, kind)| kind)) {
-                self.refuse(place, messages::variable_of_two_kinds());
+                let message = match next {
+                    Value::List(_) => messages::state_of_kept_loop("a list that grows"),
+                    _ => messages::variable_of_two_kinds(),
+                };
+                self.refuse(place, message);
                 return None;
             }
             let mut left = Vec::new();

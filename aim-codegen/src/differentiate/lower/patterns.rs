@@ -1,9 +1,11 @@
 //! Patterns: whether a value matches one, and what its names are then worth.
 
+use std::rc::Rc;
+
 use aim_symbolic::Scalar;
 use syn::punctuated::Punctuated;
 use syn::token::Comma;
-use syn::{Expr, ExprMethodCall, Member, Pat, RangeLimits};
+use syn::{Expr, ExprMethodCall, Member, Pat, PatSlice, RangeLimits};
 
 use super::condition::Condition;
 use super::numbers;
@@ -81,16 +83,7 @@ impl Translation<'_> {
                     None
                 }
             },
-            Pat::Slice(slice) if !slice.elems.iter().any(is_rest) => match value {
-                Value::Array(values) if values.len() == slice.elems.len() => {
-                    self.patterns(slice.elems.iter().zip(values))
-                }
-                Value::Array(_) => Some(Condition::Known(false)),
-                other => {
-                    self.refuse(slice, messages::pattern_of(&other.describe()));
-                    None
-                }
-            },
+            Pat::Slice(slice) => self.slice_pattern(slice, value),
             Pat::TupleStruct(of) => match (value, of.path.segments.last()) {
                 (Value::Optional(optional), Some(last)) if last.ident == "Err" => {
                     if !of.elems.iter().all(|element| matches!(element, Pat::Wild(_) | Pat::Rest(_))) {
@@ -119,10 +112,6 @@ impl Translation<'_> {
                 let parts: Vec<Value> = of.fields.iter().map(|field| self.moved_part(value, &field.member)).collect();
                 self.patterns(of.fields.iter().map(|field| &*field.pat).zip(&parts))
             }
-            // There are fewer than the pattern names.
-            Pat::Slice(slice) if matches!(value, Value::Array(values) if values.len() + 1 < slice.elems.len()) => {
-                Some(Condition::Known(false))
-            }
             Pat::Ident(syn::PatIdent { subpat: Some((_, inner)), .. }) => {
                 let mut name = pattern.clone();
                 if let Pat::Ident(name) = &mut name {
@@ -131,7 +120,7 @@ impl Translation<'_> {
                 self.bind(&name, value.clone());
                 self.pattern(inner, value)
             }
-            Pat::Wild(_) | Pat::Ident(_) | Pat::Slice(_) => {
+            Pat::Wild(_) | Pat::Ident(_) => {
                 self.bind(pattern, value.clone());
                 Some(Condition::Known(true))
             }
@@ -140,6 +129,60 @@ impl Translation<'_> {
                 None
             }
         }
+    }
+
+    /// The condition that there are as many elements as a pattern names, and that each matches its part of it; `None` after an error.
+    fn slice_pattern(&mut self, pattern: &PatSlice, value: &Value) -> Option<Condition> {
+        let elements = &pattern.elems;
+        let rest = elements.iter().position(is_rest);
+        let count = elements.len() - usize::from(rest.is_some());
+        let (mut matched, parts) = match value {
+            Value::Slice(slice) => {
+                let a = &mut *self.algebra;
+                let (named, one) = (a.count(count), a.count(1));
+                let left = a.sub(slice.len, named);
+                let fits = match rest {
+                    Some(_) => Condition::at_most(a, named, slice.len),
+                    None => Condition::equal(a, named, slice.len),
+                };
+                let mut index = a.count(0);
+                let parts = (0..elements.len()).map(|place| {
+                    let first = index;
+                    let is_rest = rest == Some(place);
+                    index = self.algebra.add(index, if is_rest { left } else { one });
+                    match is_rest {
+                        true => Value::Slice(Rc::new(slice.part(self.algebra, first, left))),
+                        false => self.element_of(slice, first),
+                    }
+                });
+                (fits, parts.collect::<Vec<_>>())
+            }
+            value => {
+                let parts = value.components(self.algebra).map_or_else(|| value.clone(), Value::Array);
+                let Value::Array(values) = parts else {
+                    self.refuse(pattern, messages::pattern_of(&value.describe()));
+                    return None;
+                };
+                if !fits(elements, values.len()) {
+                    return Some(Condition::Known(false));
+                }
+                let mut left = values.into_iter();
+                let more = left.len() - count;
+                let parts = (0..elements.len()).filter_map(|place| match rest == Some(place) {
+                    true => Some(Value::Array(left.by_ref().take(more).collect())),
+                    false => left.next(),
+                });
+                (Condition::Known(true), parts.collect())
+            }
+        };
+        for (element, part) in elements.iter().zip(&parts) {
+            match element {
+                Pat::Rest(_) => {}
+                Pat::Ident(name) if is_rest(element) => self.frame.declare(name.ident.to_string(), part.clone()),
+                element => matched = matched.and(self.pattern(element, part)?),
+            }
+        }
+        Some(matched)
     }
 
     /// The condition that a value matches a pattern and its guard holds, which is asked for each of its alternatives; `None` after

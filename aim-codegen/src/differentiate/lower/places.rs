@@ -176,7 +176,7 @@ impl Translation<'_> {
             ("get_mut", [index]) => match self.step(index)? {
                 Step::Index(index) => some((index < count).then(|| array.lent(Step::Index(index)))),
                 Step::Chosen(index) => {
-                    let Value::Integer(count) = self.algebra.whole(count) else { return None };
+                    let count = self.algebra.count(count);
                     let is_some = Condition::is_index(self.algebra, index, count);
                     Value::some_if(is_some, array.lent(Step::Chosen(index)))
                 }
@@ -204,6 +204,23 @@ impl Translation<'_> {
             },
             _ => return None,
         })
+    }
+
+    /// An element of a list whose length arguments decide, lent to be changed; `None` if it is another method, or after an error.
+    fn lent_by_list(&mut self, call: &ExprMethodCall, list: &Place) -> Option<Value> {
+        let Value::List(items) = self.read(list) else { return None };
+        let Value::Integer(count) = self.counted(&items)? else { return None };
+        let index = match (call.method.to_string().as_str(), call.args.first()) {
+            ("first_mut", None) => self.algebra.count(0),
+            ("last_mut", None) => {
+                let one = self.algebra.count(1);
+                self.algebra.sub(count, one)
+            }
+            ("get_mut", Some(index)) => self.count(index)?,
+            _ => return None,
+        };
+        let is_some = Condition::is_index(self.algebra, index, count);
+        Some(Value::some_if(is_some, list.lent(Step::Chosen(index))))
     }
 
     /// The parts that a pattern takes a value to: of a `&mut` those to its parts.
@@ -255,7 +272,7 @@ impl Translation<'_> {
         }
         if LENDING.contains(&&*name) {
             let place = self.still_place(&call.receiver)?;
-            return self.lending_method(call, &place);
+            return self.lending_method(call, &place).or_else(|| self.lent_by_list(call, &place));
         }
         match (name.as_str(), arguments.as_slice()) {
             ("swap", [one, other]) => {
@@ -489,17 +506,16 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
 fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option<Value> {
     if let Value::List(items) = whole {
         let index = match step {
-            Step::Index(index) => a.whole(*index),
-            Step::Chosen(index) => Value::Integer(*index),
+            Step::Index(index) => a.count(*index),
+            Step::Chosen(index) => *index,
             Step::Field(_) | Step::Inside | Step::Part { .. } => return None,
         };
-        let Value::Integer(index) = index else { return None };
         return lists::with_ranked(a, items, index, &part);
     }
     if let Step::Chosen(chosen) = step {
         let mut changed = whole.clone();
         for index in 0..whole.elements(a).len() {
-            let Value::Integer(number) = a.whole(index) else { return None };
+            let number = a.count(index);
             let (is_here, step) = (Condition::equal(a, *chosen, number), Step::Index(index));
             let before = part_of(a, whole, &step)?;
             let now = part.select(a, &is_here, &before)?;

@@ -11,6 +11,7 @@ use super::bounds::Linear;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
+use super::iterators::ranks;
 use super::outside::{At, Outside};
 use super::value::{Callable, Element, Items, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
@@ -22,6 +23,9 @@ const METHODS: &[&str] = &[
     "first",
     "last",
     "get",
+    "split_first",
+    "split_last",
+    "split_at",
     "windows",
     "chunks_exact",
     "chunks",
@@ -33,6 +37,7 @@ const METHODS: &[&str] = &[
     "filter",
     "filter_map",
     "take_while",
+    "skip_while",
     "map_while",
     "zip",
     "rev",
@@ -84,14 +89,13 @@ impl Rounds {
     }
 
     /// As many of the numbers first + step k.
-    pub(super) fn stepped(self, count: Scalar, first: Scalar, step: f64) -> Self {
+    pub(super) fn stepped(self, count: Scalar, first: Scalar, step: Scalar) -> Self {
         Self::of(count, Items::Stepped { items: self.items, first, step })
     }
 }
 
 /// first + step k
-fn stepped(a: &mut Algebra, first: Scalar, step: f64, k: Scalar) -> Scalar {
-    let step = a.number(step);
+fn stepped(a: &mut Algebra, first: Scalar, step: Scalar, k: Scalar) -> Scalar {
     let more = a.mul(step, k);
     a.add(first, more)
 }
@@ -110,11 +114,10 @@ impl Translation<'_> {
             Items::Elements(slice) => slice.element(self, index),
             Items::Parts { slice, size, step } => {
                 let zero = self.algebra.number(0.0);
-                #[expect(clippy::cast_precision_loss, reason = "they are small")]
-                let first = stepped(self.algebra, zero, *step as f64, index);
+                let step = self.algebra.count(*step);
+                let first = stepped(self.algebra, zero, step, index);
                 let elements = (0..*size).map(|k| {
-                    #[expect(clippy::cast_precision_loss, reason = "they are small")]
-                    let k = self.algebra.number(k as f64);
+                    let k = self.algebra.count(k);
                     let index = self.algebra.add(first, k);
                     slice.element(self, index)
                 });
@@ -129,11 +132,7 @@ impl Translation<'_> {
             // Elements that are passed over are made, too.
             Items::Stepped { items, first, step } => {
                 let index = stepped(self.algebra, *first, *step, index);
-                let made = |this: &mut Self| Some(this.item_at(items, index)?.value);
-                match items.made_by() {
-                    Some(call) => self.without_effect(call, made)?,
-                    None => made(self)?,
-                }
+                self.item_aside(items, index)?
             }
             Items::Numbered(items) => Value::Tuple(vec![Value::Integer(index), self.item_at(items, index)?.value]),
             Items::Made(items, call, function) => {
@@ -147,6 +146,38 @@ impl Translation<'_> {
             })?,
         };
         (!value.is_unknown()).then(|| Element::new(value))
+    }
+
+    /// An element that is made without a change of variables.
+    fn item_aside(&mut self, items: &Items, index: Scalar) -> Option<Value> {
+        let made = |this: &mut Self| Some(this.item_at(items, index)?.value);
+        match items.made_by() {
+            Some(call) => self.without_effect(call, made),
+            None => made(self),
+        }
+    }
+
+    /// Elements that are known, each with what rounds that leave none out go over; `None` after an error.
+    pub(super) fn with_each(
+        &mut self,
+        items: Vec<Element>,
+        rounds: &Rounds,
+        pair: impl Fn(Value, Value) -> Value,
+    ) -> Option<Value> {
+        let ranks = ranks(self.algebra, &items);
+        let pairs = items.into_iter().zip(ranks).map(|(Element { is_there, value }, rank)| {
+            let is_there = is_there.and(Condition::less(self.algebra, rank, rounds.count));
+            let round = self.item_aside(&rounds.items, rank)?;
+            Some(Element { is_there, value: pair(value, round) })
+        });
+        let pairs: Option<Vec<Element>> = pairs.collect();
+        pairs.map(Value::iterator_of)
+    }
+
+    /// Rounds without the first ones.
+    fn from_on(&mut self, rounds: &Rounds, first: Scalar) -> Rounds {
+        let (count, one) = (self.algebra.sub(rounds.count, first), self.algebra.number(1.0));
+        rounds.clone().stepped(count, first, one)
     }
 
     /// What `map`, `filter`, `take_while` and the like make of an element; `None` after an error.
@@ -253,13 +284,25 @@ impl Translation<'_> {
             }
             ("rev", []) if is_indexed => {
                 let (count, one) = (rounds.count, self.algebra.number(1.0));
-                let last = self.algebra.sub(count, one);
-                rounds.stepped(count, last, -1.0)
+                let (last, back) = (self.algebra.sub(count, one), self.algebra.number(-1.0));
+                rounds.stepped(count, last, back)
             }
             ("skip", [count]) if is_indexed => {
                 let first = self.count(count)?;
-                let count = self.algebra.sub(rounds.count, first);
-                rounds.stepped(count, first, 1.0)
+                self.from_on(&rounds, first)
+            }
+            ("skip_while", [function]) if is_indexed => {
+                let function = self.function_argument(function, 1)?;
+                let count = Value::Integer(rounds.count);
+                let found = self.without_effect(call, |this| {
+                    Some(this.sought(call, &rounds, count, |this, item| {
+                        let holds = this.answer(call, &function, item)?;
+                        let round = this.algebra.outside(Outside::Round(*this.kept.last()?));
+                        Some((holds.not(), Value::Integer(round)))
+                    }))
+                })?;
+                let Value::Integer(first) = found else { return Some(found) };
+                self.from_on(&rounds, first)
             }
             ("step_by", [count]) if is_indexed => {
                 let Some(more) = self.known_count(count)?.checked_sub(1) else {
@@ -267,8 +310,8 @@ impl Translation<'_> {
                 };
                 let step = more + 1;
                 let (count, zero) = (self.parts(rounds.count, step, more), self.algebra.number(0.0));
-                #[expect(clippy::cast_precision_loss, reason = "it is small")]
-                rounds.stepped(count, zero, step as f64)
+                let step = self.algebra.count(step);
+                rounds.stepped(count, zero, step)
             }
             ("take", [count]) if is_whole => {
                 let count = self.count(count)?;
@@ -282,6 +325,10 @@ impl Translation<'_> {
                 let other = match other {
                     Some(Value::Slice(slice)) => Rounds::over(slice),
                     Some(Value::Rounds(other)) if other.items.is_whole() => (*other).clone(),
+                    Some(other) if is_indexed => {
+                        let items = self.items_of(&call.args, other)?;
+                        return self.with_each(items, &rounds, |item, round| Value::Tuple(vec![round, item]));
+                    }
                     Some(other) => return Some(self.refuse_known(&other, &call.args, messages::zip_of_kept_loop())),
                     None => return Some(self.refuse(&call.args, messages::zip_of_kept_loop())),
                 };
@@ -388,12 +435,25 @@ impl Translation<'_> {
                 let last = self.algebra.sub(slice.len, one);
                 Some(self.got(slice, last))
             }
+            ("split_first" | "split_last", []) => {
+                let a = &mut *self.algebra;
+                let is_some = Condition::at_most(a, one, slice.len);
+                let left = a.sub(slice.len, one);
+                let (place, first) = if name == "split_first" { (zero, one) } else { (left, zero) };
+                let rest = Value::Slice(Rc::new(slice.part(a, first, left)));
+                Some(Value::some_if(is_some, Value::Tuple(vec![slice.element(self, place), rest])))
+            }
+            ("split_at", [place]) => self.count(place).map(|place| {
+                let a = &mut *self.algebra;
+                let left = a.sub(slice.len, place);
+                let parts = [slice.part(a, zero, place), slice.part(a, place, left)];
+                Value::Tuple(parts.map(|part| Value::Slice(Rc::new(part))).into())
+            }),
             ("get", [index]) => self.count(index).map(|index| self.got(slice, index)),
             ("windows" | "chunks_exact", [size]) => self.known_count(size).map(|size| {
                 let (step, count) = match name {
                     "windows" => {
-                        #[expect(clippy::cast_precision_loss, reason = "it is small")]
-                        let less = self.algebra.number(size as f64 - 1.0);
+                        let less = self.algebra.count(size.saturating_sub(1));
                         (1, self.algebra.sub(slice.len, less))
                     }
                     _ => (size, self.parts(slice.len, size, 0)),
@@ -423,8 +483,7 @@ impl Translation<'_> {
     /// How many parts of this size there are in so many and `more`.
     fn parts(&mut self, count: Scalar, size: usize, more: usize) -> Scalar {
         let a = &mut *self.algebra;
-        #[expect(clippy::cast_precision_loss, reason = "they are small")]
-        let [size, more] = [size, more].map(|number| a.number(number as f64));
+        let [size, more] = [size, more].map(|number| a.count(number));
         let count = a.add(count, more);
         let parts = a.div(count, size);
         a.call(Function::Floor, parts)

@@ -112,7 +112,7 @@ pub(crate) enum Items {
     Stepped {
         items: Rc<Self>,
         first: Scalar,
-        step: f64,
+        step: Scalar,
     },
     Numbered(Rc<Self>),
     /// What a method makes of each by a function.
@@ -402,7 +402,13 @@ impl Algebra {
     }
 
     pub(crate) fn whole(&mut self, value: usize) -> Value {
-        self.integer(i64::try_from(value).unwrap_or(i64::MAX))
+        Value::Integer(self.count(value))
+    }
+
+    /// A whole number that counts or indexes: it is small.
+    #[expect(clippy::cast_precision_loss, reason = "it is small")]
+    pub(crate) fn count(&mut self, value: usize) -> Scalar {
+        self.number(value as f64)
     }
 
     /// 1 where a condition holds, else 0.

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use syn::{Expr, ExprMethodCall, ExprRange};
 
 use super::super::condition::Condition;
-use super::super::value::{Callable, Element, Optional, Place, Value};
+use super::super::value::{Callable, Element, Optional, Place, Rounds, Value};
 use super::super::{Translation, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
@@ -202,6 +202,7 @@ impl Translation<'_> {
 
     /// Pairs of these and what another iterator goes over; `None` after an error.
     pub(in crate::differentiate::lower) fn zipped(&mut self, items: Vec<Element>, other: &Expr) -> Option<Value> {
+        let pair = |one: Value, other: Value| Value::Tuple(vec![one, other]);
         let others = match strip(other) {
             // As many numbers as are asked for.
             Expr::Range(ExprRange { start: Some(start), end: None, .. }) => {
@@ -211,9 +212,12 @@ impl Translation<'_> {
                 };
                 (first..).zip(&items).map(|(number, _)| Element::new(self.algebra.integer(number))).collect()
             }
-            _ => self.iterated(other)?,
+            other => match self.expression(other) {
+                Value::Slice(slice) => return self.with_each(items, &Rounds::over(slice), pair),
+                Value::Rounds(rounds) if rounds.items.is_indexed() => return self.with_each(items, &rounds, pair),
+                value => self.items_of(other, value)?,
+            },
         };
-        let pair = |one: Value, other: Value| Value::Tuple(vec![one, other]);
         Some(match (all_there(items), all_there(others)) {
             (Ok(ones), Ok(others)) => {
                 Value::iterator(ones.into_iter().zip(others).map(|(one, other)| pair(one, other)))

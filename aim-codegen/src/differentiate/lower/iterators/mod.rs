@@ -7,6 +7,7 @@ mod consumers;
 use std::rc::Rc;
 
 use aim_symbolic::Scalar;
+use quote::ToTokens;
 use syn::{Expr, ExprMethodCall, ExprRange, Ident, RangeLimits};
 
 use super::algebra::Algebra;
@@ -214,10 +215,10 @@ impl Translation<'_> {
         let is_known = [first, last].into_iter().all(|end| self.algebra.constant_of(end).is_some());
         let is_written = rounds <= if is_known { LONGEST } else { LONGEST_OPEN };
         let (true, Some(least), Some(most)) = (is_written, least, most) else {
-            let (a, one) = (&mut *self.algebra, if is_closed { 1.0 } else { 0.0 });
-            let (count, more) = (a.sub(last, first), a.number(one));
+            let a = &mut *self.algebra;
+            let (count, more, step) = (a.sub(last, first), a.count(usize::from(is_closed)), a.count(1));
             let count = a.add(count, more);
-            return Value::Rounds(Rc::new(Rounds::of(count, Items::Numbers).stepped(count, first, 1.0)));
+            return Value::Rounds(Rc::new(Rounds::of(count, Items::Numbers).stepped(count, first, step)));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
         let mut items = Vec::new();
@@ -289,11 +290,16 @@ impl Translation<'_> {
     /// What a loop can go over; `None` after an error.
     pub(super) fn iterated(&mut self, over: &Expr) -> Option<Vec<Element>> {
         let value = self.expression(over);
+        self.items_of(over, value)
+    }
+
+    /// The elements of a value; `None` after an error.
+    pub(super) fn items_of(&mut self, place: &impl ToTokens, value: Value) -> Option<Vec<Element>> {
         let kind = value.describe();
         let is_unknown = value.is_unknown();
         let items = value.items();
         if items.is_none() && !is_unknown {
-            self.refuse(over, messages::not_iterable(&kind));
+            self.refuse(place, messages::not_iterable(&kind));
         }
         items
     }
