@@ -25,6 +25,12 @@ pub trait Number {
     /// The lesser one.
     #[must_use]
     fn min(self, other: Self) -> Self;
+    /// The nearest one between two.
+    #[must_use]
+    fn clamp(self, low: Self, high: Self) -> Self;
+    /// Without its sign.
+    #[must_use]
+    fn abs(self) -> Self;
 }
 
 impl Number for Dual {
@@ -34,5 +40,13 @@ impl Number for Dual {
 
     fn min(self, other: Self) -> Self {
         if self.re > other.re { other } else { self }
+    }
+
+    fn clamp(self, low: Self, high: Self) -> Self {
+        self.max(low).min(high)
+    }
+
+    fn abs(self) -> Self {
+        if self.re < 0.0 { -self } else { self }
     }
 }

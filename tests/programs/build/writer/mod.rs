@@ -1,0 +1,156 @@
+//! Writes a random function in ordinary Rust: loops of all kinds that change numbers, options, flags, arrays, lists, tuples, structs
+//! and enums, and are left in all ways, and helpers that return early.
+//!
+//! What the two texts of a function differ in stands between ‹ and ›: numbers and their type.
+
+mod expressions;
+mod statements;
+
+use std::fmt::Write;
+
+/// What all functions know.
+const KNOWN: &str = include_str!("known.txt");
+
+/// How many statements a function has at most.
+const STATEMENTS: usize = 14;
+
+/// The names that can be read, or changed, where a statement stands.
+#[derive(Clone, Default)]
+struct Scope {
+    numbers: Vec<String>,
+    changed: Vec<String>,
+    options: Vec<String>,
+    flags: Vec<String>,
+    wholes: Vec<String>,
+    arrays: Vec<String>,
+    lists: Vec<String>,
+    tuples: Vec<String>,
+    pairs: Vec<String>,
+    shapes: Vec<String>,
+    closures: Vec<String>,
+    /// Labels of the loops around; they may have none.
+    loops: Vec<Option<String>>,
+    /// Whether the rounds around may be run as often as a slice is long.
+    is_kept: bool,
+}
+
+struct Writer {
+    random: fastrand::Rng,
+    text: String,
+    indent: usize,
+    names: usize,
+    /// How many statements may still be written.
+    left: usize,
+}
+
+/// The module of a random function, and its twin.
+pub(crate) fn module(number: u64) -> String {
+    let random = fastrand::Rng::with_seed(number);
+    let mut writer = Writer { random, text: String::new(), indent: 0, names: 0, left: STATEMENTS };
+    let text = writer.function();
+    let plain = text.replace(['‹', '›'], "");
+    let twin = twin_of(&text);
+    format!(
+        "#[aim::differentiate]
+mod program_{number} {{
+{plain_known}
+#[differentiate(wrt(x, y))]
+pub(super) fn program_{number}{plain}}}
+mod twin_{number} {{
+use aim_programs::{{Dual, Number as _, c, of}};
+use num_dual::DualNum as _;
+{known}
+pub(super) fn program_{number}{twin}}}
+",
+        plain_known = KNOWN.replace(['‹', '›'], ""),
+        known = twin_of(KNOWN),
+    )
+}
+
+/// The text for dual numbers.
+fn twin_of(text: &str) -> String {
+    let mut twin = String::new();
+    for part in text.split('‹') {
+        let Some((marked, rest)) = part.split_once('›') else {
+            twin += part;
+            continue;
+        };
+        match marked {
+            "f64" => twin += "Dual",
+            "f64::from" => twin += "of",
+            number => write!(twin, "c({number})").expect("a string takes all"),
+        }
+        twin += rest;
+    }
+    twin
+}
+
+impl Writer {
+    fn function(&mut self) -> String {
+        let mut scope = Scope::default();
+        scope.numbers.extend(["x", "y"].map(String::from));
+        self.indent = 1;
+        for _ in 0..self.random.usize(2..=4) {
+            self.declaration(&mut scope);
+        }
+        // Something to change is always there.
+        let name = self.name();
+        let value = self.number(&scope, 1);
+        self.line(&format!("let mut {name} = {value};"));
+        scope.numbers.push(name.clone());
+        scope.changed.push(name);
+        for _ in 0..self.random.usize(2..=4) {
+            self.statement(&mut scope, 3);
+        }
+        let result = Self::result(&scope);
+        self.line(&result);
+        let body = core::mem::take(&mut self.text);
+        format!("(x: ‹f64›, y: ‹f64›, s: &[‹f64›], n: i32) -> ‹f64› {{\n{body}}}\n")
+    }
+
+    /// A number of all that could have been changed.
+    fn result(scope: &Scope) -> String {
+        let mut terms: Vec<String> = scope.changed.clone();
+        terms.extend(scope.options.iter().map(|o| format!("{o}.map_or(‹0.3›, |v| ‹2.0› * v)")));
+        terms.extend(scope.flags.iter().map(|f| format!("(if {f} {{ ‹0.7› * x }} else {{ y }})")));
+        terms.extend(scope.wholes.iter().map(|k| format!("x * ‹f64::from›({k})")));
+        terms.extend(scope.arrays.iter().map(|a| format!("{a}[0] - {a}[2] * {a}[1]")));
+        terms.extend(scope.lists.iter().map(|l| format!("{l}.iter().map(|v| *v * y).sum::<‹f64›>()")));
+        terms.extend(scope.tuples.iter().map(|t| format!("{t}.0 * {t}.1")));
+        terms.extend(scope.pairs.iter().map(|p| format!("{p}.energy()")));
+        terms.extend(scope.shapes.iter().map(|e| format!("{e}.size()")));
+        terms.join(" + ")
+    }
+
+    fn line(&mut self, line: &str) {
+        for part in line.lines() {
+            self.text += &"    ".repeat(self.indent);
+            self.text += part;
+            self.text += "\n";
+        }
+    }
+
+    fn name(&mut self) -> String {
+        self.names += 1;
+        format!("v{}", self.names)
+    }
+
+    fn one_of<'a>(&mut self, of: &[&'a str]) -> &'a str {
+        of[self.random.usize(..of.len())]
+    }
+
+    fn any(&mut self, of: &[String]) -> String {
+        of[self.random.usize(..of.len())].clone()
+    }
+
+    fn literal(&mut self) -> String {
+        format!("‹{}_f64›", self.one_of(&["0.25", "0.5", "0.8", "1.0", "1.5", "2.0", "0.1", "3.0"]))
+    }
+
+    /// A name for a number, where another name is borrowed.
+    fn bound(&mut self, scope: &Scope) -> String {
+        let (name, value) = (self.name(), self.number(scope, 1));
+        self.line(&format!("let {name} = {value};"));
+        name
+    }
+}
