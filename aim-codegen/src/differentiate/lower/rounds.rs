@@ -175,7 +175,7 @@ impl Translation<'_> {
     }
 
     /// Rounds without the first ones.
-    fn from_on(&mut self, rounds: &Rounds, first: Scalar) -> Rounds {
+    fn without_first(&mut self, rounds: &Rounds, first: Scalar) -> Rounds {
         let (count, one) = (self.algebra.sub(rounds.count, first), self.algebra.number(1.0));
         rounds.clone().stepped(count, first, one)
     }
@@ -289,7 +289,7 @@ impl Translation<'_> {
             }
             ("skip", [count]) if is_indexed => {
                 let first = self.count(count)?;
-                self.from_on(&rounds, first)
+                self.without_first(&rounds, first)
             }
             ("skip_while", [function]) if is_indexed => {
                 let function = self.function_argument(function, 1)?;
@@ -302,7 +302,7 @@ impl Translation<'_> {
                     }))
                 })?;
                 let Value::Integer(first) = found else { return Some(found) };
-                self.from_on(&rounds, first)
+                self.without_first(&rounds, first)
             }
             ("step_by", [count]) if is_indexed => {
                 let Some(more) = self.known_count(count)?.checked_sub(1) else {
