@@ -39,6 +39,7 @@ pub use diff::gradient::Placement;
 pub use diff::sweep::{Course, Passage, Swept};
 pub use ir::evaluate::Bindings;
 pub use ir::graph::Graph;
+pub use ir::graph::prune::Pruned;
 pub use ir::node::{
     Angle, Attitude, Direction, InputKind, Matrix, Node, Plane, Rigid, Rotation, RotationNode, Scalar, ScalarNode,
     Space, Unit, Variable, Vector, VectorNode,

@@ -7,7 +7,8 @@ use aim_symbolic::{Count, Graph, Op, Program, Scalar, Value, Want};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::lower::{Algebra, At, KeptLoop, Outside, State};
+use super::lower::{At, KeptLoop, Outside, State};
+use super::needed::Needed;
 use super::types::{Precision, Type};
 use crate::emit::body::{Arithmetic, Body, local};
 
@@ -72,12 +73,8 @@ fn seen(loops: &[KeptLoop], l: usize) -> Vec<Varying> {
 
 impl Kept {
     /// Those of a function's graph, with `program` for what is wanted of it.
-    pub(super) fn derive(
-        algebra: &Algebra,
-        variables: &[Scalar],
-        program: &dyn Fn(&Graph, &[Want]) -> Program,
-    ) -> Self {
-        let all = &algebra.loops;
+    pub(super) fn derive(needed: &Needed, variables: &[Scalar], program: &dyn Fn(&Graph, &[Want]) -> Program) -> Self {
+        let all = &needed.loops;
         let stage = |(l, kept): (usize, &KeptLoop)| {
             // The values, and the derivatives of those that have some.
             let wanted = |values: &dyn Fn(&State) -> Scalar, more: Option<Scalar>, seen: &[Varying]| {
@@ -88,7 +85,7 @@ impl Kept {
                     let value = values(state);
                     by.iter().map(move |&input| Want::Derivative(value, input.into()))
                 });
-                program(&algebra.g, &numbers.chain(slopes).collect::<Vec<_>>())
+                program(&needed.g, &numbers.chain(slopes).collect::<Vec<_>>())
             };
             let seen = seen(all, l);
             let entry = wanted(&|state| state.first, Some(kept.count), &seen);
@@ -100,11 +97,11 @@ impl Kept {
             Stage { within: kept.within, states, leaves, entry, seen, round, seen_in_round }
         };
         let mut numbers: Vec<(Scalar, Rc<Program>)> = Vec::new();
-        let outside = algebra.outside.iter().map(|(which, _)| {
+        let outside = needed.outside.iter().map(|(which, _)| {
             let Outside::Element { at: At::Chosen(index), .. } = *which else { return (*which, None) };
             let known = numbers.iter().find(|(known, _)| *known == index).map(|(_, program)| program.clone());
             let program = known.unwrap_or_else(|| {
-                let made = Rc::new(program(&algebra.g, &[Want::Value(index)]));
+                let made = Rc::new(program(&needed.g, &[Want::Value(index)]));
                 numbers.push((index, made.clone()));
                 made
             });

@@ -26,6 +26,7 @@ mod lower;
 mod manifold;
 mod messages;
 mod names;
+mod needed;
 mod options;
 mod slices;
 mod slopes;
@@ -47,6 +48,7 @@ use self::emit::Companions;
 use self::items::Items;
 use self::kept_loops::Kept;
 use self::lower::{Algebra, Translation, Value};
+use self::needed::Needed;
 use self::options::Options;
 use self::types::{Shape, Type};
 use crate::declare::report::Report;
@@ -236,8 +238,10 @@ impl Derived {
         }
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
-        let kept = Rc::new(Kept::derive(&algebra, &variables, &|g, wanted| search.program(g, wanted)));
-        let stated = Stated { values: numbers, vector, variables };
+        let mut flag = is_some.map(|is_some| algebra.number_of(&is_some));
+        let mut stated = Stated { values: numbers, vector, variables };
+        let needed = Needed::of(&algebra, &mut stated, &mut flag);
+        let kept = Rc::new(Kept::derive(&needed, &stated.variables, &|g, wanted| search.program(g, wanted)));
         let is_kept = !kept.is_empty();
         if is_kept {
             for (companion, place) in &options.companions {
@@ -250,9 +254,8 @@ impl Derived {
                 return None;
             }
         }
-        let flag = is_some.map(|is_some| algebra.number_of(&is_some));
         let derive = |companion: Companion| {
-            let mut g = algebra.g.clone();
+            let mut g = needed.g.clone();
             let taken = arguments.further(companion, &mut g);
             let mut wanted = companion.wanted(&mut g, &stated, &taken);
             wanted.extend(kept.after().flat_map(|after| stated.derivatives_by(after)));

@@ -1,5 +1,7 @@
 //! The hash-consed graph: equal expressions are one node, so that sharing is found by construction.
 
+pub(crate) mod prune;
+
 use std::hash::Hash;
 
 use rustc_hash::FxHashMap;
