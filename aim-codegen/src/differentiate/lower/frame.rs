@@ -19,7 +19,7 @@ pub(super) type Assigned = Vec<(usize, Value)>;
 pub(super) enum Target {
     /// The end of the function.
     Function,
-    /// The end of the loop at this depth, from 0.
+    /// The end of the loop, or of the block with a label, at this depth, from 0.
     Loop(usize),
     /// The end of its body.
     Round(usize),
@@ -51,6 +51,8 @@ pub(super) struct Exit {
 struct Region {
     target: Target,
     label: Option<String>,
+    /// Whether it is a block, whose end a `break` without a label does not lead to.
+    is_block: bool,
     /// How many variables, branches on the path, and journals there were.
     variables: usize,
     path: usize,
@@ -91,7 +93,8 @@ pub(super) struct Frame {
 impl Frame {
     /// A frame whose first variables are of the place that it is called from.
     pub(super) fn new(variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
-        let function = Region { target: Target::Function, label: None, variables: 0, path: 0, journals: 0 };
+        let function =
+            Region { target: Target::Function, label: None, is_block: false, variables: 0, path: 0, journals: 0 };
         Self { captured: variables.len(), variables, regions: vec![function], scope, ..Self::default() }
     }
 
@@ -290,18 +293,29 @@ impl Frame {
     pub(super) fn begin(&mut self, target: Target, label: Option<String>) {
         let Self { variables, path, journals, .. } = self;
         let (variables, path, journals) = (variables.len(), path.len(), journals.len());
-        self.regions.push(Region { target, label, variables, path, journals });
+        self.regions.push(Region { target, label, is_block: false, variables, path, journals });
         self.journals.push(Vec::new());
     }
 
-    /// How many loops are under way.
+    /// The same of a block with a label: its target.
+    pub(super) fn begin_block(&mut self, label: String) -> Target {
+        let whole = Target::Loop(self.loops());
+        self.begin(whole, Some(label));
+        if let Some(region) = self.regions.last_mut() {
+            region.is_block = true;
+        }
+        whole
+    }
+
+    /// How many loops, and blocks with a label, are under way.
     pub(super) fn loops(&self) -> usize {
         self.regions.iter().filter(|region| matches!(region.target, Target::Loop(_))).count()
     }
 
-    /// The depth of the innermost loop, or of the one with this label.
+    /// The depth of the innermost loop, or of the loop or block with this label.
     pub(super) fn find_loop(&self, label: Option<&str>) -> Option<usize> {
         self.regions.iter().rev().find_map(|region| match region.target {
+            Target::Loop(_) if label.is_none() && region.is_block => None,
             Target::Loop(depth) if label.is_none() || label == region.label.as_deref() => Some(depth),
             _ => None,
         })

@@ -132,7 +132,7 @@ impl Translation<'_> {
             Expr::Try(e) => self.try_value(e),
             Expr::Macro(e) => self.macro_call(&e.mac),
             Expr::Block(block) => match &block.label {
-                Some(label) => self.unsupported(label, "a labelled block", "write it as a block without a label"),
+                Some(label) => self.labelled_block(label, &block.block, expected),
                 None => self.block_as(&block.block, expected),
             },
             Expr::Tuple(tuple) => {

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::token::Comma;
-use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Item, Lifetime, Pat, Stmt};
+use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Item, Label, Lifetime, Pat, Stmt};
 
 use super::condition::Condition;
 use super::expected::Expected;
@@ -332,6 +332,23 @@ impl Translation<'_> {
             }
             None => Round::Over,
         })
+    }
+
+    /// A block that `break` with its label leaves.
+    pub(super) fn labelled_block(&mut self, label: &Label, block: &Block, expected: &Expected) -> Value {
+        let whole = self.frame.begin_block(label.name.ident.to_string());
+        let value = self.block_as(block, expected);
+        let is_unknown = matches!(value, Value::Unknown);
+        if !value.is_unknown() {
+            self.frame.exit(whole, value);
+        }
+        let is_left = self.frame.has_exits(whole);
+        match self.frame.end(self.algebra, false) {
+            _ if is_unknown => Value::Unknown,
+            None => self.refuse(label, messages::variable_of_two_kinds()),
+            Some(_) if !is_left => Value::Never,
+            Some(brought) => brought,
+        }
     }
 
     pub(super) fn while_loop(&mut self, e: &ExprWhile) -> Value {
