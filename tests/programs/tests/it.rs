@@ -4,8 +4,8 @@
 
 use aim_programs::Dual;
 
-type Companion = fn(f64, f64, &[f64], i32) -> (f64, (f64, f64));
-type Twin = fn(Dual, Dual, &[Dual], i32) -> Dual;
+type Companion = fn(f64, f64, &[f64], &[[f64; 2]], i32) -> (f64, (f64, f64));
+type Twin = fn(Dual, Dual, &[Dual], &[[Dual; 2]], i32) -> Dual;
 
 include!(concat!(env!("OUT_DIR"), "/programs.rs"));
 
@@ -31,10 +31,12 @@ fn random_programs() {
             let mut draw = || 4.0 * random.f64() - 2.0;
             let (x, y) = (draw(), draw());
             let mut s = [0.0; 6].map(|_: f64| draw());
-            let (s, n) = (&s[..random.usize(..7)], random.i32(0..5));
+            let e = [[0.0; 2]; 4].map(|_: [f64; 2]| [draw(), draw()]);
+            let (s, e, n) = (&s[..random.usize(..7)], &e[..random.usize(..5)], random.i32(0..5));
             let list: Vec<Dual> = s.iter().map(|&v| Dual::from(v)).collect();
+            let pairs: Vec<[Dual; 2]> = e.iter().map(|pair| pair.map(Dual::from)).collect();
             let right_at = |x, y| -> Triple {
-                let by = |dx, dy| twin(Dual::new(x, dx), Dual::new(y, dy), &list, n);
+                let by = |dx, dy| twin(Dual::new(x, dx), Dual::new(y, dy), &list, &pairs, n);
                 let (by_x, by_y) = (by(1.0, 0.0), by(0.0, 1.0));
                 [by_x.re, by_x.eps, by_y.eps]
             };
@@ -44,10 +46,10 @@ fn random_programs() {
                 left_out += 1;
                 continue;
             }
-            let (value, (by_x, by_y)) = companion(x, y, s, n);
+            let (value, (by_x, by_y)) = companion(x, y, s, e, n);
             let found = [value, by_x, by_y];
             if !is_near(found, right) {
-                wrong.push(format!("{number}: of {x}, {y}, {s:?}, {n}: {found:?} instead of {right:?}"));
+                wrong.push(format!("{number}: of {x}, {y}, {s:?}, {e:?}, {n}: {found:?} instead of {right:?}"));
                 break;
             }
         }

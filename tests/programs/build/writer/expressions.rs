@@ -26,18 +26,30 @@ impl Writer {
                 _ => option,
             };
         }
-        match self.random.u8(..10) {
-            6 => format!("s.iter().copied().find(|v| *v > {number})"),
-            7 => format!("s.iter().position(|v| *v > {number}).map(|at| s[at])"),
-            8 => format!("s.iter().copied().reduce(|v, w| ‹0.5› * v + {number} * w)"),
-            9 => format!("first_above(s, {number})"),
+        let s = self.any(&scope.slices);
+        match self.random.u8(..17) {
+            10 => format!("{s}.iter().copied().min_by(|v, w| v.partial_cmp(w).unwrap())"),
+            11 => {
+                format!("{s}.iter().max_by(|v, w| (**v * {number}).partial_cmp(&(**w * {number})).unwrap()).copied()")
+            }
+            12 => format!("{s}.last().copied().filter(|v| *v < {number})"),
+            13 => format!("e.first().map(|[v, w]| *v - {number} * *w)"),
+            14 => format!("sure({number}, x).ok()"),
+            15 => format!(
+                "e.iter().fold(None, |v: Option<‹f64›>, w| match v {{\n    Some(v) if v > w[0] => Some(v),\n    _ => Some(w[0] * {number}),\n}})"
+            ),
+            16 => format!("{s}.split_last().and_then(|(v, rest)| Some(*v * *rest.first()?))"),
+            6 => format!("{s}.iter().copied().find(|v| *v > {number})"),
+            7 => format!("{s}.iter().position(|v| *v > {number}).map(|at| {s}[at])"),
+            8 => format!("{s}.iter().copied().reduce(|v, w| ‹0.5› * v + {number} * w)"),
+            9 => format!("first_above({s}, {number})"),
             0 => format!("root({number})"),
             1 => format!("both({number}, {})", self.number(scope, 0)),
             2 => {
                 let condition = self.condition(scope, 0);
                 format!("(if {condition} {{ Some({number}) }} else {{ None }})")
             }
-            3 => format!("s.first().map(|v| *v * {number})"),
+            3 => format!("{s}.first().map(|v| *v * {number})"),
             _ => format!("Some({number})"),
         }
     }
@@ -50,7 +62,10 @@ impl Writer {
 
     pub(super) fn condition(&mut self, scope: &Scope, depth: usize) -> String {
         let (a, b) = (self.number(scope, depth), self.number(scope, 0));
-        match self.random.u8(..12) {
+        match self.random.u8(..15) {
+            12 => format!("(‹0.5›..‹1.5›).contains(&{a})"),
+            13 if !scope.tuples.is_empty() => format!("matches!({}, (v, w) if v < w)", self.any(&scope.tuples)),
+            14 => format!("matches!(e, [[v, _], ..] if *v > {a})"),
             9 => format!("s.iter().{}(|v| *v > {a})", self.one_of(&["any", "all"])),
             10 => format!("s.len() > {}", self.one_of(&["n as usize", "2", "3"])),
             0 if !scope.flags.is_empty() => self.any(&scope.flags),
@@ -85,7 +100,28 @@ impl Writer {
             };
         }
         let (a, b) = (self.number(scope, depth - 1), self.number(scope, depth - 1));
-        match self.random.u8(..36) {
+        let s = self.any(&scope.slices);
+        match self.random.u8(..52) {
+            36 => format!("e.iter().map(|[v, w]| *v * {a} - *w).sum::<‹f64›>()"),
+            37 => format!("{s}.iter().zip(e).map(|(v, w)| *v * w[1] + {a} * w[0]).sum::<‹f64›>()"),
+            38 => format!("e.iter().fold({a}, |v, w| if w[0] > w[1] {{ v + w[0] }} else {{ ‹0.5› * v }})"),
+            39 => {
+                format!("[{a}, {b}, x].into_iter().chain([y]).filter(|v| *v > ‹0.1›).map(|v| v * {a}).sum::<‹f64›>()")
+            }
+            40 => format!(
+                "[{a}, {b}, y].iter().scan(x, |v, w| {{\n    *v = ‹0.5› * *v + *w;\n    Some(*v)\n}}).fold(y, |v, w| v - w)"
+            ),
+            41 => format!("{s}.iter().enumerate().map(|(i, v)| *v * ‹f64::from›(i as i32) + {a}).sum::<‹f64›>()"),
+            42 => format!("checked({a}).unwrap_or({b})"),
+            43 => format!("sure({a}, {b}).map_or({b}, |v| v * x)"),
+            44 => format!("folded({a}, {b}, {})", self.random.u8(..4)),
+            45 => format!("product([[{a}, x], [y, {b}]], [{b}, {a}])[{}]", self.random.u8(..2)),
+            46 if !scope.pairs.is_empty() => format!("{}.scaled({a})", self.any(&scope.pairs)),
+            47 if !scope.shapes.is_empty() => format!("{}.scaled({a})", self.any(&scope.shapes)),
+            48 => format!("Point({a}, {b}).turned().dot(Point(x, {a}))"),
+            49 => format!("(Point({a}, y) + Point({b}, x) * {a}).0"),
+            50 => format!("{s}.chunks(2).map(|v| v[0] * v.iter().fold({a}, |v, w| v - *w)).sum::<‹f64›>()"),
+            51 => format!("e.iter().map(|v| v.iter().fold({a}, |v, w| v * *w)).sum::<‹f64›>()"),
             20 => format!("(if {a} > ‹0.2› {{ {a}.{}() }} else {{ {b} }})", self.one_of(&["sqrt", "ln", "recip"])),
             21 => {
                 format!("(if {a} * {a} < ‹0.9› {{ {a}.{}() }} else {{ {b} }})", self.one_of(&["asin", "acos", "atanh"]))
@@ -95,11 +131,11 @@ impl Writer {
             24 => format!("{a}.abs()"),
             25 => format!("{a}.atan2(‹1.0› + {b} * {b})"),
             26 => format!("{a}.tanh().exp()"),
-            27 => format!("s.iter().map(|v| *v * {a} + {b}).sum::<‹f64›>()"),
-            28 => format!("s.iter().fold({a}, |v, w| if v < *w {{ *w - v }} else {{ ‹0.5› * v }})"),
+            27 => format!("{s}.iter().map(|v| *v * {a} + {b}).sum::<‹f64›>()"),
+            28 => format!("{s}.iter().fold({a}, |v, w| if v < *w {{ *w - v }} else {{ ‹0.5› * v }})"),
             29 => format!("‹f64::from›(s.iter().filter(|v| **v < {a}).count() as i32)"),
             30 if !scope.closures.is_empty() => format!("{}({a})", self.any(&scope.closures)),
-            31 => format!("total(s, {a}, {b})"),
+            31 => format!("total({s}, {a}, {b})"),
             32 => format!("pick({}, {a}, {b})", self.comparison(scope, 0)),
             33 if !scope.pairs.is_empty() => {
                 let [one, other] = [self.any(&scope.pairs), self.any(&scope.pairs)];

@@ -7,6 +7,7 @@ mod expressions;
 mod statements;
 
 use std::fmt::Write;
+use std::ops::Range;
 
 /// What all functions know.
 const KNOWN: &str = include_str!("known.txt");
@@ -28,6 +29,7 @@ struct Scope {
     pairs: Vec<String>,
     shapes: Vec<String>,
     closures: Vec<String>,
+    slices: Vec<String>,
     /// Labels of the loops around; they may have none.
     loops: Vec<Option<String>>,
     /// Whether the rounds around may be run as often as a slice is long.
@@ -43,24 +45,27 @@ struct Writer {
     left: usize,
 }
 
-/// The module of a random function, and its twin.
-pub(crate) fn module(number: u64) -> String {
-    let random = fastrand::Rng::with_seed(number);
-    let mut writer = Writer { random, text: String::new(), indent: 0, names: 0, left: STATEMENTS };
-    let text = writer.function();
-    let plain = text.replace(['‹', '›'], "");
-    let twin = twin_of(&text);
+/// The module of random functions of these numbers, and its twin.
+pub(crate) fn modules(numbers: Range<u64>) -> String {
+    let first = numbers.start;
+    let (mut plain, mut twin) = (String::new(), String::new());
+    for number in numbers {
+        let random = fastrand::Rng::with_seed(number);
+        let mut writer = Writer { random, text: String::new(), indent: 0, names: 0, left: STATEMENTS };
+        let text = format!("pub(super) fn program_{number}{}", writer.function());
+        plain += &format!("#[differentiate(wrt(x, y))]\n{}\n", text.replace(['‹', '›'], ""));
+        twin += &format!("{}\n", twin_of(&text));
+    }
     format!(
         "#[aim::differentiate]
-mod program_{number} {{
+mod programs_{first} {{
 {plain_known}
-#[differentiate(wrt(x, y))]
-pub(super) fn program_{number}{plain}}}
-mod twin_{number} {{
+{plain}}}
+mod twins_{first} {{
 use aim_programs::{{Dual, Number as _, c, of}};
 use num_dual::DualNum as _;
 {known}
-pub(super) fn program_{number}{twin}}}
+{twin}}}
 ",
         plain_known = KNOWN.replace(['‹', '›'], ""),
         known = twin_of(KNOWN),
@@ -89,6 +94,7 @@ impl Writer {
     fn function(&mut self) -> String {
         let mut scope = Scope::default();
         scope.numbers.extend(["x", "y"].map(String::from));
+        scope.slices.push("s".to_owned());
         self.indent = 1;
         for _ in 0..self.random.usize(2..=4) {
             self.declaration(&mut scope);
@@ -105,7 +111,7 @@ impl Writer {
         let result = Self::result(&scope);
         self.line(&result);
         let body = core::mem::take(&mut self.text);
-        format!("(x: ‹f64›, y: ‹f64›, s: &[‹f64›], n: i32) -> ‹f64› {{\n{body}}}\n")
+        format!("(x: ‹f64›, y: ‹f64›, s: &[‹f64›], e: &[[‹f64›; 2]], n: i32) -> ‹f64› {{\n{body}}}\n")
     }
 
     /// A number of all that could have been changed.

@@ -80,7 +80,62 @@ impl Writer {
             return;
         }
         self.left -= 1;
-        match self.random.u8(..20) {
+        match self.random.u8(..24) {
+            20 => {
+                let (name, condition, number) = (self.name(), self.condition(scope, 1), self.number(scope, 1));
+                let label = format!("'of_{name}");
+                self.line(&format!(
+                    "let {name} = {label}: {{\n    if {condition} {{\n        break {label} {number};\n    }}"
+                ));
+                // A `break` without a label may not stand in it.
+                let mut inner = scope.clone();
+                inner.loops.retain(Option::is_some);
+                self.block(&inner, depth - 1);
+                let (condition, number, other) =
+                    (self.condition(scope, 1), self.number(scope, 1), self.number(scope, 1));
+                self.line(&format!("    if {condition} {{\n        break {label} {number};\n    }}\n    {other}\n}};"));
+                scope.numbers.push(name);
+            }
+            21 => {
+                let (name, slice) = (self.name(), self.any(&scope.slices));
+                let part = match self.random.u8(..4) {
+                    0 => format!("&{slice}[{slice}.len() / 2..]"),
+                    1 => format!("&{slice}[..{slice}.len().min(3)]"),
+                    2 => format!("{slice}.split_at({slice}.len() / 2).1"),
+                    _ => format!("if {} {{ {slice} }} else {{ s }}", self.condition(scope, 1)),
+                };
+                self.line(&format!("let {name} = {part};"));
+                scope.slices.push(name);
+                self.statement(scope, depth - 1);
+            }
+            22 if !scope.changed.is_empty() => {
+                let (name, changed, number) = (self.name(), self.any(&scope.changed), self.bound(scope));
+                self.line(&format!(
+                    "let mut {name} = |q: ‹f64›| {{\n    {changed} += q * {number};\n    {changed} - q\n}};"
+                ));
+                let [one, other] = [(); 2].map(|()| {
+                    let of = self.name();
+                    let value = self.number(
+                        &Scope {
+                            numbers: vec!["x".to_owned(), "y".to_owned(), number.clone()],
+                            slices: scope.slices.clone(),
+                            ..Scope::default()
+                        },
+                        1,
+                    );
+                    self.line(&format!("let {of} = {name}({value});"));
+                    of
+                });
+                scope.numbers.extend([one, other]);
+            }
+            23 => {
+                let [name, a, b] = [self.name(), self.name(), self.name()];
+                let other = self.number(scope, 1);
+                self.line(&format!("let {name} = match e {{\n    [[{a}, {b}], ..] if {a} < {b} => *{b},"));
+                self.line(&format!("    [.., [{a}, _]] => ‹0.5› * *{a},\n    _ => {other},\n}};"));
+                scope.numbers.push(name);
+                self.statement(scope, depth - 1);
+            }
             0 | 1 => {
                 let condition = self.condition(scope, 1);
                 self.line(&format!("if {condition} {{"));
@@ -139,7 +194,8 @@ impl Writer {
             9 => self.block_of_a_number(scope, depth),
             10 => {
                 let (name, captured) = (self.name(), self.bound(scope));
-                let mut inner = Scope { numbers: vec!["q".to_owned(), captured], ..Scope::default() };
+                let mut inner =
+                    Scope { numbers: vec!["q".to_owned(), captured], slices: scope.slices.clone(), ..Scope::default() };
                 inner.numbers.extend(["x", "y"].map(String::from));
                 let value = self.number(&inner, 2);
                 self.line(&format!("let {name} = |q: ‹f64›| {value};"));
@@ -238,7 +294,8 @@ impl Writer {
         let label = self.random.bool().then(|| format!("'of_{name}"));
         let named = label.as_ref().map_or(String::new(), |label| format!("{label}: "));
         inner.loops.push(label);
-        let kind = self.random.u8(..16);
+        let kind = self.random.u8(..20);
+        let slice = self.any(&scope.slices);
         inner.is_kept |= !matches!(kind, 0 | 11 | 15);
         match kind {
             0 => {
@@ -256,12 +313,34 @@ impl Writer {
                 inner.numbers.extend([name, format!("‹f64::from›({at} as i32)")]);
             }
             12 => {
-                let bound =
-                    self.comparison(&Scope { numbers: vec!["x".to_owned(), "(*q)".to_owned()], ..Scope::default() }, 1);
+                let bound = self.comparison(
+                    &Scope {
+                        numbers: vec!["x".to_owned(), "(*q)".to_owned()],
+                        slices: scope.slices.clone(),
+                        ..Scope::default()
+                    },
+                    1,
+                );
                 let takes = self.one_of(&["filter(|q|", "take_while(|q|", "skip_while(|q|"]);
                 let bound = bound.replace("(*q)", "(**q)");
                 self.line(&format!("{named}for {name} in s.iter().{takes} {bound}) {{"));
                 inner.numbers.push(format!("(*{name})"));
+            }
+            16 => {
+                self.line(&format!("{named}for &[{name}, {name}b] in e {{"));
+                inner.numbers.extend([name.clone(), format!("{name}b")]);
+            }
+            17 => {
+                self.line(&format!("{named}for {name} in e.iter().skip(1) {{"));
+                inner.numbers.extend([format!("{name}[0]"), format!("{name}[1]")]);
+            }
+            18 => {
+                self.line(&format!("{named}for {name} in {slice}.chunks(2) {{"));
+                inner.slices.push(name);
+            }
+            19 => {
+                self.line(&format!("{named}for ({name}, {name}b) in e.iter().zip({slice}) {{"));
+                inner.numbers.extend([format!("{name}[0]"), format!("(*{name}b)")]);
             }
             14 => {
                 let tail = self.name();
@@ -270,8 +349,11 @@ impl Writer {
                     1 => (format!("[rest @ .., {name}]"), tail.clone()),
                     _ => (format!("Some(({name}, rest))"), format!("{tail}.split_first()")),
                 };
-                self.line(&format!("let mut {tail} = s;\n{named}while let {pattern} = {value} {{\n    {tail} = rest;"));
+                self.line(&format!(
+                    "let mut {tail} = {slice};\n{named}while let {pattern} = {value} {{\n    {tail} = rest;"
+                ));
                 inner.numbers.push(format!("(*{name})"));
+                inner.slices.push(tail);
             }
             15 => {
                 let (other, [a, b, c]) = (self.name(), core::array::from_fn(|_| self.number(scope, 1)));
@@ -285,15 +367,15 @@ impl Writer {
                 inner.numbers.extend([format!("(*{name})"), format!("(*{other})")]);
             }
             2 | 3 => {
-                self.line(&format!("{named}for &{name} in s {{"));
+                self.line(&format!("{named}for &{name} in {slice} {{"));
                 inner.numbers.push(name);
             }
             4 => {
-                self.line(&format!("{named}for {name} in s.iter().rev() {{"));
+                self.line(&format!("{named}for {name} in {slice}.iter().rev() {{"));
                 inner.numbers.push(format!("(*{name})"));
             }
             5 => {
-                self.line(&format!("{named}for {name} in s.windows(2) {{"));
+                self.line(&format!("{named}for {name} in {slice}.windows(2) {{"));
                 inner.numbers.extend([format!("{name}[0]"), format!("{name}[1]")]);
             }
             6 => {
