@@ -11,9 +11,10 @@ use super::condition::Condition;
 use super::enums::TAG;
 use super::expected::Expected;
 use super::fields::name_of;
+use super::iterators::ranks;
 use super::map::{Affine, Map, Quaternion};
 use super::place_types::type_of;
-use super::value::{Optional, Place, Step, Struct, Value};
+use super::value::{Element, Optional, Place, Step, Struct, Value};
 use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
@@ -156,10 +157,21 @@ impl Translation<'_> {
         }
     }
 
-    /// An iterator over references to the elements of an array that is changed; `None` if it is none.
+    /// An iterator over references to the elements of an array or a list that is changed; `None` if it is none.
     pub(super) fn references(&mut self, target: &Place) -> Option<Value> {
-        let Value::Array(values) = self.read(target) else { return None };
-        Some(Value::iterator((0..values.len()).map(|index| target.lent(Step::Index(index)))))
+        match self.read(target) {
+            Value::Array(values) => {
+                Some(Value::iterator((0..values.len()).map(|index| target.lent(Step::Index(index)))))
+            }
+            Value::List(items) => {
+                let ranks = ranks(self.algebra, &items);
+                Some(Value::iterator_of(items.into_iter().zip(ranks).map(|(Element { is_there, .. }, rank)| Element {
+                    is_there,
+                    value: target.lent(Step::Chosen(rank)),
+                })))
+            }
+            _ => None,
+        }
     }
 
     /// A method that lends elements or parts of an array to be changed; `None` if it is another one, or after an error.
@@ -206,11 +218,12 @@ impl Translation<'_> {
         })
     }
 
-    /// An element of a list whose length arguments decide, lent to be changed; `None` if it is another method, or after an error.
+    /// Elements of a list whose length arguments decide, lent to be changed; `None` if it is another method, or after an error.
     fn lent_by_list(&mut self, call: &ExprMethodCall, list: &Place) -> Option<Value> {
         let Value::List(items) = self.read(list) else { return None };
         let Value::Integer(count) = self.counted(&items)? else { return None };
         let index = match (call.method.to_string().as_str(), call.args.first()) {
+            ("iter_mut", None) => return self.references(list),
             ("first_mut", None) => self.algebra.count(0),
             ("last_mut", None) => {
                 let one = self.algebra.count(1);
