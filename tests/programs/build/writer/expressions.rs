@@ -130,7 +130,7 @@ impl Writer {
             23 => format!("{a}.clamp(-‹0.7›, ‹1.2›)"),
             24 => format!("{a}.abs()"),
             25 => format!("{a}.atan2(‹1.0› + {b} * {b})"),
-            26 => format!("{a}.tanh().exp()"),
+            26 => format!("{a}.sin().exp()"),
             27 => format!("{s}.iter().map(|v| *v * {a} + {b}).sum::<‹f64›>()"),
             28 => format!("{s}.iter().fold({a}, |v, w| if v < *w {{ *w - v }} else {{ ‹0.5› * v }})"),
             29 => format!("‹f64::from›(s.iter().filter(|v| **v < {a}).count() as i32)"),
@@ -152,7 +152,7 @@ impl Writer {
             5..=7 => format!("({a} * {b})"),
             8 => format!("({a} / (‹1.0› + {b} * {b}))"),
             9 => format!("(‹1.0› + {a} * {a}).sqrt()"),
-            10 => format!("{a}.{}()", self.one_of(&["sin", "cos", "tanh", "atan"])),
+            10 => format!("{a}.{}()", self.one_of(&["sin", "cos", "sin().tanh", "atan"])),
             11 => format!("{a}.{}({b})", self.one_of(&["max", "min"])),
             12 => format!("bent({a}, {b})"),
             13 => {
