@@ -383,6 +383,59 @@ mod filled {
         sum * x + phase.nudge(y)
     }
 
+    fn root(x: f64) -> Option<f64> {
+        if x > 0.0 { Some(x.sqrt()) } else { None }
+    }
+
+    /// What is not there would be no number.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn of_a_root(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut length = root(x);
+        for v in s {
+            length = length.map(|length| length * y + v);
+        }
+        length.map_or(x * x, |length| length * y).sin()
+    }
+
+    #[derive(Clone, Copy)]
+    enum Path {
+        Straight(f64),
+        Bent { radius: f64, height: f64 },
+    }
+
+    /// The same of the variants that an enum is not.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn of_another_variant(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut path = if x > y { Path::Bent { radius: (x - y).ln(), height: y } } else { Path::Straight(y) };
+        for v in s {
+            path = match path {
+                Path::Straight(length) => Path::Straight(length * v),
+                Path::Bent { radius, height } => Path::Bent { radius: height.cos(), height: radius.sin() * v },
+            };
+        }
+        let area = match path {
+            Path::Straight(length) => length * x,
+            Path::Bent { radius, height } => radius * height * x,
+        };
+        area.cos()
+    }
+
+    fn first_root(x: f64, s: &[f64]) -> Option<f64> {
+        for v in s {
+            let root = (v * x - 0.5).sqrt();
+            if root > 0.0 {
+                return Some(root);
+            }
+        }
+        None
+    }
+
+    /// And of what a loop is not left with.
+    #[differentiate(wrt(x, y))]
+    pub(super) fn left_with_a_root(x: f64, y: f64, s: &[f64]) -> f64 {
+        first_root(x, s).map_or(x, |root| root * y).sin()
+    }
+
     #[differentiate(wrt(x, y))]
     pub(super) fn now_and_then(x: f64, y: f64, s: &[f64]) -> f64 {
         let mut kept = [None; 2];
@@ -434,6 +487,9 @@ fn options_and_enums_that_are_filled_round_by_round() {
     agrees("emptied", filled::emptied, filled::emptied_gradient, 0);
     agrees("nudged", filled::nudged, filled::nudged_gradient, 0);
     agrees("now and then", filled::now_and_then, filled::now_and_then_gradient, 0);
+    agrees("of a root", filled::of_a_root, filled::of_a_root_gradient, 0);
+    agrees("of another variant", filled::of_another_variant, filled::of_another_variant_gradient, 0);
+    agrees("left with a root", filled::left_with_a_root, filled::left_with_a_root_gradient, 0);
 }
 
 #[test]
