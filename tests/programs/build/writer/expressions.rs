@@ -28,6 +28,17 @@ impl Writer {
         }
         let s = self.any(&scope.slices);
         match self.random.u8(..17) {
+            0 => format!("root({number})"),
+            1 => format!("both({number}, {})", self.number(scope, 0)),
+            2 => {
+                let condition = self.condition(scope, 0);
+                format!("(if {condition} {{ Some({number}) }} else {{ None }})")
+            }
+            3 => format!("{s}.first().map(|v| *v * {number})"),
+            6 => format!("{s}.iter().copied().find(|v| *v > {number})"),
+            7 => format!("{s}.iter().position(|v| *v > {number}).map(|at| {s}[at])"),
+            8 => format!("{s}.iter().copied().reduce(|v, w| ‹0.5› * v + {number} * w)"),
+            9 => format!("first_above({s}, {number})"),
             10 => format!("{s}.iter().copied().min_by(|v, w| v.partial_cmp(w).unwrap())"),
             11 => {
                 format!("{s}.iter().max_by(|v, w| (**v * {number}).partial_cmp(&(**w * {number})).unwrap()).copied()")
@@ -39,17 +50,6 @@ impl Writer {
                 "e.iter().fold(None, |v: Option<‹f64›>, w| match v {{\n    Some(v) if v > w[0] => Some(v),\n    _ => Some(w[0] * {number}),\n}})"
             ),
             16 => format!("{s}.split_last().and_then(|(v, rest)| Some(*v * *rest.first()?))"),
-            6 => format!("{s}.iter().copied().find(|v| *v > {number})"),
-            7 => format!("{s}.iter().position(|v| *v > {number}).map(|at| {s}[at])"),
-            8 => format!("{s}.iter().copied().reduce(|v, w| ‹0.5› * v + {number} * w)"),
-            9 => format!("first_above({s}, {number})"),
-            0 => format!("root({number})"),
-            1 => format!("both({number}, {})", self.number(scope, 0)),
-            2 => {
-                let condition = self.condition(scope, 0);
-                format!("(if {condition} {{ Some({number}) }} else {{ None }})")
-            }
-            3 => format!("{s}.first().map(|v| *v * {number})"),
             _ => format!("Some({number})"),
         }
     }
@@ -63,11 +63,6 @@ impl Writer {
     pub(super) fn condition(&mut self, scope: &Scope, depth: usize) -> String {
         let (a, b) = (self.number(scope, depth), self.number(scope, 0));
         match self.random.u8(..15) {
-            12 => format!("(‹0.5›..‹1.5›).contains(&{a})"),
-            13 if !scope.tuples.is_empty() => format!("matches!({}, (v, w) if v < w)", self.any(&scope.tuples)),
-            14 => format!("matches!(e, [[v, _], ..] if *v > {a})"),
-            9 => format!("s.iter().{}(|v| *v > {a})", self.one_of(&["any", "all"])),
-            10 => format!("s.len() > {}", self.one_of(&["n as usize", "2", "3"])),
             0 if !scope.flags.is_empty() => self.any(&scope.flags),
             1 if !scope.flags.is_empty() => format!("!{}", self.any(&scope.flags)),
             2 if !scope.options.is_empty() => {
@@ -83,6 +78,11 @@ impl Writer {
                 format!("({a} < {b} {} {other})", self.one_of(&["&&", "||"]))
             }
             7 => format!("{a} > {b}"),
+            9 => format!("s.iter().{}(|v| *v > {a})", self.one_of(&["any", "all"])),
+            10 => format!("s.len() > {}", self.one_of(&["n as usize", "2", "3"])),
+            12 => format!("(‹0.5›..‹1.5›).contains(&{a})"),
+            13 if !scope.tuples.is_empty() => format!("matches!({}, (v, w) if v < w)", self.any(&scope.tuples)),
+            14 => format!("matches!(e, [[v, _], ..] if *v > {a})"),
             _ => format!("{a} < {b}"),
         }
     }
@@ -102,26 +102,23 @@ impl Writer {
         let (a, b) = (self.number(scope, depth - 1), self.number(scope, depth - 1));
         let s = self.any(&scope.slices);
         match self.random.u8(..52) {
-            36 => format!("e.iter().map(|[v, w]| *v * {a} - *w).sum::<‹f64›>()"),
-            37 => format!("{s}.iter().zip(e).map(|(v, w)| *v * w[1] + {a} * w[0]).sum::<‹f64›>()"),
-            38 => format!("e.iter().fold({a}, |v, w| if w[0] > w[1] {{ v + w[0] }} else {{ ‹0.5› * v }})"),
-            39 => {
-                format!("[{a}, {b}, x].into_iter().chain([y]).filter(|v| *v > ‹0.1›).map(|v| v * {a}).sum::<‹f64›>()")
+            0..=2 => format!("({a} + {b})"),
+            3 | 4 => format!("({a} - {b})"),
+            5..=7 => format!("({a} * {b})"),
+            8 => format!("({a} / (‹1.0› + {b} * {b}))"),
+            9 => format!("(‹1.0› + {a} * {a}).sqrt()"),
+            10 => format!("{a}.{}()", self.one_of(&["sin", "cos", "sin().tanh", "atan"])),
+            11 => format!("{a}.{}({b})", self.one_of(&["max", "min"])),
+            12 => format!("bent({a}, {b})"),
+            13 => {
+                let condition = self.condition(scope, 0);
+                format!("(if {condition} {{ {a} }} else {{ {b} }})")
             }
-            40 => format!(
-                "[{a}, {b}, y].iter().scan(x, |v, w| {{\n    *v = ‹0.5› * *v + *w;\n    Some(*v)\n}}).fold(y, |v, w| v - w)"
-            ),
-            41 => format!("{s}.iter().enumerate().map(|(i, v)| *v * ‹f64::from›(i as i32) + {a}).sum::<‹f64›>()"),
-            42 => format!("checked({a}).unwrap_or({b})"),
-            43 => format!("sure({a}, {b}).map_or({b}, |v| v * x)"),
-            44 => format!("folded({a}, {b}, {})", self.random.u8(..4)),
-            45 => format!("product([[{a}, x], [y, {b}]], [{b}, {a}])[{}]", self.random.u8(..2)),
-            46 if !scope.pairs.is_empty() => format!("{}.scaled({a})", self.any(&scope.pairs)),
-            47 if !scope.shapes.is_empty() => format!("{}.scaled({a})", self.any(&scope.shapes)),
-            48 => format!("Point({a}, {b}).turned().dot(Point(x, {a}))"),
-            49 => format!("(Point({a}, y) + Point({b}, x) * {a}).0"),
-            50 => format!("{s}.chunks(2).map(|v| v[0] * v.iter().fold({a}, |v, w| v - *w)).sum::<‹f64›>()"),
-            51 => format!("e.iter().map(|v| v.iter().fold({a}, |v, w| v * *w)).sum::<‹f64›>()"),
+            14 if !scope.pairs.is_empty() => format!("{}.energy()", self.any(&scope.pairs)),
+            15 if !scope.shapes.is_empty() => format!("{}.size()", self.any(&scope.shapes)),
+            16 if !scope.options.is_empty() => format!("{}.map_or({a}, |v| v * {b})", self.any(&scope.options)),
+            17 => format!("both({a}, {b}).unwrap_or({a})"),
+            18 => format!("(-{a})"),
             20 => format!("(if {a} > ‹0.2› {{ {a}.{}() }} else {{ {b} }})", self.one_of(&["sqrt", "ln", "recip"])),
             21 => {
                 format!("(if {a} * {a} < ‹0.9› {{ {a}.{}() }} else {{ {b} }})", self.one_of(&["asin", "acos", "atanh"]))
@@ -147,23 +144,26 @@ impl Writer {
             35 if !scope.lists.is_empty() => {
                 format!("{}.iter().fold({a}, |v, w| v.max(*w))", self.any(&scope.lists))
             }
-            0..=2 => format!("({a} + {b})"),
-            3 | 4 => format!("({a} - {b})"),
-            5..=7 => format!("({a} * {b})"),
-            8 => format!("({a} / (‹1.0› + {b} * {b}))"),
-            9 => format!("(‹1.0› + {a} * {a}).sqrt()"),
-            10 => format!("{a}.{}()", self.one_of(&["sin", "cos", "sin().tanh", "atan"])),
-            11 => format!("{a}.{}({b})", self.one_of(&["max", "min"])),
-            12 => format!("bent({a}, {b})"),
-            13 => {
-                let condition = self.condition(scope, 0);
-                format!("(if {condition} {{ {a} }} else {{ {b} }})")
+            36 => format!("e.iter().map(|[v, w]| *v * {a} - *w).sum::<‹f64›>()"),
+            37 => format!("{s}.iter().zip(e).map(|(v, w)| *v * w[1] + {a} * w[0]).sum::<‹f64›>()"),
+            38 => format!("e.iter().fold({a}, |v, w| if w[0] > w[1] {{ v + w[0] }} else {{ ‹0.5› * v }})"),
+            39 => {
+                format!("[{a}, {b}, x].into_iter().chain([y]).filter(|v| *v > ‹0.1›).map(|v| v * {a}).sum::<‹f64›>()")
             }
-            14 if !scope.pairs.is_empty() => format!("{}.energy()", self.any(&scope.pairs)),
-            15 if !scope.shapes.is_empty() => format!("{}.size()", self.any(&scope.shapes)),
-            16 if !scope.options.is_empty() => format!("{}.map_or({a}, |v| v * {b})", self.any(&scope.options)),
-            17 => format!("both({a}, {b}).unwrap_or({a})"),
-            18 => format!("(-{a})"),
+            40 => format!(
+                "[{a}, {b}, y].iter().scan(x, |v, w| {{\n    *v = ‹0.5› * *v + *w;\n    Some(*v)\n}}).fold(y, |v, w| v - w)"
+            ),
+            41 => format!("{s}.iter().enumerate().map(|(i, v)| *v * ‹f64::from›(i as i32) + {a}).sum::<‹f64›>()"),
+            42 => format!("checked({a}).unwrap_or({b})"),
+            43 => format!("sure({a}, {b}).map_or({b}, |v| v * x)"),
+            44 => format!("folded({a}, {b}, {})", self.random.u8(..4)),
+            45 => format!("product([[{a}, x], [y, {b}]], [{b}, {a}])[{}]", self.random.u8(..2)),
+            46 if !scope.pairs.is_empty() => format!("{}.scaled({a})", self.any(&scope.pairs)),
+            47 if !scope.shapes.is_empty() => format!("{}.scaled({a})", self.any(&scope.shapes)),
+            48 => format!("Point({a}, {b}).turned().dot(Point(x, {a}))"),
+            49 => format!("(Point({a}, y) + Point({b}, x) * {a}).0"),
+            50 => format!("{s}.chunks(2).map(|v| v[0] * v.iter().fold({a}, |v, w| v - *w)).sum::<‹f64›>()"),
+            51 => format!("e.iter().map(|v| v.iter().fold({a}, |v, w| v * *w)).sum::<‹f64›>()"),
             _ => a,
         }
     }

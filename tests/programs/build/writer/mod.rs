@@ -36,6 +36,14 @@ struct Scope {
     is_kept: bool,
 }
 
+impl Scope {
+    /// One in which these numbers alone can be read, and the same slices.
+    fn of_numbers(&self, numbers: &[&str]) -> Self {
+        let numbers = numbers.iter().map(|number| (*number).to_owned()).collect();
+        Self { numbers, slices: self.slices.clone(), ..Self::default() }
+    }
+}
+
 struct Writer {
     random: fastrand::Rng,
     text: String,

@@ -81,61 +81,6 @@ impl Writer {
         }
         self.left -= 1;
         match self.random.u8(..24) {
-            20 => {
-                let (name, condition, number) = (self.name(), self.condition(scope, 1), self.number(scope, 1));
-                let label = format!("'of_{name}");
-                self.line(&format!(
-                    "let {name} = {label}: {{\n    if {condition} {{\n        break {label} {number};\n    }}"
-                ));
-                // A `break` without a label may not stand in it.
-                let mut inner = scope.clone();
-                inner.loops.retain(Option::is_some);
-                self.block(&inner, depth - 1);
-                let (condition, number, other) =
-                    (self.condition(scope, 1), self.number(scope, 1), self.number(scope, 1));
-                self.line(&format!("    if {condition} {{\n        break {label} {number};\n    }}\n    {other}\n}};"));
-                scope.numbers.push(name);
-            }
-            21 => {
-                let (name, slice) = (self.name(), self.any(&scope.slices));
-                let part = match self.random.u8(..4) {
-                    0 => format!("&{slice}[{slice}.len() / 2..]"),
-                    1 => format!("&{slice}[..{slice}.len().min(3)]"),
-                    2 => format!("{slice}.split_at({slice}.len() / 2).1"),
-                    _ => format!("if {} {{ {slice} }} else {{ s }}", self.condition(scope, 1)),
-                };
-                self.line(&format!("let {name} = {part};"));
-                scope.slices.push(name);
-                self.statement(scope, depth - 1);
-            }
-            22 if !scope.changed.is_empty() => {
-                let (name, changed, number) = (self.name(), self.any(&scope.changed), self.bound(scope));
-                self.line(&format!(
-                    "let mut {name} = |q: ‹f64›| {{\n    {changed} += q * {number};\n    {changed} - q\n}};"
-                ));
-                let [one, other] = [(); 2].map(|()| {
-                    let of = self.name();
-                    let value = self.number(
-                        &Scope {
-                            numbers: vec!["x".to_owned(), "y".to_owned(), number.clone()],
-                            slices: scope.slices.clone(),
-                            ..Scope::default()
-                        },
-                        1,
-                    );
-                    self.line(&format!("let {of} = {name}({value});"));
-                    of
-                });
-                scope.numbers.extend([one, other]);
-            }
-            23 => {
-                let [name, a, b] = [self.name(), self.name(), self.name()];
-                let other = self.number(scope, 1);
-                self.line(&format!("let {name} = match e {{\n    [[{a}, {b}], ..] if {a} < {b} => *{b},"));
-                self.line(&format!("    [.., [{a}, _]] => ‹0.5› * *{a},\n    _ => {other},\n}};"));
-                scope.numbers.push(name);
-                self.statement(scope, depth - 1);
-            }
             0 | 1 => {
                 let condition = self.condition(scope, 1);
                 self.line(&format!("if {condition} {{"));
@@ -194,12 +139,58 @@ impl Writer {
             9 => self.block_of_a_number(scope, depth),
             10 => {
                 let (name, captured) = (self.name(), self.bound(scope));
-                let mut inner =
-                    Scope { numbers: vec!["q".to_owned(), captured], slices: scope.slices.clone(), ..Scope::default() };
-                inner.numbers.extend(["x", "y"].map(String::from));
+                let inner = scope.of_numbers(&["x", "y", "q", &captured]);
                 let value = self.number(&inner, 2);
                 self.line(&format!("let {name} = |q: ‹f64›| {value};"));
                 scope.closures.push(name);
+                self.statement(scope, depth - 1);
+            }
+            20 => {
+                let (name, condition, number) = (self.name(), self.condition(scope, 1), self.number(scope, 1));
+                let label = format!("'of_{name}");
+                self.line(&format!(
+                    "let {name} = {label}: {{\n    if {condition} {{\n        break {label} {number};\n    }}"
+                ));
+                // A `break` without a label may not stand in it.
+                let mut inner = scope.clone();
+                inner.loops.retain(Option::is_some);
+                self.block(&inner, depth - 1);
+                let (condition, number, other) =
+                    (self.condition(scope, 1), self.number(scope, 1), self.number(scope, 1));
+                self.line(&format!("    if {condition} {{\n        break {label} {number};\n    }}\n    {other}\n}};"));
+                scope.numbers.push(name);
+            }
+            21 => {
+                let (name, slice) = (self.name(), self.any(&scope.slices));
+                let part = match self.random.u8(..4) {
+                    0 => format!("&{slice}[{slice}.len() / 2..]"),
+                    1 => format!("&{slice}[..{slice}.len().min(3)]"),
+                    2 => format!("{slice}.split_at({slice}.len() / 2).1"),
+                    _ => format!("if {} {{ {slice} }} else {{ s }}", self.condition(scope, 1)),
+                };
+                self.line(&format!("let {name} = {part};"));
+                scope.slices.push(name);
+                self.statement(scope, depth - 1);
+            }
+            22 if !scope.changed.is_empty() => {
+                let (name, changed, number) = (self.name(), self.any(&scope.changed), self.bound(scope));
+                self.line(&format!(
+                    "let mut {name} = |q: ‹f64›| {{\n    {changed} += q * {number};\n    {changed} - q\n}};"
+                ));
+                let [one, other] = [(); 2].map(|()| {
+                    let of = self.name();
+                    let value = self.number(&scope.of_numbers(&["x", "y", &number]), 1);
+                    self.line(&format!("let {of} = {name}({value});"));
+                    of
+                });
+                scope.numbers.extend([one, other]);
+            }
+            23 => {
+                let [name, a, b] = [self.name(), self.name(), self.name()];
+                let other = self.number(scope, 1);
+                self.line(&format!("let {name} = match e {{\n    [[{a}, {b}], ..] if {a} < {b} => *{b},"));
+                self.line(&format!("    [.., [{a}, _]] => ‹0.5› * *{a},\n    _ => {other},\n}};"));
+                scope.numbers.push(name);
                 self.statement(scope, depth - 1);
             }
             _ if scope.loops.len() < 2 => self.repetition(scope, depth),
@@ -307,65 +298,6 @@ impl Writer {
                 self.line(&format!("{named}for {name} in 0..n {{"));
                 inner.numbers.push(format!("‹f64::from›({name})"));
             }
-            11 if !scope.arrays.is_empty() => {
-                let (array, at) = (self.any(&scope.arrays), self.name());
-                self.line(&format!("{named}for ({at}, {name}) in {array}.into_iter().enumerate() {{"));
-                inner.numbers.extend([name, format!("‹f64::from›({at} as i32)")]);
-            }
-            12 => {
-                let bound = self.comparison(
-                    &Scope {
-                        numbers: vec!["x".to_owned(), "(*q)".to_owned()],
-                        slices: scope.slices.clone(),
-                        ..Scope::default()
-                    },
-                    1,
-                );
-                let takes = self.one_of(&["filter(|q|", "take_while(|q|", "skip_while(|q|"]);
-                let bound = bound.replace("(*q)", "(**q)");
-                self.line(&format!("{named}for {name} in s.iter().{takes} {bound}) {{"));
-                inner.numbers.push(format!("(*{name})"));
-            }
-            16 => {
-                self.line(&format!("{named}for &[{name}, {name}b] in e {{"));
-                inner.numbers.extend([name.clone(), format!("{name}b")]);
-            }
-            17 => {
-                self.line(&format!("{named}for {name} in e.iter().skip(1) {{"));
-                inner.numbers.extend([format!("{name}[0]"), format!("{name}[1]")]);
-            }
-            18 => {
-                self.line(&format!("{named}for {name} in {slice}.chunks(2) {{"));
-                inner.slices.push(name);
-            }
-            19 => {
-                self.line(&format!("{named}for ({name}, {name}b) in e.iter().zip({slice}) {{"));
-                inner.numbers.extend([format!("{name}[0]"), format!("(*{name}b)")]);
-            }
-            14 => {
-                let tail = self.name();
-                let (pattern, value) = match self.random.u8(..3) {
-                    0 => (format!("[{name}, rest @ ..]"), tail.clone()),
-                    1 => (format!("[rest @ .., {name}]"), tail.clone()),
-                    _ => (format!("Some(({name}, rest))"), format!("{tail}.split_first()")),
-                };
-                self.line(&format!(
-                    "let mut {tail} = {slice};\n{named}while let {pattern} = {value} {{\n    {tail} = rest;"
-                ));
-                inner.numbers.push(format!("(*{name})"));
-                inner.slices.push(tail);
-            }
-            15 => {
-                let (other, [a, b, c]) = (self.name(), core::array::from_fn(|_| self.number(scope, 1)));
-                self.line(&format!("{named}for ({name}, {other}) in s.iter().zip([{a}, {b}, {c}]) {{"));
-                inner.numbers.extend([format!("(*{name})"), other]);
-            }
-            13 => {
-                let other = self.name();
-                let with = self.one_of(&["s.iter().skip(1)", "s.iter().rev()", "s[s.len() / 2..].iter()"]);
-                self.line(&format!("{named}for ({name}, {other}) in s.iter().zip({with}) {{"));
-                inner.numbers.extend([format!("(*{name})"), format!("(*{other})")]);
-            }
             2 | 3 => {
                 self.line(&format!("{named}for &{name} in {slice} {{"));
                 inner.numbers.push(name);
@@ -408,9 +340,62 @@ impl Writer {
                 self.line(&format!("    if {count} > n {{\n        break;\n    }}"));
                 inner.numbers.push(name);
             }
+            11 if !scope.arrays.is_empty() => {
+                let (array, at) = (self.any(&scope.arrays), self.name());
+                self.line(&format!("{named}for ({at}, {name}) in {array}.into_iter().enumerate() {{"));
+                inner.numbers.extend([name, format!("‹f64::from›({at} as i32)")]);
+            }
+            12 => {
+                let bound = self.comparison(&scope.of_numbers(&["x", "(*q)"]), 1);
+                let takes = self.one_of(&["filter(|q|", "take_while(|q|", "skip_while(|q|"]);
+                let bound = bound.replace("(*q)", "(**q)");
+                self.line(&format!("{named}for {name} in s.iter().{takes} {bound}) {{"));
+                inner.numbers.push(format!("(*{name})"));
+            }
+            13 => {
+                let other = self.name();
+                let with = self.one_of(&["s.iter().skip(1)", "s.iter().rev()", "s[s.len() / 2..].iter()"]);
+                self.line(&format!("{named}for ({name}, {other}) in s.iter().zip({with}) {{"));
+                inner.numbers.extend([format!("(*{name})"), format!("(*{other})")]);
+            }
+            14 => {
+                let tail = self.name();
+                let (pattern, value) = match self.random.u8(..3) {
+                    0 => (format!("[{name}, rest @ ..]"), tail.clone()),
+                    1 => (format!("[rest @ .., {name}]"), tail.clone()),
+                    _ => (format!("Some(({name}, rest))"), format!("{tail}.split_first()")),
+                };
+                self.line(&format!(
+                    "let mut {tail} = {slice};\n{named}while let {pattern} = {value} {{\n    {tail} = rest;"
+                ));
+                inner.numbers.push(format!("(*{name})"));
+                inner.slices.push(tail);
+            }
+            15 => {
+                let (other, [a, b, c]) = (self.name(), core::array::from_fn(|_| self.number(scope, 1)));
+                self.line(&format!("{named}for ({name}, {other}) in s.iter().zip([{a}, {b}, {c}]) {{"));
+                inner.numbers.extend([format!("(*{name})"), other]);
+            }
+            16 => {
+                self.line(&format!("{named}for &[{name}, {name}b] in e {{"));
+                inner.numbers.extend([name.clone(), format!("{name}b")]);
+            }
+            17 => {
+                self.line(&format!("{named}for {name} in e.iter().skip(1) {{"));
+                inner.numbers.extend([format!("{name}[0]"), format!("{name}[1]")]);
+            }
+            18 => {
+                self.line(&format!("{named}for {name} in {slice}.chunks(2) {{"));
+                inner.slices.push(name);
+            }
+            19 => {
+                self.line(&format!("{named}for ({name}, {name}b) in e.iter().zip({slice}) {{"));
+                inner.numbers.extend([format!("{name}[0]"), format!("(*{name}b)")]);
+            }
             _ => {
                 let (count, condition) = (self.name(), self.condition(scope, 0));
-                self.line(&format!("let mut {count} = 0_i32;\n{named}loop {{\n    {count} += 1;\n    if {count} > n || {condition} {{\n        break;\n    }}"));
+                self.line(&format!("let mut {count} = 0_i32;\n{named}loop {{\n    {count} += 1;"));
+                self.line(&format!("    if {count} > n || {condition} {{\n        break;\n    }}"));
             }
         }
         self.block(&inner, depth - 1);
@@ -468,14 +453,14 @@ impl Writer {
                     let (name, value) = (self.any(&scope.arrays), self.bound(scope));
                     let at = self.random.u8(..3);
                     let line = match self.random.u8(..7) {
+                        0 => format!("{name}.swap({at}, {});", (at + 1) % 3),
+                        1 => format!("for e in &mut {name} {{\n    *e = ‹0.5› * *e + {value};\n}}"),
+                        2 => format!("{name}[{at}] += {value};"),
                         4 => format!("for (e, v) in {name}.iter_mut().zip(s) {{\n    *e += ‹0.5› * *v + {value};\n}}"),
                         5 if !scope.wholes.is_empty() => {
                             format!("{name}[({} % 3) as usize] += {value};", self.any(&scope.wholes))
                         }
                         6 => format!("{name} = {name}.map(|v| {value} - ‹0.5› * v);"),
-                        0 => format!("{name}.swap({at}, {});", (at + 1) % 3),
-                        1 => format!("for e in &mut {name} {{\n    *e = ‹0.5› * *e + {value};\n}}"),
-                        2 => format!("{name}[{at}] += {value};"),
                         _ => format!("{name}[{at}] = {value};"),
                     };
                     self.line(&line);
@@ -509,6 +494,13 @@ impl Writer {
                         let flag = self.any(&scope.flags);
                         self.line(&format!("{flag} = nudge(&mut {name}, {by});"));
                     }
+                }
+                15 => {
+                    let (name, value) = (self.name(), self.number(scope, 2));
+                    self.line(&format!("let {name} = {value};"));
+                    scope.numbers.push(name);
+                    // Used by what follows.
+                    continue;
                 }
                 16 if !scope.tuples.is_empty() => {
                     let (name, number) = (self.any(&scope.tuples), self.number(scope, 1));
@@ -544,13 +536,6 @@ impl Writer {
                 19 if !scope.changed.is_empty() && !scope.pairs.is_empty() => {
                     let [number, pair] = [self.any(&scope.changed), self.any(&scope.pairs)];
                     self.line(&format!("{number} += core::mem::replace(&mut {pair}.a, {number});"));
-                }
-                15 => {
-                    let (name, value) = (self.name(), self.number(scope, 2));
-                    self.line(&format!("let {name} = {value};"));
-                    scope.numbers.push(name);
-                    // Used by what follows.
-                    continue;
                 }
                 _ => continue,
             }
