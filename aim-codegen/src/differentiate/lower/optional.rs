@@ -157,7 +157,10 @@ impl Translation<'_> {
             ("ok_or", [error]) => self.without_error_effect(error, receiver.clone()),
             ("is_some" | "is_ok", []) => Value::Truth(is_some.clone()),
             ("is_none" | "is_err", []) => Value::Truth(is_some.clone().not()),
-            ("unwrap", []) | ("expect", [_]) if nothing => self.refuse(&call.method, messages::unwrapped_none()),
+            ("unwrap", []) | ("expect", [_]) if nothing => {
+                self.refuse(&call.method, messages::unwrapped_none());
+                Value::Never
+            }
             // Where there is nothing, the function has no value.
             ("unwrap", []) | ("expect", [_]) => value.clone(),
             ("unwrap_or", [otherwise]) => {

@@ -271,6 +271,19 @@ mod filled {
         sum
     }
 
+    #[differentiate(wrt(x, y))]
+    pub(super) fn unwrapped_in_a_branch(x: f64, y: f64, s: &[f64]) -> f64 {
+        let mut last = None;
+        for (i, v) in s.iter().enumerate() {
+            if i == 0 {
+                last = Some(v * x);
+            } else {
+                last = Some(last.unwrap() * y + v);
+            }
+        }
+        last.unwrap_or(x)
+    }
+
     fn taken(option: Option<f64>) -> f64 {
         option.unwrap()
     }
@@ -479,6 +492,7 @@ fn options_and_enums_that_are_filled_round_by_round() {
     agrees("mapped", filled::mapped, filled::mapped_gradient, 0);
     agrees("never filled", filled::never_filled, filled::never_filled_gradient, 0);
     agrees("unwrapped", filled::unwrapped, filled::unwrapped_gradient, 0);
+    agrees("unwrapped in a branch", filled::unwrapped_in_a_branch, filled::unwrapped_in_a_branch_gradient, 0);
     agrees("unwrapped elsewhere", filled::unwrapped_elsewhere, filled::unwrapped_elsewhere_gradient, 0);
     agrees("counted by an option", filled::counted_by_an_option, filled::counted_by_an_option_gradient, 0);
     agrees("beside an option", filled::beside_an_option, filled::beside_an_option_gradient, 0);
