@@ -266,7 +266,7 @@ impl Translation<'_> {
             }
         }
         let Some(brought) = self.left_state(number, &leaves, &brought) else {
-            return self.refuse(place, messages::state_of_kept_loop(&brought.describe()));
+            return self.refuse_known(&brought, place, messages::state_of_kept_loop(&brought.describe()));
         };
         let a = &mut *self.algebra;
         let leaves = (!matches!(leaves, Condition::Known(false))).then(|| a.number_of(&leaves));
@@ -377,7 +377,7 @@ impl Translation<'_> {
                 match value.of_numbers(a, &mut taken.into_iter()) {
                     Some(value) if numbers.is_some() => before.push((variable, value)),
                     _ => {
-                        self.refuse(place, messages::state_of_kept_loop(&value.describe()));
+                        self.refuse_known(&value, place, messages::state_of_kept_loop(&value.describe()));
                         return None;
                     }
                 }
@@ -414,7 +414,7 @@ impl Translation<'_> {
             let [first, next] = [first, next].map(|value| self.there(&value, &Condition::Known(true)));
             let a = &mut *self.algebra;
             let (Some(numbers), Some(nexts)) = (first.numbers(a), next.numbers(a)) else {
-                self.refuse(place, messages::state_of_kept_loop(&next.describe()));
+                self.refuse_known(&next, place, messages::state_of_kept_loop(&next.describe()));
                 return None;
             };
             if !numbers.iter().map(|(_, kind)| kind).eq(nexts.iter().map(|(_, kind)| kind)) {

@@ -34,6 +34,7 @@ const METHODS: &[&str] = &[
     "and",
     "xor",
     "zip",
+    "iter",
     "as_mut",
     "take",
     "replace",
@@ -153,6 +154,7 @@ impl Translation<'_> {
         let nothing = matches!(is_some, Condition::Known(false));
         Some(match (name.as_str(), arguments.as_slice()) {
             ("clone" | "copied" | "cloned" | "as_ref", []) => receiver.clone(),
+            ("iter" | "into_iter", []) => Value::iterator_of(receiver.clone().items()?),
             ("ok", []) | ("map_err", [_]) => receiver.clone(),
             ("ok_or", [error]) => self.without_error_effect(error, receiver.clone()),
             ("is_some" | "is_ok", []) => Value::Truth(is_some.clone()),
