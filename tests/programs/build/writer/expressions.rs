@@ -101,7 +101,7 @@ impl Writer {
         }
         let (a, b) = (self.number(scope, depth - 1), self.number(scope, depth - 1));
         let s = self.any(&scope.slices);
-        match self.random.u8(..52) {
+        match self.random.u8(..56) {
             0..=2 => format!("({a} + {b})"),
             3 | 4 => format!("({a} - {b})"),
             5..=7 => format!("({a} * {b})"),
@@ -164,6 +164,20 @@ impl Writer {
             49 => format!("(Point({a}, y) + Point({b}, x) * {a}).0"),
             50 => format!("{s}.chunks(2).map(|v| v[0] * v.iter().fold({a}, |v, w| v - *w)).sum::<‹f64›>()"),
             51 => format!("e.iter().map(|v| v.iter().fold({a}, |v, w| v * *w)).sum::<‹f64›>()"),
+            52 if !scope.options.is_empty() => {
+                let option = self.any(&scope.options);
+                format!("(if {option}.is_some() {{ {option}.unwrap() * {a} }} else {{ {b} }})")
+            }
+            53 if !scope.options.is_empty() => {
+                let (one, other) = (self.any(&scope.options), self.option(scope, depth - 1));
+                format!(
+                    "match ({one}, {other}) {{\n    (Some(v), Some(w)) if v < w => v - w,\n    (Some(v), None) | (None, Some(v)) => v * {a},\n    _ => {b},\n}}"
+                )
+            }
+            54 if !scope.options.is_empty() => {
+                format!("{}.into_iter().chain([{a}, {b}]).fold(x, |v, w| ‹0.5› * v - w)", self.any(&scope.options))
+            }
+            55 => format!("{s}.iter().map(|v| *v * {a}).rev().step_by(2).fold({b}, |v, w| v - w)"),
             _ => a,
         }
     }
