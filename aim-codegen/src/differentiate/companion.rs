@@ -2,8 +2,10 @@
 
 use std::rc::Rc;
 
+use aim_symbolic::{Count, Graph, Program, Scalar, Variable, Want};
+
 use super::kept_loops::Kept;
-use aim_symbolic::{Count, Graph, Program, Scalar, Variable, Vector, Want};
+use super::needed::Stated;
 
 /// A function beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,22 +32,6 @@ pub(super) enum Takes {
     Direction,
     /// `weights`, of the result's type.
     Weights,
-}
-
-/// What companions are derived from.
-pub(super) struct Stated {
-    /// The numbers of the value.
-    pub(super) values: Vec<Scalar>,
-    /// The value, where it is a vector.
-    pub(super) vector: Option<Vector>,
-    pub(super) variables: Vec<Scalar>,
-}
-
-impl Stated {
-    /// The derivatives of the numbers by one of what loops leave.
-    pub(super) fn derivatives_by(&self, x: Scalar) -> impl Iterator<Item = Want> {
-        self.values.iter().map(move |&value| Want::Derivative(value, x.into()))
-    }
 }
 
 impl Companion {

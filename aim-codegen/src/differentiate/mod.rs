@@ -43,12 +43,12 @@ use quote::{ToTokens, quote};
 use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
-use self::companion::{Companion, Derived, Stated};
+use self::companion::{Companion, Derived};
 use self::emit::Companions;
 use self::items::Items;
 use self::kept_loops::Kept;
 use self::lower::{Algebra, Translation, Value};
-use self::needed::Needed;
+use self::needed::{Needed, Stated};
 use self::options::Options;
 use self::types::{Shape, Type};
 use crate::declare::report::Report;

@@ -1,9 +1,24 @@
-//! [`Needed`]: a function as it was run, without what was given up on the way.
+//! [`Stated`] and [`Needed`]: a function as it was run, without what was given up on the way.
 
-use aim_symbolic::{Graph, Node, Scalar};
+use aim_symbolic::{Graph, Node, Scalar, Vector, Want};
 
-use super::companion::Stated;
 use super::lower::{Algebra, At, KeptLoop, Outside, State};
+
+/// What companions are derived from.
+pub(super) struct Stated {
+    /// The numbers of the value.
+    pub(super) values: Vec<Scalar>,
+    /// The value, where it is a vector.
+    pub(super) vector: Option<Vector>,
+    pub(super) variables: Vec<Scalar>,
+}
+
+impl Stated {
+    /// The derivatives of the numbers by one of what loops leave.
+    pub(super) fn derivatives_by(&self, x: Scalar) -> impl Iterator<Item = Want> {
+        self.values.iter().map(move |&value| Want::Derivative(value, x.into()))
+    }
+}
 
 /// The graph of a function, of what is stated in it and of its loops alone.
 pub(super) struct Needed {
