@@ -9,8 +9,8 @@ fn main() {
     println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-env-changed=AIM_PROGRAMS");
     // From which number on, and up to which.
-    let range = env::var("AIM_PROGRAMS").unwrap_or_else(|_| "0..30".to_owned());
-    let (first, end) = range.split_once("..").expect("AIM_PROGRAMS is a range like 0..30");
+    let range = env::var("AIM_PROGRAMS").unwrap_or_else(|_| "0..20".to_owned());
+    let (first, end) = range.split_once("..").expect("AIM_PROGRAMS is a range like 0..20");
     let [first, end] = [first, end].map(|number| number.parse::<u64>().expect("AIM_PROGRAMS is a range of numbers"));
     let (mut rust, mut rows) = (String::new(), String::new());
     for start in (first..end).step_by(10) {
