@@ -4,7 +4,7 @@ use aim_symbolic::{Graph, Node, Scalar, Vector, Want};
 
 use super::lower::{Algebra, At, KeptLoop, Outside, State};
 
-/// What companions are derived from.
+/// The numbers that companions are derived from.
 pub(super) struct Stated {
     /// The numbers of the value.
     pub(super) values: Vec<Scalar>,

@@ -51,7 +51,7 @@ pub(super) struct Exit {
 struct Region {
     target: Target,
     label: Option<String>,
-    /// Whether it is a block, whose end a `break` without a label does not lead to.
+    /// True of a block, to whose end a `break` without a label does not lead.
     is_block: bool,
     /// How many variables, branches on the path, and journals there were.
     variables: usize,
@@ -307,7 +307,7 @@ impl Frame {
         whole
     }
 
-    /// How many loops, and blocks with a label, are under way.
+    /// The number of loops, and of blocks with a label, that are under way.
     pub(super) fn loops(&self) -> usize {
         self.regions.iter().filter(|region| matches!(region.target, Target::Loop(_))).count()
     }

@@ -297,8 +297,7 @@ impl Translation<'_> {
                 let found = self.without_effect(call, |this| {
                     Some(this.sought(call, &rounds, count, |this, item| {
                         let holds = this.answer(call, &function, item)?;
-                        let round = this.algebra.outside(Outside::Round(*this.kept.last()?));
-                        Some((holds.not(), Value::Integer(round)))
+                        Some((holds.not(), this.number_of_round()?))
                     }))
                 })?;
                 let Value::Integer(first) = found else { return Some(found) };
@@ -405,12 +404,18 @@ impl Translation<'_> {
             ("position", [function]) if rounds.items.is_whole() => {
                 let function = self.function_argument(function, 1)?;
                 self.sought(call, rounds, Value::none(), |this, item| {
-                    let round = this.algebra.outside(Outside::Round(*this.kept.last()?));
-                    Some((this.answer(call, &function, item)?, Value::some(Value::Integer(round))))
+                    let round = this.number_of_round()?;
+                    Some((this.answer(call, &function, item)?, Value::some(round)))
                 })
             }
             _ => return None,
         })
+    }
+
+    /// The number of the innermost loop's round, from 0.
+    fn number_of_round(&mut self) -> Option<Value> {
+        let number = *self.kept.last()?;
+        Some(Value::Integer(self.algebra.outside(Outside::Round(number))))
     }
 
     /// What a function says of an element; `None` after an error.

@@ -43,7 +43,7 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_endless: bool,
     /// The loops that were given up before, by where they are.
     pub(super) endless: Vec<*const ()>,
-    /// How many nodes of the graph are of what was given up, or was there before.
+    /// The number of the graph's nodes that are of what was given up, or were there before.
     pub(super) given_up: usize,
 }
 

@@ -5,10 +5,10 @@ use crate::ir::node::{Node, Parts};
 use crate::ir::table::{Id, Table};
 use crate::{Angle, Op, Rotation, Scalar, ScalarNode, Variable, Vector};
 
-/// What is left of a graph.
+/// The rest of a graph from which parts were dropped.
 #[derive(Debug)]
 pub struct Pruned {
-    /// What is left, in the order in which it was.
+    /// The rest, in the order in which it was.
     pub graph: Graph,
     places: Places,
 }
@@ -28,7 +28,7 @@ impl Pruned {
 }
 
 impl Graph {
-    /// What these are made of alone, with all angles and directions, and all inputs but those of `optional` that nothing needs.
+    /// Drops all that these are not made of, but for angles, directions, and inputs that are not `optional`.
     #[must_use]
     pub fn pruned(&self, needed: &[Node], optional: &[Scalar]) -> Pruned {
         let mut reached = Reached::default();
@@ -113,7 +113,7 @@ fn number<K: Id>(places: &mut Table<K, K>, count: usize, id: fn(u32) -> K) {
     }
 }
 
-/// Where the parts of a graph are in another one.
+/// The places of parts in the other graph.
 #[derive(Clone, Debug, Default)]
 struct Places {
     scalars: Table<Scalar, Scalar>,
@@ -139,7 +139,7 @@ impl Parts for Places {
     }
 }
 
-/// What is needed, and of what the parts have not been looked at.
+/// Parts that are needed, and those of them whose own parts have not been looked at.
 #[derive(Default)]
 struct Reached {
     places: Places,
