@@ -5,7 +5,7 @@ use syn::{Expr, ExprMethodCall};
 use super::condition::Condition;
 use super::expected::Expected;
 use super::value::{Element, Value};
-use super::{Translation, iterators, lists, places};
+use super::{Translation, iterators, lending, lists};
 use crate::differentiate::messages;
 
 /// Their names, for messages.
@@ -61,7 +61,7 @@ impl Translation<'_> {
             return Some(Value::Unknown);
         }
         let name = call.method.to_string();
-        let known: Vec<&str> = METHODS.iter().copied().chain(lists::methods()).chain(places::LENDING).collect();
+        let known: Vec<&str> = METHODS.iter().copied().chain(lists::methods()).chain(lending::LENDING).collect();
         // Of an array these can only be methods of a trait.
         Some(if iterators::has_method(&call.method) && !known.contains(&&*name) {
             self.refuse(&call.method, messages::trait_method(&name))

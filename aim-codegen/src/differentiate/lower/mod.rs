@@ -19,6 +19,7 @@ mod functions;
 mod generics;
 mod iterators;
 mod kept;
+mod lending;
 mod lists;
 mod map;
 mod methods;
