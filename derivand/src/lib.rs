@@ -3,7 +3,7 @@
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-/// Differentiates a function; this documentation's first page tells what it makes of it. In detail:
+#[doc(inline)]
 pub use aim_derive::differentiate_by_derivand as differentiate;
 pub use aim_model::{Real, Scalar};
 #[cfg(feature = "glam")]

@@ -84,6 +84,10 @@ messages! {
         "no function of this module is to be differentiated",
         "write `#[differentiate(wrt(x))]` on those that are";
 
+    of_a_method() =>
+        "only functions that stand in the module can be differentiated",
+        "write a function beside the `impl` that calls the method, as in `fn area(r: f64, of: &Shape) -> f64 {{ of.area(r) }}`, and the attribute on that";
+
     qualifier(what: &str) =>
         "`{what}` functions cannot be differentiated",
         "write an ordinary function and call it from there";

@@ -100,7 +100,9 @@ fn module(
     report: &mut Report,
 ) -> TokenStream {
     let mut requests: Vec<Option<TokenStream>> = items.iter_mut().map(take_request).collect();
-    if requests.iter().all(Option::is_none) {
+    let of_methods: Vec<syn::Attribute> = items.iter_mut().flat_map(take_requests_of_methods).collect();
+    of_methods.iter().for_each(|attribute| report.error_in(attribute, messages::of_a_method()));
+    if of_methods.is_empty() && requests.iter().all(Option::is_none) {
         report.error_in(place, messages::nothing_to_differentiate());
     }
     let known = Items::of(&items);
@@ -129,6 +131,16 @@ fn take_request(item: &mut Item) -> Option<TokenStream> {
         syn::Meta::List(list) => list.tokens,
         _ => TokenStream::new(),
     })
+}
+
+/// Takes the attribute from methods, which have no companions.
+fn take_requests_of_methods(item: &mut Item) -> Vec<syn::Attribute> {
+    let Item::Impl(implementation) = item else { return Vec::new() };
+    let methods = implementation.items.iter_mut().filter_map(|item| match item {
+        syn::ImplItem::Fn(method) => Some(method),
+        _ => None,
+    });
+    methods.flat_map(|method| method.attrs.extract_if(.., |attribute| is_ours(attribute)).collect::<Vec<_>>()).collect()
 }
 
 /// Whether a test is asked for, of a function whose arguments can be made up.

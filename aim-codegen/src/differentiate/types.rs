@@ -149,6 +149,8 @@ impl Type {
                     return Err((quote!(#mutability), messages::mutable_reference()));
                 }
                 if let syn::Type::Slice(slice) = &*reference.elem {
+                    // What the elements are comes first: with another length they would be no better known.
+                    Self::parse_in(scope, &slice.elem, items)?;
                     let element = slice.elem.to_token_stream().to_string();
                     return Err((quote!(#slice), messages::slice(&element)));
                 }

@@ -196,6 +196,21 @@ mod idle {
     }
 }
 
+#[differentiate]
+mod of_methods {
+    pub struct Disk {
+        pub radius: f32,
+    }
+
+    impl Disk {
+        #[differentiate(wrt(scale))]
+        pub fn area(&self, scale: f32) -> f32 {
+            scale * self.radius * self.radius
+        }
+    }
+}
+
 fn main() {
+    let _ = of_methods::Disk { radius: 1.0 }.area(2.0);
     let _ = (misplaced::square_gradient(1.0), idle::square(1.0));
 }

@@ -17,6 +17,11 @@ fn unknown(x: f32, rig: &Rig, out: &mut f32, vec: Vec4) -> Vec3 {
 }
 
 #[differentiate(wrt(x))]
+fn of_a_slice(x: f32, rigs: &[Rig]) -> f32 {
+    rigs.iter().map(|rig| rig.weight * x).sum()
+}
+
+#[differentiate(wrt(x))]
 fn generic<T: Into<f32>>(x: f32, t: T) -> f32 {
     x * t.into()
 }
