@@ -480,4 +480,8 @@ const INSTEAD: &[(&str, &str)] = &[
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and write `from_rotation_translation`"),
     ("from_scale", "multiply the vector by the scale"),
+    (
+        "to_euler",
+        "write its angles by `atan2` and `asin` of what it makes of the axes, as in `(q * Vec3::Z).x.atan2((q * Vec3::Z).z)`",
+    ),
 ];

@@ -1,5 +1,5 @@
 use aim::differentiate;
-use aim::glam::{Mat3, Quat, Vec3};
+use aim::glam::{EulerRot, Mat3, Quat, Vec3};
 
 const GAIN: f32 = 2.0;
 
@@ -114,6 +114,11 @@ fn error_told(x: f64) -> f64 {
         Ok(value) => value,
         Err(told) => told * told,
     }
+}
+
+#[differentiate(wrt(q))]
+fn yaw(q: Quat) -> f32 {
+    q.to_euler(EulerRot::YXZ).0
 }
 
 fn main() {

@@ -517,11 +517,16 @@ impl Translation<'_> {
     fn apply(&mut self, callee: &Callee<'_>, receiver: Option<Value>, written: &Punctuated<Expr, Comma>) -> Value {
         let of_a_method = receiver.is_some();
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
+        let Callee { name, function, tables, kind } = callee;
+        let known: Vec<&str> = tables.iter().copied().flatten().map(|function| function.name).collect();
+        // What is passed to it may be understood by no other function.
+        if !known.contains(&function.as_str()) && Value::without(&arguments).is_none() {
+            return self.refuse(*name, messages::unknown_method(function, kind, &known));
+        }
         arguments.extend(written.iter().map(|argument| self.expression(argument)));
         if let Some(without) = Value::without(&arguments) {
             return without;
         }
-        let Callee { name, function, tables, kind } = callee;
         let text = match methods::call(tables, function, self.algebra, &arguments) {
             Some(Ok(value)) => return value,
             Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
@@ -530,10 +535,7 @@ impl Translation<'_> {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
                 messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "))
             }
-            None => {
-                let known: Vec<&str> = tables.iter().copied().flatten().map(|function| function.name).collect();
-                messages::unknown_method(function, kind, &known)
-            }
+            None => messages::unknown_method(function, kind, &known),
         };
         self.refuse(*name, text)
     }
