@@ -116,8 +116,12 @@ impl Vanishing {
 
     /// The same, also of what varies with one of the divisors alone, by its series.
     pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let found = Self::of_function(g, s, divisors).or_else(|| Self::of_series(g, s, divisors));
-        found.map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
+        let function = Self::of_function(g, s, divisors);
+        // A function of a function vanishes with what that one vanishes with, too.
+        let is_new = |series: &Self| function.as_ref().is_none_or(|function| function.base() != series.base());
+        let series = Self::of_series(g, s, divisors).filter(is_new);
+        let found: Vec<Self> = function.into_iter().chain(series).collect();
+        if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
     /// A sum of which each term has this power of the base, in halves.

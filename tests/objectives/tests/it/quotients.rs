@@ -57,6 +57,11 @@ in_both_precisions! {
     bessel = |x| (x.sin() - x * x.cos()) / x.powi(3);
     translation = |x| { let a = x.sin() / x; (1.0 - a) / (x * x) };
     log_of_cosine = |x| x.cos().ln() / (x * x);
+    // Functions of functions.
+    sine_of_sine = |x| x.sin().sin() / x;
+    over_sine_of_sine = |x| x / x.sin().sin();
+    versine_of_sine = |x| (1.0 - x.sin().cos()) / (x * x);
+    sine_of_arc_tangent = |x| (1.5 * x.atan()).sin() / x;
 }
 
 /// Computed with 60 digits by `golden/quotients.py`.
@@ -105,5 +110,5 @@ fn quotients_have_their_limits_in_single_precision() {
 #[test]
 fn every_quotient_is_expected_at_its_singular_point() {
     let at_zero = expected().filter(|(_, x, _)| *x == 0.0).count();
-    assert_eq!(at_zero, 23);
+    assert_eq!(at_zero, 27);
 }

@@ -32,6 +32,10 @@ FUNCTIONS = {
     "bessel": lambda x: (sin(x) - x * cos(x)) / x**3,
     "translation": lambda x: (1 - sin(x) / x) / x**2,
     "log_of_cosine": lambda x: log(cos(x)) / x**2,
+    "sine_of_sine": lambda x: sin(sin(x)) / x,
+    "over_sine_of_sine": lambda x: x / sin(sin(x)),
+    "versine_of_sine": lambda x: (1 - cos(sin(x))) / x**2,
+    "sine_of_arc_tangent": lambda x: sin(mpf("1.5") * atan(x)) / x,
 }
 
 PLACES = [mpf(0)] + [mpf(10) ** -k for k in range(12, 0, -1)] + [mpf("0.3"), mpf("0.37"), mpf("0.9"), mpf("1.1"), mpf(2), mpf("3.1"), mpf(7)]
