@@ -12,7 +12,7 @@ pub use glam;
 pub use wide;
 
 /// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
-/// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
+/// mirroring. `differentiate` relies on it, for this name and for `Affine3A` alike.
 ///
 /// ```
 /// use derivand::glam::Vec3;

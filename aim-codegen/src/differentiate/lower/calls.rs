@@ -518,10 +518,11 @@ impl Translation<'_> {
         let of_a_method = receiver.is_some();
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         let Callee { name, function, tables, kind } = callee;
-        let known: Vec<&str> = tables.iter().copied().flatten().map(|function| function.name).collect();
+        let known = tables.iter().copied().flatten().map(|function| function.name);
+        let unknown = || messages::unknown_method(function, kind, &known.clone().collect::<Vec<_>>());
         // What is passed to it may be understood by no other function.
-        if !known.contains(&function.as_str()) && Value::without(&arguments).is_none() {
-            return self.refuse(*name, messages::unknown_method(function, kind, &known));
+        if known.clone().all(|known| known != function) && Value::without(&arguments).is_none() {
+            return self.refuse(*name, unknown());
         }
         arguments.extend(written.iter().map(|argument| self.expression(argument)));
         if let Some(without) = Value::without(&arguments) {
@@ -535,7 +536,7 @@ impl Translation<'_> {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
                 messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "))
             }
-            None => messages::unknown_method(function, kind, &known),
+            None => unknown(),
         };
         self.refuse(*name, text)
     }

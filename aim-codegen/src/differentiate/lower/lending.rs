@@ -1,4 +1,4 @@
-//! What lends elements and parts to be changed: methods of arrays and lists, and patterns of `&mut`.
+//! Elements and parts lent to be changed, by methods of arrays and lists, and by patterns of `&mut`.
 
 use std::rc::Rc;
 
