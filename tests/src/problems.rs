@@ -43,6 +43,7 @@ pub fn all() -> Vec<Problem> {
         aim_with_roll(),
         two_targets(),
         aim_without_offset(),
+        aim_in_components(),
         divided_by_hand(),
         hessian(),
         quotient(),
@@ -376,7 +377,7 @@ fn length_times_direction() -> Problem {
 
 /// Distances of turned points from planes, by the tangent of the quaternion that turns them.
 fn points_on_planes() -> Problem {
-    Problem::new("points on planes", 82, |g| {
+    Problem::new("points on planes", 81, |g| {
         let (u, w, step) = (g.vector_input("q"), g.input("q_w"), g.step());
         let (still, turn) = (g.quaternion(u, w), g.turn_by_step(step));
         let rotation = g.compose(still, turn);
@@ -402,14 +403,32 @@ fn turned_in_words() -> Problem {
         let terms = [g.scale(cos, point), g.scale(sine, aside), g.scale(along_turn, turn)];
         let sum = g.add_vectors(terms[0], terms[1]);
         let turned = g.add_vectors(sum, terms[2]);
-        let [x, y, z] = [0, 1, 2].map(|axis| g.component(turned, axis));
-        let (sin, cos) = (g.call(Function::Sin, heading), g.call(Function::Cos, heading));
-        let [xc, ys, xs, yc] = [(x, cos), (y, sin), (x, sin), (y, cos)].map(|(a, b)| g.mul(a, b));
-        let (x, y) = (g.sub(xc, ys), g.add(xs, yc));
-        let turned = g.components([x, y, z]);
+        let turned = turned_in_components(g, turned, heading);
         let by = components(g, turn).into_iter().chain([heading.into()]).collect();
         (vec![g.dot(along, turned)], by)
     })
+}
+
+/// The aim of a joint whose turn is written in components.
+fn aim_in_components() -> Problem {
+    Problem::new("aim of a turn in components", 31, |g| {
+        let (link, heading, target) = (g.rigid_input("m"), g.input("h"), g.vector_input("target"));
+        let forward = g.constant_vector(FORWARD);
+        let forward = g.rotate(link.rotation, forward);
+        let [origin, forward] = [link.translation, forward].map(|v| turned_in_components(g, v, heading));
+        let way = g.sub_vectors(target, origin);
+        let way = g.normalize(way);
+        (vec![g.dot(way, forward)], vec![heading.into()])
+    })
+}
+
+/// (x cos h − y sin h, x sin h + y cos h, z)
+fn turned_in_components(g: &mut Graph, v: Vector, heading: Scalar) -> Vector {
+    let [x, y, z] = [0, 1, 2].map(|axis| g.component(v, axis));
+    let (sin, cos) = (g.call(Function::Sin, heading), g.call(Function::Cos, heading));
+    let [xc, ys, xs, yc] = [(x, cos), (y, sin), (x, sin), (y, cos)].map(|(a, b)| g.mul(a, b));
+    let (x, y) = (g.sub(xc, ys), g.add(xs, yc));
+    g.components([x, y, z])
 }
 
 /// The square of the chord from where a joint looks to where it should.
@@ -497,7 +516,7 @@ fn angle_between() -> Problem {
 
 /// The products of two vectors by what is diagonal in a frame, by that frame and by both.
 fn turned_form() -> Problem {
-    Problem::new("turned quadratic form", 226, |g| {
+    Problem::new("turned quadratic form", 222, |g| {
         let (u, w) = (g.vector_input("q"), g.input("q_w"));
         let vectors = ["v", "w"].map(|name| g.vector_input(name));
         let scales = ["x", "y", "z"].map(|name| g.input(name));
@@ -583,7 +602,7 @@ fn middle_direction() -> Problem {
 
 /// The aim with its second derivatives.
 pub fn hessian() -> Problem {
-    let mut problem = Problem::new("aim and Hessian", 128, |g| {
+    let mut problem = Problem::new("aim and Hessian", 121, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
         let target = g.vector_input("target");
         let way = g.sub_vectors(target, joint.origin);

@@ -27,16 +27,49 @@ pub(crate) enum Effort {
     Finish,
     /// All there is.
     Polish,
+    /// The same, and numbers made of others.
+    Last,
 }
 
 /// So many of the ways to arrange sums and products mostly do it.
 const USUAL_TRIES: usize = 6;
 
 /// Longer programs are not polished.
-pub(crate) const MOST_OPERATIONS: usize = 400;
+const MOST_OPERATIONS: usize = 400;
 
-/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried.
-pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Scalar> {
+/// Of the last arrangements those are kept that need hardly more than the best, by so many operations, and as many as have so many
+/// together.
+const MOST_ABOVE: usize = 8;
+const MOST_IN_LAST: usize = 300;
+
+/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried; for a last effort the next best
+/// after it.
+pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Vec<Scalar>> {
+    let is_last = effort == Effort::Last;
+    let mut all = tried(fold, &outputs, rules, effort, false);
+    if is_last && rules.has(&JOIN) {
+        all.extend(tried(fold, &outputs, rules, effort, true));
+    }
+    all.sort_by_key(|&(needed, _)| needed);
+    let least = all.first().map_or(0, |&(needed, _)| needed);
+    let most = if is_last { (MOST_IN_LAST / least.max(1)).max(1) } else { 1 };
+    let mut near: Vec<Vec<Scalar>> = Vec::new();
+    for (_, arrangement) in all.into_iter().take_while(|&(needed, _)| needed <= least + MOST_ABOVE) {
+        if near.len() < most && !near.contains(&arrangement) {
+            near.push(arrangement);
+        }
+    }
+    near
+}
+
+/// Arrangements, each with how many operations it needs, where there is another.
+fn tried(
+    fold: &mut Fold,
+    outputs: &[Scalar],
+    rules: &Rules<'_>,
+    effort: Effort,
+    joins: bool,
+) -> Vec<(usize, Vec<Scalar>)> {
     // Whether it starts from the best so far, and what of products and of factors is opened.
     let tries = [
         (false, Open::Private, Open::Private),
@@ -50,18 +83,17 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         (false, Open::Shared, Open::Sums),
         (true, Open::Shared, Open::Shared),
     ];
-    let joins = cfg!(not(aim_small)) && rules.has(&JOIN);
     let count = match effort {
         Effort::Compare => 1,
-        Effort::Polish if cfg!(not(aim_small)) => tries.len(),
-        Effort::Finish | Effort::Polish => USUAL_TRIES,
+        Effort::Polish | Effort::Last if cfg!(not(aim_small)) => tries.len(),
+        Effort::Finish | Effort::Polish | Effort::Last => USUAL_TRIES,
     };
-    let (mut best, mut least) = (Vec::new(), usize::MAX);
+    let (mut all, mut best, mut least) = (Vec::new(), outputs.to_vec(), usize::MAX);
     for (number, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
         if number >= USUAL_TRIES && least > MOST_OPERATIONS {
             break;
         }
-        let mut tried = if of_best { best.clone() } else { outputs.clone() };
+        let mut tried = if of_best { best.clone() } else { outputs.to_vec() };
         if rules.has(&SHARE) {
             tried = share_products(fold, &tried, products, joins);
         }
@@ -70,10 +102,11 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
         }
         let needed = if count > 1 { operations(&fold.g, &tried) } else { 0 };
         if needed < least {
-            (best, least) = (tried, needed);
+            (best, least) = (tried.clone(), needed);
         }
+        all.push((needed, tried));
     }
-    best
+    all
 }
 
 fn operations(g: &Graph, outputs: &[Scalar]) -> usize {

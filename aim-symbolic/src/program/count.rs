@@ -88,7 +88,7 @@ impl Program {
     }
 
     /// For each operation whether something needs it beside margins and what is taken within them.
-    fn without_series(&self) -> Vec<bool> {
+    pub(super) fn without_series(&self) -> Vec<bool> {
         let mut plain = vec![false; self.ops().len()];
         self.outputs().iter().for_each(|v| plain[v.index()] = true);
         for (place, op) in self.ops().iter().enumerate().rev() {

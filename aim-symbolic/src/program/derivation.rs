@@ -7,7 +7,7 @@ use crate::ir::node::Node;
 use crate::lower::Effort;
 use crate::program::derive::{Choices, Way, choose, distinct};
 use crate::rewrite::log::{Log, Rewrite};
-use crate::rewrite::rules::{ARITHMETIC, Rule};
+use crate::rewrite::rules::{ARITHMETIC, RESUBSTITUTE, Rule};
 use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Singular, Want};
 
 /// Rules that together brought a program's operation count down.
@@ -89,7 +89,8 @@ impl Derivation {
         let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
         let least = program.count().total();
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
-        for on in 1..=ARITHMETIC.len() {
+        // The last rule is for programs that are done.
+        for on in 1..ARITHMETIC.len() {
             book.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
             // What did nothing by itself is not part of what comes after it.
             book.rules.clear();
@@ -97,6 +98,7 @@ impl Derivation {
         for (before, rewrite) in log.applied.iter().enumerate() {
             book.record(rewrite.rule, before + 1, count(before + 1, &[]));
         }
+        book.record(RESUBSTITUTE, log.applied.len(), program.count());
         let stated = distinct(wanted.iter().filter_map(|want| want.stated()));
         let variables = distinct(wanted.iter().filter_map(|want| match *want {
             Want::Derivative(_, x) | Want::Second(_, x, _) => Some(x),

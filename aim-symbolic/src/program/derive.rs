@@ -2,12 +2,12 @@
 
 use crate::diff::sweep::{Course, Swept};
 use crate::ir::node::Node;
-use crate::lower::{Effort, MOST_OPERATIONS};
+use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
     self, ACROSS_FOR_CROSS, BASES, CANCELLING, COMMON_CROSS, COMMON_DOT, CONSTANT_SCALE, CROSS_OF_DOTS, DIRECTIONS,
-    DROP_RADIAL, EXPAND_ACROSS, FRAMES, JOIN, JOIN_COMPONENTS, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL,
-    OTHER_SIDES, PRODUCTS, RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
+    DROP_RADIAL, EXPAND_ACROSS, FRAMES, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, PRODUCTS,
+    RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
 };
 use crate::{Function, Graph, Op, Placement, Program, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
@@ -127,14 +127,15 @@ impl Program {
 /// of arithmetic: rewriting may not lose against doing nothing.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let (mut best, is_rewritten) = smallest(g, wanted, without, usize::MAX);
-    best = best.joined(without);
-    if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
+    let rewritten = is_rewritten || cfg!(not(aim_small)) && best.is_rewritten();
+    best = best.last(without);
+    if rewritten {
         let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
         let near = cost(&best.program).0;
         let worth = (near + near / NEAR).max(MOST_PLAIN);
         let (mut plain, _) = smallest(g, wanted, &off, worth);
         if cost(&plain.program).0 <= worth {
-            plain = plain.joined(&off);
+            plain = plain.last(&off);
         }
         plain.choices.without.extend(off);
         best = best.or_better(plain);
@@ -247,19 +248,14 @@ impl Way {
         best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
-    /// The way, or the same with like terms joined, where that is smaller.
-    fn joined(self, without: &[Rule]) -> Self {
-        if cfg!(aim_small) || cost(&self.program).0 > MOST_OPERATIONS {
+    /// The way with numbers made of others, where that is smaller.
+    fn last(self, without: &[Rule]) -> Self {
+        if cfg!(aim_small) || !self.program.is_resubstitutable() {
             return self;
         }
-        let mut joined = self.clone();
-        optional(JOIN)(&mut joined.choices);
-        joined.arrange(without, Effort::Finish);
-        if cost(&joined.program) >= cost(&self.program) {
-            return self;
-        }
-        joined.arrange(without, Effort::Polish);
-        joined
+        let mut last = self.clone();
+        last.arrange(without, Effort::Last);
+        self.or_better(last)
     }
 
     /// The way arranged as well as can be; or with more derivatives taken forward, where that is smaller then.
@@ -374,7 +370,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     if cfg!(not(aim_small)) {
         rivals.extend(first.gathered());
     }
-    let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS, JOIN_COMPONENTS].contains(rule) || first.is_small();
+    let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS].contains(rule) || first.is_small();
     for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
         rivals.push(Box::new(move |c| {
             if !LIMITS.rules.contains(&rule) && !c.without.contains(&rule) {

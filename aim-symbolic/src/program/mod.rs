@@ -4,13 +4,14 @@ pub(crate) mod count;
 pub(crate) mod derivation;
 pub(crate) mod derive;
 mod interpret;
+mod resubstitution;
 mod signs;
 pub(crate) mod singular;
 
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
 use crate::lower::{Effort, arranged, scaled};
-use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS, Rules, SHARE};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How many operations one written step has at most, for its reader.
@@ -43,14 +44,18 @@ impl Program {
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(core::mem::take(g), rules);
         let lowered = lowering.outputs(outputs);
-        let lowered = arranged(&mut lowering.fold, lowered, rules, effort);
-        let moved = if rules.has(&MOVE_CONSTANTS) { scaled(&mut lowering.fold, &lowered) } else { None };
-        *g = lowering.fold.g;
-        let program = Self::scheduled(g, &lowered, rules);
-        match moved.map(|moved| Self::scheduled(g, &moved, rules)) {
-            Some(moved) if moved.count().total() < program.count().total() => moved,
-            _ => program,
+        let mut arrangements = arranged(&mut lowering.fold, lowered, rules, effort);
+        if rules.has(&MOVE_CONSTANTS) {
+            let moved: Vec<_> = arrangements.iter().filter_map(|lowered| scaled(&mut lowering.fold, lowered)).collect();
+            arrangements.extend(moved);
         }
+        *g = lowering.fold.g;
+        let resubstitutes = cfg!(not(aim_small)) && rules.has(&RESUBSTITUTE) && effort == Effort::Last;
+        let programs = arrangements.iter().map(|lowered| {
+            let program = Self::scheduled(g, lowered, rules);
+            if resubstitutes { program.resubstituted() } else { program }
+        });
+        programs.min_by_key(|program| program.count().total()).expect("there is an arrangement")
     }
 
     /// The program of outputs that are lowered.

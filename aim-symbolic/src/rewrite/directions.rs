@@ -233,19 +233,6 @@ pub(crate) fn dot_along_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     })
 }
 
-/// `(e − (e · u) u) · v = e · v − (e · u) (u · v)` of an axis e
-pub(crate) fn dot_of_axis_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
-    let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
-    let (e, u, v) = [(a, b), (b, a)].into_iter().find_map(|(across, v)| {
-        let (e, u) = as_across(g, across)?;
-        let is_axis = g.constant_vector_of(e)?.iter().filter(|&&c| c != 0.0).count() == 1;
-        is_axis.then_some((e, u, v))
-    })?;
-    let (whole, of_axis, along) = (g.dot(e, v), g.dot(e, u), g.dot(v, u));
-    let radial = g.mul(of_axis, along);
-    Some(g.sub(whole, radial))
-}
-
 /// `(a × b) × c = (a · c) b − (b · c) a`, of which one term is 0.
 pub(crate) fn cross_of_cross(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Cross(left, right) = g.vector_node(v) else { return None };

@@ -175,9 +175,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
         SCALE_AFTER_DOT,
         SIGN_AFTER_DOT,
         DROP_RADIAL,
-        AXIS_ACROSS,
         CROSS_OF_CROSS,
-        JOIN_COMPONENTS,
     ],
     sums: Sums::Open,
 };
@@ -193,7 +191,6 @@ pub const SCALES: RuleSet = RuleSet {
         SCALE_AFTER_OPERATION,
         EXPAND_ACROSS,
         SPREAD,
-        COMMON_VECTOR,
         CONSTANT_SCALE,
         SCALE_AFTER_DOT,
         SIGN_AFTER_DOT,
@@ -208,14 +205,14 @@ pub const PRODUCTS: RuleSet = RuleSet {
 };
 
 /// Rules of components: what any compiler of formulas does, all at once.
-pub const ARITHMETIC: [Rule; 9] =
-    [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, JOIN, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX];
+pub const ARITHMETIC: [Rule; 10] =
+    [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, JOIN, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX, RESUBSTITUTE];
 
 /// Rules that apply only where that is found to pay.
 pub(crate) const OPTIONAL: &[Rule] = if cfg!(aim_small) {
     &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX]
 } else {
-    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, JOIN, MATRIX]
+    &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX]
 };
 
 /// Rules that turn something else than before by as much: how far to go is a choice.
@@ -321,12 +318,6 @@ rules! {
     /// A cross product with a cross product is a difference of multiples of its two vectors: (a × b) × c = (a · c) b − (b · c) a.
     /// Where c is square to one of them, it is a multiple of that one.
     CROSS_OF_CROSS = "a cross product of a cross product": Vector(directions::cross_of_cross);
-    /// Two vectors of which one has the components that the other lacks are one vector; together they may be one that is there
-    /// already.
-    JOIN_COMPONENTS = "a sum of components is a vector": Vector(sums::join_components);
-    /// A component of the part across a direction u is that of the whole less that of u times what both have in common,
-    /// a number that every component needs.
-    AXIS_ACROSS = "a component of a part across": Scalar(directions::dot_of_axis_across);
     /// Two vectors that are turned back alike are added first and turned back once.
     SUM_IN_FRAME = "a sum in another frame": Vector(frames::sum_in_frame);
     /// What is done to a vector alike in every frame can be done before it is turned back.
@@ -344,8 +335,6 @@ rules! {
     EXPAND_ACROSS = "a part across is a difference": Vector(directions::expand_across);
     /// A scaled difference in a sum with the same vector is taken apart, so that this vector is multiplied once.
     SPREAD = "spread a scaled difference over its sum": Vector(scaling::spread);
-    /// Two multiples of one vector are one multiple of it: the numbers are added, not the vectors.
-    COMMON_VECTOR = "common vector of a sum": Vector(scaling::common_vector);
     /// A constant vector is divided by its largest component, which is multiplied afterwards: a factor of 1 is free.
     CONSTANT_SCALE = "a constant direction by its largest component": Vector(scaling::constant_scale);
     /// A rotation, and its derivative, make k v + m u × v + n (u · v) u of a vector. For several vectors the matrix is made once, by which
@@ -382,4 +371,7 @@ rules! {
     /// In components: a quaternion that turns several vectors is made a matrix once, by which each is turned with half the
     /// operations.
     MATRIX = "a quaternion as a matrix": Components;
+    /// In components: a number that is the sum, the difference or the product of others that are there anyway is made
+    /// of them, and what it was made of goes.
+    RESUBSTITUTE = "numbers made of others": Components;
 }

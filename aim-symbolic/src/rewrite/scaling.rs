@@ -134,24 +134,6 @@ pub(crate) fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together:
     sum(g, &all)
 }
 
-fn pair<T>(all: &[T], fits: impl Fn(&T, &T) -> bool) -> Option<(usize, usize)> {
-    (0..all.len()).find_map(|i| (i + 1..all.len()).find(|&j| fits(&all[i], &all[j])).map(|j| (i, j)))
-}
-
-/// `k v + m v = (k + m) v`
-pub(crate) fn common_vector(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let all = weighted(g, v);
-    let (i, j) = pair(&all, |a, b| a.2 == b.2)?;
-    let [(_, _, core), _] = [all[i], all[j]];
-    let (k, m) = (signed(g, all[i].0, all[i].1), signed(g, all[j].0, all[j].1));
-    let factor = g.add(k, m);
-    let together = g.scale(factor, core);
-    Some(joined(g, v, (i, j), (false, together)))
-}
-
 /// `c = c_k (c / c_k)` with the largest component of a constant: one product less wherever it is multiplied.
 pub(crate) fn constant_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
     let c = g.constant_vector_of(v)?;

@@ -1,6 +1,6 @@
 //! Sums of vectors as lists of signed terms, and the rules for them that know no rotation.
 
-use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Graph, Vector, VectorNode};
 
 /// A sum is taken apart into about so many terms at most: shared partial sums would double them again and again.
 const MOST_TERMS: usize = 64;
@@ -89,40 +89,4 @@ pub(crate) fn cancel_terms(g: &mut Graph, v: Vector) -> Option<Vector> {
     terms.remove(j);
     terms.remove(i);
     Some(sum(g, &terms))
-}
-
-/// `[x; 0; 0] + [0; y; z] = [x; y; z]`
-pub(crate) fn join_components(g: &mut Graph, v: Vector) -> Option<Vector> {
-    if !is_sum(g, v) {
-        return None;
-    }
-    let mut terms = terms(g, v);
-    let parts: Vec<_> = terms.iter().map(|&(_, term)| parts_of(g, term)).collect();
-    let (i, j, joined) = (0..terms.len()).find_map(|i| {
-        let one = parts[i]?;
-        (i + 1..terms.len()).find_map(|j| {
-            let other = parts[j]?;
-            let is_free = |k: usize| one[k].is_none() || other[k].is_none();
-            (terms[i].0 == terms[j].0 && (0..3).all(is_free))
-                .then(|| (i, j, core::array::from_fn(|k| one[k].or(other[k]))))
-        })
-    })?;
-    // Factors in order, as they may stand elsewhere.
-    let joined = joined.map(|part: Option<Scalar>| match part {
-        None => g.constant(0.0),
-        Some(part) => match g.scalar_node(part) {
-            ScalarNode::Op(Op::Mul(a, b)) => g.mul(a.min(b), a.max(b)),
-            _ => part,
-        },
-    });
-    terms[i].1 = g.components(joined);
-    terms.remove(j);
-    Some(sum(g, &terms))
-}
-
-/// The components of a vector that is given by them, but for those that are 0, of which there are some.
-fn parts_of(g: &Graph, v: Vector) -> Option<[Option<Scalar>; 3]> {
-    let VectorNode::Components(c) = g.vector_node(v) else { return None };
-    let parts = c.map(|c| (g.constant_of(c) != Some(0.0)).then_some(c));
-    parts.contains(&None).then_some(parts)
 }

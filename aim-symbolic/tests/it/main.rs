@@ -3,5 +3,6 @@
 mod deep;
 mod paper;
 mod random;
+mod resubstitution;
 mod rules;
 mod selects;

@@ -1,0 +1,162 @@
+//! Numbers modulo a prime, by which expressions are told to be the same.
+
+use core::hash::{Hash, Hasher};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use rustc_hash::FxHasher;
+
+use crate::{Function, Number};
+
+/// 2⁶¹ − 1
+const PRIME: u64 = (1 << 61) - 1;
+
+/// A number modulo 2⁶¹ − 1. What is no rational function is as good as random: equal where its operands are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(super) struct Residue(u64);
+
+impl Residue {
+    pub(super) const ZERO: Self = Self(0);
+    const ONE: Self = Self(1);
+    const TWO: Self = Self(2);
+
+    /// 2⁶¹ is 1.
+    fn of(x: u128) -> Self {
+        let low = |x: u128| u64::try_from(x & u128::from(PRIME)).unwrap_or_default();
+        let sum = low(x) + low(x >> 61);
+        Self(if sum >= PRIME { sum - PRIME } else { sum })
+    }
+
+    /// As good as random.
+    pub(super) fn random(key: impl Hash) -> Self {
+        let mut hasher = FxHasher::default();
+        key.hash(&mut hasher);
+        // The finish of SplitMix64: one changed bit of the key changes half of these.
+        let mut x = hasher.finish();
+        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        Self::of(u128::from(x ^ (x >> 31)))
+    }
+
+    /// 1 / x = x to the power of 2⁶¹ − 3; 0 of 0.
+    pub(super) fn inverse(self) -> Self {
+        let (mut power, mut square) = (Self::ONE, self);
+        for bit in 0..61 {
+            if bit != 1 {
+                power = power * square;
+            }
+            square = square * square;
+        }
+        power
+    }
+
+    /// 0…1
+    pub(super) fn unit(self) -> f64 {
+        let high = u32::try_from(self.0 >> 29).unwrap_or_default();
+        f64::from(high) / f64::from(u32::MAX)
+    }
+
+    /// A number below `count`, a power of two.
+    pub(super) fn among(self, count: usize) -> usize {
+        usize::try_from(self.0).unwrap_or_default() & count.wrapping_sub(1)
+    }
+
+    /// The same for x and −x.
+    pub(super) fn unsigned(self) -> Self {
+        Self(self.0.min((-self).0))
+    }
+
+    /// The sine and the cosine of what is as good as random: a point of the circle.
+    fn circle(self) -> (Self, Self) {
+        let t = Self::random(("circle", self.unsigned()));
+        let over = (Self::ONE + t * t).inverse();
+        let sine = Self::TWO * t * over;
+        (if self == self.unsigned() { sine } else { -sine }, (Self::ONE - t * t) * over)
+    }
+}
+
+impl Add for Residue {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::of(u128::from(self.0) + u128::from(other.0))
+    }
+}
+
+impl Neg for Residue {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        if self.0 == 0 { self } else { Self(PRIME - self.0) }
+    }
+}
+
+impl Sub for Residue {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Residue {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::of(u128::from(self.0) * u128::from(other.0))
+    }
+}
+
+impl Div for Residue {
+    type Output = Self;
+
+    fn div(self, other: Self) -> Self {
+        if other == Self::ZERO { Self::random(("quotient", self)) } else { self * other.inverse() }
+    }
+}
+
+impl Number for Residue {
+    fn constant(value: f64) -> Self {
+        // value = (1 + fraction / 2⁵²) 2^(exponent − 1023), and without the 1 below that.
+        let bits = value.abs().to_bits();
+        let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
+        let whole = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+        // 1075 ≡ 38 modulo 61
+        let shift = (exponent.max(1) + 61 - 38) % 61;
+        let positive = Self::of(u128::from(whole) << shift);
+        if !value.is_finite() {
+            Self::random(bits)
+        } else if value < 0.0 {
+            -positive
+        } else {
+            positive
+        }
+    }
+
+    fn tiny() -> Self {
+        Self::random("tiny")
+    }
+
+    fn sqrt(self) -> Self {
+        Self::random(("root", self))
+    }
+
+    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
+        Self::random((a, b, then, otherwise))
+    }
+
+    fn call(self, function: Function) -> Self {
+        match function {
+            Function::Sin => self.circle().0,
+            Function::Cos => self.circle().1,
+            _ => Self::random((function, self)),
+        }
+    }
+
+    fn atan2(self, x: Self) -> Self {
+        Self::random(("angle", self, x))
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        Self::random(("power", self, exponent))
+    }
+}

@@ -1,0 +1,104 @@
+//! Numbers made of others that are there: where that is smaller, and where it would do harm.
+
+use aim_symbolic::rules::{self, RESUBSTITUTE, Rule};
+use aim_symbolic::{Graph, Program, Scalar, Want};
+
+/// The program of what is stated, by this one rule.
+fn program(state: impl FnOnce(&mut Graph) -> Vec<Scalar>) -> Program {
+    let mut g = Graph::new();
+    let values = state(&mut g);
+    let others: Vec<Rule> = rules::all().into_iter().filter(|rule| *rule != RESUBSTITUTE).collect();
+    let wanted: Vec<Want> = values.into_iter().map(Want::Value).collect();
+    Program::derive_without(&g, &wanted, &others)
+}
+
+fn inputs<const N: usize>(g: &mut Graph) -> [Scalar; N] {
+    core::array::from_fn(|i| g.input(&format!("x{i}")))
+}
+
+/// a c + b d
+fn sum_of_products(g: &mut Graph, [a, b]: [Scalar; 2], [c, d]: [Scalar; 2]) -> Scalar {
+    let (one, other) = (g.mul(a, c), g.mul(b, d));
+    g.add(one, other)
+}
+
+#[test]
+fn a_multiple_is_made_of_what_it_is_a_multiple_of() {
+    let program = program(|g| {
+        let [a, b, c, d, k] = inputs(g);
+        let multiples = [a, b].map(|x| g.mul(k, x));
+        vec![sum_of_products(g, [a, b], [c, d]), sum_of_products(g, multiples, [c, d])]
+    });
+    assert_eq!(program.count().total(), 4, "{program:?}");
+    let mut out = [0.0; 2];
+    program.run(&[2.0, 3.0, 5.0, 7.0, 11.0], &mut out);
+    assert_eq!(out, [31.0, 341.0]);
+}
+
+#[test]
+fn what_two_numbers_could_share_is_added() {
+    // a c, which none of them has: (a b) c, (d a) c, (e a) c.
+    let program = program(|g| {
+        let [a, b, c, d, e] = inputs(g);
+        let product = |g: &mut Graph, all: &[Scalar]| all.iter().copied().reduce(|x, y| g.mul(x, y)).unwrap_or(all[0]);
+        vec![product(g, &[a, b, c]), product(g, &[d, a, c]), product(g, &[e, a, c])]
+    });
+    assert_eq!(program.count().total(), 4, "{program:?}");
+}
+
+#[test]
+fn what_is_nothing_is_left_out() {
+    let program = program(|g| {
+        let [a, b] = inputs(g);
+        let sum = g.add(a, b);
+        let square = g.mul(sum, sum);
+        let parts = [(a, a), (a, b), (b, a), (b, b)].map(|(x, y)| g.mul(x, y));
+        vec![parts.into_iter().fold(square, |left, part| g.sub(left, part))]
+    });
+    assert_eq!(program.count().total(), 0, "{program:?}");
+}
+
+#[test]
+fn no_divisor_comes_in() {
+    // x a b … g is (x / y) (y a b … g), but for y = 0.
+    let program = program(|g| {
+        let [x, y, rest @ ..]: [Scalar; 9] = inputs(g);
+        let [of_x, of_y] = [x, y].map(|first| rest.iter().fold(first, |product, &factor| g.mul(product, factor)));
+        vec![g.div(x, y), of_y, of_x]
+    });
+    let mut out = [0.0; 3];
+    program.run(&[3.0, 0.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0], &mut out);
+    assert_eq!(out[1..], [0.0, 384.0], "{program:?}");
+}
+
+#[test]
+fn no_digits_are_lost() {
+    // (x − y)(x + y) is x² − y², where little may be left of either.
+    let program = program(|g| {
+        let [x, y] = inputs(g);
+        let (difference, sum) = (g.sub(x, y), g.add(x, y));
+        vec![g.mul(x, x), g.mul(y, y), g.mul(difference, sum)]
+    });
+    assert_eq!(program.count().total(), 5, "{program:?}");
+}
+
+#[test]
+fn what_is_rounded_on_purpose_is_kept() {
+    let program = program(|g| {
+        let [x] = inputs(g);
+        let much = g.constant(1e20);
+        let sum = g.add(x, much);
+        vec![g.sub(sum, much)]
+    });
+    assert_eq!(program.count().total(), 2, "{program:?}");
+}
+
+#[test]
+fn a_high_power_may_be_divided_by() {
+    let program = program(|g| {
+        let [x] = inputs(g);
+        let (power, one) = ((0..40).fold(x, |power, _| g.mul(power, power)), g.constant(1.0));
+        vec![g.div(one, power)]
+    });
+    assert_eq!(program.count().total(), 41, "{program:?}");
+}
