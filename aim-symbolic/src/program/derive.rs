@@ -127,9 +127,9 @@ impl Program {
 /// of arithmetic: rewriting may not lose against doing nothing.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let (mut best, is_rewritten) = smallest(g, wanted, without, usize::MAX);
-    let rewritten = is_rewritten || cfg!(not(aim_small)) && best.is_rewritten();
+    let is_rewritten = is_rewritten || cfg!(not(aim_small)) && best.is_rewritten();
     best = best.last(without);
-    if rewritten {
+    if is_rewritten {
         let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
         let near = cost(&best.program).0;
         let worth = (near + near / NEAR).max(MOST_PLAIN);

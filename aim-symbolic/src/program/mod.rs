@@ -11,7 +11,7 @@ pub(crate) mod singular;
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
 use crate::lower::{Effort, arranged, scaled};
-use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
+use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
 /// How many operations one written step has at most, for its reader.
@@ -35,7 +35,7 @@ impl Program {
         Self::compile_with(
             g,
             outputs,
-            &Rules { without: &[SHARE, FACTOR, JOIN, MATRIX, MOVE_CONSTANTS], ..Rules::default() },
+            &Rules { without: &[SHARE, FACTOR, MATRIX, MOVE_CONSTANTS], ..Rules::default() },
             Effort::Compare,
         )
     }

@@ -1,0 +1,250 @@
+//! The forms that a step may be given: one of the values there are, of two of them, of a pair and a third, or of two pairs.
+
+use rustc_hash::FxHashMap;
+
+use super::residue::Residue;
+use super::search::{Form, Search, is_counted};
+use crate::{Constant, Op, Value};
+
+/// Of more values no pairs are made.
+const MOST_IN_PAIRS: usize = 150;
+
+/// An operation that makes a value of two.
+#[derive(Clone, Copy)]
+pub(super) enum Kind {
+    Sum,
+    Difference,
+    Product,
+}
+
+impl Kind {
+    pub(super) fn op<V>(self, a: V, b: V) -> Op<V> {
+        match self {
+            Self::Sum => Op::Add(a, b),
+            Self::Difference => Op::Sub(a, b),
+            Self::Product => Op::Mul(a, b),
+        }
+    }
+}
+
+pub(super) type Pair = (Kind, Value, Value);
+
+/// The values there are, and pairs of them, by their residues without the sign.
+#[derive(Default)]
+pub(super) struct Known {
+    pub(super) values: FxHashMap<Residue, Value>,
+    pub(super) pairs: FxHashMap<Residue, Pair>,
+    /// False where there is no pair with such a residue: mostly there is none, and this tells at once.
+    has_pair: Vec<bool>,
+    products: Vec<(Residue, Value, Value)>,
+}
+
+/// A step that may be made of others.
+pub(super) struct Target<'s> {
+    search: &'s Search,
+    pub(super) place: Value,
+    wanted: Residue,
+    /// The operations that go with it.
+    pub(super) goes: usize,
+    /// The value that a form has to need.
+    added: Option<Value>,
+    /// True of what may be in its place: it neither needs it nor more than it.
+    may: Vec<bool>,
+}
+
+impl<'s> Target<'s> {
+    /// `None` of what stays as it is.
+    pub(super) fn of(search: &'s Search, place: Value, known: &Known) -> Option<Self> {
+        if search.uses[place.index()] == 0
+            || !search.is_counted(place)
+            || !search.ops[place.index()].is_arithmetic()
+            || search.is_left_of_constants(place)
+        {
+            return None;
+        }
+        let (wanted, goes) = (search.facts[place.index()].residue, search.freed(place, core::iter::empty()));
+        let is_known = known.values.get(&wanted.unsigned()).map_or(wanted == Residue::ZERO, |&v| v != place);
+        if goes < 2 && !is_known {
+            return None;
+        }
+        let mut after = vec![false; search.ops.len()];
+        after[place.index()] = true;
+        for &v in &search.order {
+            after[v.index()] |= search.ops[v.index()].operands().any(|part| after[part.index()]);
+        }
+        let mut may = vec![false; search.ops.len()];
+        for &v in &search.order {
+            may[v.index()] =
+                !after[v.index()] && search.facts[v.index()].sources.are_among(search.facts[place.index()].sources);
+        }
+        Some(Self { search, place, wanted, goes, added: None, may })
+    }
+
+    /// The same for forms that need this value; such a form need not save anything.
+    pub(super) fn with(self, added: Option<Value>) -> Self {
+        Self { added, ..self }
+    }
+
+    fn value(&self, known: &Known, residue: Residue) -> Option<Value> {
+        known.values.get(&residue.unsigned()).copied().filter(|v| self.may[v.index()])
+    }
+
+    fn pair(&self, known: &Known, residue: Residue) -> Option<Pair> {
+        let residue = residue.unsigned();
+        if !known.has_pair.get(residue.among(known.has_pair.len())).is_some_and(|&has| has) {
+            return None;
+        }
+        known.pairs.get(&residue).copied().filter(|(_, a, b)| self.may[a.index()] && self.may[b.index()])
+    }
+
+    fn at_hand(&self) -> impl Iterator<Item = Value> {
+        self.search.usable().filter(|v| self.may[v.index()])
+    }
+
+    /// The residue that makes the target together with a value at hand, which comes second.
+    fn others(&self) -> impl Iterator<Item = (Residue, Kind, Value)> {
+        self.at_hand().flat_map(move |v| {
+            let r = self.search.facts[v.index()].residue;
+            [
+                (self.wanted - r, Kind::Sum, v),
+                (self.wanted + r, Kind::Difference, v),
+                (self.wanted * self.search.facts[v.index()].inverse, Kind::Product, v),
+            ]
+        })
+    }
+
+    /// The pairs that together with one other value make the target.
+    pub(super) fn pairs(&self, known: &Known) -> Vec<Residue> {
+        let mut pairs: Vec<Residue> =
+            self.others().map(|(rest, ..)| rest.unsigned()).filter(|&rest| self.pair(known, rest).is_some()).collect();
+        pairs.sort_unstable();
+        pairs.dedup();
+        pairs
+    }
+
+    /// The forms that may take its place.
+    pub(super) fn forms(&self, known: &Known) -> Vec<Form> {
+        let Self { search, wanted, goes, .. } = *self;
+        let made = || Made { search, ops: Vec::new() };
+        if wanted == Residue::ZERO {
+            let mut zero = made();
+            let result = zero.push(Op::Constant(Constant::new(0.0)));
+            return zero.form(self, result).into_iter().collect();
+        }
+        if let Some(same) = self.value(known, wanted) {
+            let mut made = made();
+            let result = made.signed(same, search.facts[same.index()].residue, wanted);
+            return made.form(self, result).into_iter().collect();
+        }
+        let mut found = Vec::new();
+        for (rest, kind, b) in self.others() {
+            let mut made = made();
+            let a = if let Some(a) = self.value(known, rest) {
+                made.signed(a, search.facts[a.index()].residue, rest)
+            } else if goes > 2
+                && let Some(pair) = self.pair(known, rest)
+            {
+                made.pair(pair, rest)
+            } else {
+                continue;
+            };
+            let result = made.push(kind.op(a, b));
+            found.extend(made.form(self, result));
+        }
+        if goes > 3 {
+            for &(product, x, y) in &known.products {
+                if !self.may[x.index()] || !self.may[y.index()] {
+                    continue;
+                }
+                for (rest, kind) in [(wanted - product, Kind::Sum), (wanted + product, Kind::Difference)] {
+                    if let Some(pair) = self.pair(known, rest) {
+                        let mut made = made();
+                        let a = made.pair(pair, rest);
+                        let b = made.push(Op::Mul(x, y));
+                        let result = made.push(kind.op(a, b));
+                        found.extend(made.form(self, result));
+                    }
+                }
+            }
+        }
+        found
+    }
+}
+
+impl Known {
+    /// The values alone.
+    pub(super) fn without_pairs(&self) -> Self {
+        Self { values: self.values.clone(), ..Self::default() }
+    }
+
+    pub(super) fn of(search: &Search) -> Self {
+        let mut known = Self::default();
+        let usable: Vec<Value> = search.usable().collect();
+        let residue = |v: Value| search.facts[v.index()].residue;
+        for &v in &usable {
+            known.values.entry(residue(v).unsigned()).or_insert(v);
+        }
+        if usable.len() > MOST_IN_PAIRS {
+            return known;
+        }
+        let most = usable.len() * (usable.len() + 1) * 3 / 2;
+        known.pairs.reserve(most);
+        known.has_pair = vec![false; (8 * most).next_power_of_two()];
+        for (place, &a) in usable.iter().enumerate() {
+            for &b in &usable[place..] {
+                let (r, s) = (residue(a), residue(b));
+                known.products.push((r * s, a, b));
+                let made =
+                    [(r + s, (Kind::Sum, a, b)), (r - s, (Kind::Difference, a, b)), (r * s, (Kind::Product, a, b))];
+                for (made, pair) in made {
+                    let made = made.unsigned();
+                    let has = made.among(known.has_pair.len());
+                    known.has_pair[has] = true;
+                    known.pairs.entry(made).or_insert(pair);
+                }
+            }
+        }
+        known.pairs.remove(&Residue::ZERO);
+        known
+    }
+}
+
+/// Operations of a form.
+struct Made<'s> {
+    search: &'s Search,
+    ops: Vec<Op>,
+}
+
+impl Made<'_> {
+    fn push(&mut self, op: Op) -> Value {
+        self.ops.push(op);
+        Value::at(self.search.ops.len() + self.ops.len() - 1)
+    }
+
+    /// The form, if it is smaller.
+    fn form(self, target: &Target<'_>, result: Value) -> Option<Form> {
+        let added = self.ops.iter().filter(|op| is_counted(op)).count();
+        if added >= target.goes + usize::from(target.added.is_some()) {
+            return None;
+        }
+        let needed = || {
+            self.ops.iter().flat_map(|op| op.operands()).chain([result]).filter(|v| v.index() < self.search.ops.len())
+        };
+        let gain = self.search.freed(target.place, needed()).checked_sub(added)?;
+        if target.added.map_or(gain == 0, |added| needed().all(|v| v != added)) {
+            return None;
+        }
+        Some(Form { ops: self.ops, result, gain })
+    }
+
+    /// `value` or its negation, whichever has the residue that is wanted.
+    fn signed(&mut self, value: Value, residue: Residue, wanted: Residue) -> Value {
+        if residue == wanted { value } else { self.push(Op::Neg(value)) }
+    }
+
+    fn pair(&mut self, (kind, a, b): Pair, wanted: Residue) -> Value {
+        let residue = kind.op(a, b).map(|v| self.search.facts[v.index()].residue).value(&[]);
+        let made = self.push(kind.op(a, b));
+        self.signed(made, residue, wanted)
+    }
+}
