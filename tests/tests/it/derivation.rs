@@ -25,7 +25,7 @@ fn without_any_one_rule_a_count_rises() {
             Program::derive_without(&g, &wanted, &[*rule]).count().total() > operations
         })
     };
-    let unneeded: Vec<Rule> = sampled(rules::all()).into_iter().filter(|rule| !is_needed(rule)).collect();
+    let unneeded: Vec<Rule> = sampled(rules::all()).filter(|rule| !is_needed(rule)).collect();
     assert!(unneeded.is_empty(), "no recorded problem needs {unneeded:?}");
 }
 
