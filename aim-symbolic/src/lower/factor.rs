@@ -1,8 +1,6 @@
 //! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere; and terms of which
 //! always one is 0, by the outcome of a comparison, become one.
 
-use rustc_hash::FxHashMap;
-
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::lower::products::Open;
@@ -145,21 +143,18 @@ impl Factoring {
 
     /// The factor that most of the terms have; the first of several, `None` where each has its own.
     fn common(&self, g: &Graph, terms: &[Term]) -> Option<Factor> {
-        let mut counts: FxHashMap<Factor, usize> = FxHashMap::default();
-        let mut best: Option<(usize, Factor)> = None;
-        let products: Vec<Vec<Factor>> = terms.iter().map(|&(_, term)| self.factors(g, term)).collect();
-        for all in &products {
-            for (i, &factor) in all.iter().enumerate() {
-                *counts.entry(factor).or_default() += usize::from(!all[..i].contains(&factor));
+        let mut counts: Vec<(Factor, usize)> = Vec::new();
+        for &(_, term) in terms {
+            let all = self.factors(g, term);
+            for (_, &factor) in all.iter().enumerate().filter(|&(i, factor)| !all[..i].contains(factor)) {
+                match counts.iter_mut().find(|(known, _)| *known == factor) {
+                    Some((_, count)) => *count += 1,
+                    None => counts.push((factor, 1)),
+                }
             }
         }
-        for factor in products.into_iter().flatten() {
-            let count = counts[&factor];
-            if count > best.map_or(1, |(most, _)| most) {
-                best = Some((count, factor));
-            }
-        }
-        best.map(|(_, factor)| factor)
+        let most = counts.into_iter().rev().max_by_key(|&(_, count)| count);
+        most.filter(|&(_, count)| count > 1).map(|(factor, _)| factor)
     }
 
     /// Joins terms that are 0 on opposite sides of a comparison, those that fit best first.

@@ -27,8 +27,11 @@ pub(crate) enum Effort {
     Finish,
     /// All there is.
     Polish,
-    /// The same, and numbers made of others.
-    Last,
+    /// The same, and numbers made of others as far as that may lead to fewer operations than a rival has.
+    Last {
+        /// The rival's operations.
+        rival: Option<usize>,
+    },
 }
 
 /// So many of the ways to arrange sums and products mostly do it.
@@ -45,9 +48,9 @@ const MOST_IN_LAST: usize = 300;
 /// Sums and products in the arrangement that needs the fewest operations, of the few that are tried; for a last effort the next best
 /// after it.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Vec<Scalar>> {
-    let is_last = effort == Effort::Last;
+    let is_last = matches!(effort, Effort::Last { .. });
     let mut all = tried(fold, &outputs, rules, effort, false);
-    if is_last && rules.has(&JOIN) {
+    if is_last && rules.has(&JOIN) && all.iter().any(|&(needed, _)| needed <= MOST_IN_LAST) {
         all.extend(tried(fold, &outputs, rules, effort, true));
     }
     all.sort_by_key(|&(needed, _)| needed);
@@ -85,8 +88,8 @@ fn tried(
     ];
     let count = match effort {
         Effort::Compare => 1,
-        Effort::Polish | Effort::Last if cfg!(not(aim_small)) => tries.len(),
-        Effort::Finish | Effort::Polish | Effort::Last => USUAL_TRIES,
+        Effort::Polish | Effort::Last { .. } if cfg!(not(aim_small)) => tries.len(),
+        Effort::Finish | Effort::Polish | Effort::Last { .. } => USUAL_TRIES,
     };
     let (mut all, mut best, mut least) = (Vec::new(), outputs.to_vec(), usize::MAX);
     for (number, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {

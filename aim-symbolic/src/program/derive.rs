@@ -86,8 +86,8 @@ impl Choices {
 const SMALL: usize = 100;
 
 /// A program that is larger than another by less than one part in so many may become smaller by being arranged, and so may one no
-/// larger than this.
-const NEAR: usize = 8;
+/// larger than this; by numbers made of others, also one that is [`SMALL`].
+const NEAR: usize = 2;
 const MOST_PLAIN: usize = 300;
 
 /// How many ways to share rotations between the sides of dots, and how many frames, are compared.
@@ -126,37 +126,29 @@ impl Program {
 /// every arrangement is compared, and what a choice made worthwhile is tried again. Beside them is the smallest by none but the rules
 /// of arithmetic: rewriting may not lose against doing nothing.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
-    let (mut best, is_rewritten) = smallest(g, wanted, without, usize::MAX);
-    let is_rewritten = is_rewritten || cfg!(not(aim_small)) && best.is_rewritten();
-    best = best.last(without);
-    if is_rewritten {
+    let (mut best, is_rewritten) = smallest(g, wanted, without, None);
+    if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
         let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
-        let near = cost(&best.program).0;
-        let worth = (near + near / NEAR).max(MOST_PLAIN);
-        let (mut plain, _) = smallest(g, wanted, &off, worth);
-        if cost(&plain.program).0 <= worth {
-            plain = plain.last(&off);
-        }
+        let (mut plain, _) = smallest(g, wanted, &off, Some(cost(&best.program).0));
         plain.choices.without.extend(off);
         best = best.or_better(plain);
     }
     (best.program.finished(), best.choices)
 }
 
-/// The smallest of the programs by the rules that apply, and whether any does; a long one is arranged only if it
-/// has no more operations than `worth`.
-fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], worth: usize) -> (Way, bool) {
+/// The smallest of the programs by the rules that apply, and whether any does; it is arranged as far as it may become smaller than
+/// a `rival` of so many operations.
+fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> (Way, bool) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
     if best.is_small() {
         best.arrange(without, Effort::Finish);
         best = best.improved_again(&changes, g, wanted, without);
-        best = best.polished(g, wanted, without, Effort::Finish);
     } else {
         best = best.improved(&changes, g, wanted, without, Effort::Compare);
-        if cost(&best.program).0 <= worth {
-            best = best.polished(g, wanted, without, Effort::Compare);
-        }
+    }
+    if rival.is_none_or(|rival| cost(&best.program).0 <= (rival + rival / NEAR).max(MOST_PLAIN)) {
+        best = best.polished(g, wanted, without, rival);
     }
     (best, is_rewritten)
 }
@@ -248,30 +240,33 @@ impl Way {
         best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
-    /// The way with numbers made of others, where that is smaller.
-    fn last(self, without: &[Rule]) -> Self {
-        if cfg!(aim_small) || !self.program.is_resubstitutable() {
-            return self;
-        }
-        let mut last = self.clone();
-        last.arrange(without, Effort::Last);
-        self.or_better(last)
-    }
-
     /// The way arranged as well as can be; or with more derivatives taken forward, where that is smaller then.
-    fn polished(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
+    fn polished(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> Self {
         if cfg!(aim_small) {
             self.arrange(without, Effort::Polish);
             return self;
         }
-        let changes = self.forward(wanted, true);
-        let mut other = self.clone().improved(&changes, stated, wanted, without, effort);
-        self.arrange(without, Effort::Polish);
+        let effort = if self.is_small() { Effort::Finish } else { Effort::Compare };
+        let mut other = self.clone().improved(&self.forward(wanted, true), stated, wanted, without, effort);
+        self.settle(without, rival);
         if other.choices == self.choices {
             return self;
         }
-        other.arrange(without, Effort::Polish);
+        other.settle(without, rival);
         self.or_better(other)
+    }
+
+    /// Arranges it as far as it may become smaller than a rival.
+    fn settle(&mut self, without: &[Rule], rival: Option<usize>) {
+        if let Some(rival) = rival {
+            // What comes of it may not depend on the trial.
+            let mut trial = self.clone();
+            trial.arrange(without, Effort::Polish);
+            if cost(&trial.program).0 > (rival + rival / NEAR).max(SMALL) {
+                return;
+            }
+        }
+        self.arrange(without, Effort::Last { rival });
     }
 
     /// The rivals with a derivative taken forward: by numbers that sines and cosines are of, which are each other's derivatives;

@@ -50,10 +50,14 @@ impl Program {
             arrangements.extend(moved);
         }
         *g = lowering.fold.g;
-        let resubstitutes = cfg!(not(aim_small)) && rules.has(&RESUBSTITUTE) && effort == Effort::Last;
         let programs = arrangements.iter().map(|lowered| {
             let program = Self::scheduled(g, lowered, rules);
-            if resubstitutes { program.resubstituted() } else { program }
+            match effort {
+                Effort::Last { rival } if cfg!(not(aim_small)) && rules.has(&RESUBSTITUTE) => {
+                    program.resubstituted(rival)
+                }
+                _ => program,
+            }
         });
         programs.min_by_key(|program| program.count().total()).expect("there is an arrangement")
     }

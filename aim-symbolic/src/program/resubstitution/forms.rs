@@ -33,10 +33,9 @@ pub(super) type Pair = (Kind, Value, Value);
 #[derive(Default)]
 pub(super) struct Known {
     pub(super) values: FxHashMap<Residue, Value>,
-    pub(super) pairs: FxHashMap<Residue, Pair>,
-    /// False where there is no pair with such a residue: mostly there is none, and this tells at once.
-    has_pair: Vec<bool>,
-    products: Vec<(Residue, Value, Value)>,
+    pub(super) pairs: Pairs,
+    /// Products, and how they are put to what is left without them.
+    products: Vec<(Residue, Kind, Value, Value)>,
 }
 
 /// A step that may be made of others.
@@ -67,15 +66,15 @@ impl<'s> Target<'s> {
         if goes < 2 && !is_known {
             return None;
         }
+        let sources = search.facts[place.index()].sources;
         let mut after = vec![false; search.ops.len()];
-        after[place.index()] = true;
-        for &v in &search.order {
-            after[v.index()] |= search.ops[v.index()].operands().any(|part| after[part.index()]);
-        }
         let mut may = vec![false; search.ops.len()];
+        let mut is_past = false;
         for &v in &search.order {
-            may[v.index()] =
-                !after[v.index()] && search.facts[v.index()].sources.are_among(search.facts[place.index()].sources);
+            is_past |= v == place;
+            after[v.index()] =
+                is_past && (v == place || search.ops[v.index()].operands().any(|part| after[part.index()]));
+            may[v.index()] = !after[v.index()] && search.facts[v.index()].sources.are_among(sources);
         }
         Some(Self { search, place, wanted, goes, added: None, may })
     }
@@ -90,20 +89,13 @@ impl<'s> Target<'s> {
     }
 
     fn pair(&self, known: &Known, residue: Residue) -> Option<Pair> {
-        let residue = residue.unsigned();
-        if !known.has_pair.get(residue.among(known.has_pair.len())).is_some_and(|&has| has) {
-            return None;
-        }
-        known.pairs.get(&residue).copied().filter(|(_, a, b)| self.may[a.index()] && self.may[b.index()])
-    }
-
-    fn at_hand(&self) -> impl Iterator<Item = Value> {
-        self.search.usable().filter(|v| self.may[v.index()])
+        known.pairs.get(residue.unsigned()).filter(|(_, a, b)| self.may[a.index()] && self.may[b.index()])
     }
 
     /// The residue that makes the target together with a value at hand, which comes second.
     fn others(&self) -> impl Iterator<Item = (Residue, Kind, Value)> {
-        self.at_hand().flat_map(move |v| {
+        let at_hand = |v: &Value| self.may[v.index()] && self.added.is_none_or(|added| *v == added);
+        self.search.usable().filter(at_hand).flat_map(move |v| {
             let r = self.search.facts[v.index()].residue;
             [
                 (self.wanted - r, Kind::Sum, v),
@@ -152,18 +144,16 @@ impl<'s> Target<'s> {
             found.extend(made.form(self, result));
         }
         if goes > 3 {
-            for &(product, x, y) in &known.products {
-                if !self.may[x.index()] || !self.may[y.index()] {
-                    continue;
-                }
-                for (rest, kind) in [(wanted - product, Kind::Sum), (wanted + product, Kind::Difference)] {
-                    if let Some(pair) = self.pair(known, rest) {
-                        let mut made = made();
-                        let a = made.pair(pair, rest);
-                        let b = made.push(Op::Mul(x, y));
-                        let result = made.push(kind.op(a, b));
-                        found.extend(made.form(self, result));
-                    }
+            for &(product, kind, x, y) in &known.products {
+                if self.may[x.index()]
+                    && self.may[y.index()]
+                    && let Some(pair) = self.pair(known, wanted - product)
+                {
+                    let mut made = made();
+                    let a = made.pair(pair, wanted - product);
+                    let b = made.push(Op::Mul(x, y));
+                    let result = made.push(kind.op(a, b));
+                    found.extend(made.form(self, result));
                 }
             }
         }
@@ -188,24 +178,57 @@ impl Known {
             return known;
         }
         let most = usable.len() * (usable.len() + 1) * 3 / 2;
-        known.pairs.reserve(most);
-        known.has_pair = vec![false; (8 * most).next_power_of_two()];
+        known.pairs.slots = vec![None; (2 * most).next_power_of_two()];
         for (place, &a) in usable.iter().enumerate() {
             for &b in &usable[place..] {
                 let (r, s) = (residue(a), residue(b));
-                known.products.push((r * s, a, b));
+                known.products.push((r * s, Kind::Sum, a, b));
+                known.products.push((-(r * s), Kind::Difference, a, b));
                 let made =
                     [(r + s, (Kind::Sum, a, b)), (r - s, (Kind::Difference, a, b)), (r * s, (Kind::Product, a, b))];
                 for (made, pair) in made {
-                    let made = made.unsigned();
-                    let has = made.among(known.has_pair.len());
-                    known.has_pair[has] = true;
-                    known.pairs.entry(made).or_insert(pair);
+                    known.pairs.insert(made.unsigned(), pair);
                 }
             }
         }
-        known.pairs.remove(&Residue::ZERO);
         known
+    }
+}
+
+/// Pairs by their residues, with open addressing: fast without optimisation too, which is how macros run.
+#[derive(Default)]
+pub(super) struct Pairs {
+    slots: Vec<Option<(Residue, Pair)>>,
+}
+
+impl Pairs {
+    pub(super) fn is_empty(&self) -> bool {
+        self.slots.is_empty()
+    }
+
+    pub(super) fn get(&self, residue: Residue) -> Option<Pair> {
+        if self.is_empty() {
+            return None;
+        }
+        self.slots[self.place(residue)].map(|(_, pair)| pair)
+    }
+
+    /// Of several pairs with one residue the first stays; there is none for 0.
+    fn insert(&mut self, residue: Residue, pair: Pair) {
+        let place = self.place(residue);
+        if residue != Residue::ZERO && self.slots[place].is_none() {
+            self.slots[place] = Some((residue, pair));
+        }
+    }
+
+    fn place(&self, residue: Residue) -> usize {
+        let mut place = residue.among(self.slots.len());
+        while let Some((known, _)) = self.slots[place]
+            && known != residue
+        {
+            place = (place + 1) % self.slots.len();
+        }
+        place
     }
 }
 

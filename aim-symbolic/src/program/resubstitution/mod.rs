@@ -33,21 +33,23 @@ const MOST_SOURCES: usize = 256;
 /// So many of the points at least have to be within the domain.
 const LEAST_POINTS: usize = 2;
 
-impl Program {
-    /// True if it is short enough for the steps to be made of others.
-    pub(super) fn is_resubstitutable(&self) -> bool {
-        self.ops().iter().filter(|op| op.is_step()).count() <= MOST_STEPS
-    }
+/// With so many operations more than a rival's, shared pairs will hardly make it smaller than that.
+const FAR_BEHIND: usize = 24;
 
-    /// The program with steps made of others, where that takes fewer operations.
-    pub(super) fn resubstituted(&self) -> Self {
-        let mut search = Search::new(self);
+impl Program {
+    /// The program with steps made of others, where that takes fewer operations; it is given up where a rival stays ahead.
+    pub(super) fn resubstituted(self, rival: Option<usize>) -> Self {
+        if self.ops().iter().filter(|op| op.is_step()).count() > MOST_STEPS {
+            return self;
+        }
+        let mut search = Search::new(&self);
         if search.points.len() < LEAST_POINTS || search.all_sources.len() > MOST_SOURCES {
-            return self.clone();
+            return self;
         }
         loop {
             let known = search.improved();
-            if !search.shares(&known) {
+            let is_behind = rival.is_some_and(|rival| search.operations() > rival + FAR_BEHIND);
+            if is_behind || !search.shares(&known) {
                 break;
             }
         }
@@ -55,17 +57,16 @@ impl Program {
     }
 
     /// The same inputs with the operations that the search has left.
-    fn with(&self, search: &Search) -> Self {
+    fn with(mut self, search: &Search) -> Self {
         let mut places = vec![Value::at(0); search.ops.len()];
         let mut ops = Vec::new();
         for &v in &search.order {
             places[v.index()] = Value::at(ops.len());
             ops.push(search.ops[v.index()].map(|part| places[part.index()]));
         }
-        let mut program = self.clone();
-        program.replace(ops, search.outputs.iter().map(|v| places[v.index()]).collect());
-        program.number();
-        program
+        self.replace(ops, search.outputs.iter().map(|v| places[v.index()]).collect());
+        self.number();
+        self
     }
 }
 
@@ -112,7 +113,7 @@ impl Search {
         let mut all: Vec<_> = targets.into_iter().filter(|(_, (_, of))| of.len() > 1).collect();
         all.sort_unstable_by_key(|&(pair, (gain, _))| (Reverse(gain), pair));
         all.into_iter().take(MOST_SHARED).any(|(residue, (_, targets))| {
-            let (kind, a, b) = known.pairs[&residue];
+            let Some((kind, a, b)) = known.pairs.get(residue) else { return false };
             let before = (self.operations(), self.ops.clone(), self.outputs.clone());
             self.push(kind.op(a, b), true);
             let pair = Value::at(self.ops.len() - 1);

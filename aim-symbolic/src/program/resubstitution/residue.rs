@@ -21,9 +21,8 @@ impl Residue {
 
     /// 2⁶¹ is 1.
     fn of(x: u128) -> Self {
-        let low = |x: u128| u64::try_from(x & u128::from(PRIME)).unwrap_or_default();
-        let sum = low(x) + low(x >> 61);
-        Self(if sum >= PRIME { sum - PRIME } else { sum })
+        let low = |x: u128| Self(u64::try_from(x & u128::from(PRIME)).unwrap_or_default());
+        low(x) + low(x >> 61)
     }
 
     /// As good as random.
@@ -78,7 +77,8 @@ impl Add for Residue {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        Self::of(u128::from(self.0) + u128::from(other.0))
+        let sum = self.0 + other.0;
+        Self(if sum >= PRIME { sum - PRIME } else { sum })
     }
 }
 
@@ -94,7 +94,7 @@ impl Sub for Residue {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self + -other
+        Self(if self.0 >= other.0 { self.0 - other.0 } else { self.0 + PRIME - other.0 })
     }
 }
 
