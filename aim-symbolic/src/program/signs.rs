@@ -3,7 +3,8 @@
 //! Folding moves every negation outward, in the end to the outputs, where each costs an instruction. Here a program is
 //! written anew with some of its values stored negated: a sum of values of unlike signs is a difference, and of a
 //! difference either sign is to be had. Only signs change, never the rounding or the number of counted operations (of
-//! zeros the sign may differ).
+//! zeros the sign may differ). Of −(a − b) it does: that is −0 where a = b, with the angle −π behind what a − b has π for. So the
+//! differences that angles are taken of come first.
 
 use std::ops::Range;
 
@@ -27,14 +28,16 @@ struct Written {
     ops: Vec<Op>,
     outputs: Vec<Value>,
     stored: Vec<Stored>,
+    /// The angles of a negated ordinate.
+    angles: usize,
     negations: usize,
 }
 
 impl Program {
     /// Takes out the negations that cost nothing to avoid.
     ///
-    /// For each negated output the differences behind it are turned, first through left operands, then through right ones;
-    /// what leaves fewer negations is kept. The number of trials is bounded, so is the work.
+    /// For each negated ordinate of an angle and each negated output the differences behind it are turned, first through left
+    /// operands, then through right ones; what leaves fewer negations is kept. The number of trials is bounded, so is the work.
     pub(crate) fn settle_signs(&mut self) {
         let mut turned = vec![false; self.ops().len()];
         let mut best = self.written(&turned);
@@ -46,15 +49,19 @@ impl Program {
     }
 
     fn better(&self, turned: &[bool], best: &Written, trials: &mut Range<usize>) -> Option<(Vec<bool>, Written)> {
-        let negated = self.outputs().iter().filter(|v| best.stored[v.index()].negated);
-        negated.flat_map(|&output| [(output, false), (output, true)]).find_map(|(output, right_first)| {
+        let ordinates = self.ops().iter().filter_map(|op| match op {
+            Op::Atan2(y, _) => Some(y),
+            _ => None,
+        });
+        let negated = ordinates.chain(self.outputs()).filter(|v| best.stored[v.index()].negated);
+        negated.flat_map(|&value| [(value, false), (value, true)]).find_map(|(value, right_first)| {
             trials.next()?;
             let mut trial = turned.to_vec();
             let mut search =
                 Search { program: self, right_first, stored: &best.stored, steps: self.ops().len(), depth: DEEPEST };
-            search.turn(output, &mut trial)?;
+            search.turn(value, &mut trial)?;
             let written = self.written(&trial);
-            (written.negations < best.negations).then_some((trial, written))
+            ((written.angles, written.negations) < (best.angles, best.negations)).then_some((trial, written))
         })
     }
 
@@ -73,7 +80,7 @@ impl Program {
 
     /// The program with these differences turned round.
     fn written(&self, turned: &[bool]) -> Written {
-        let mut new = Written { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), negations: 0 };
+        let mut new = Written { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), angles: 0, negations: 0 };
         for (&op, &turned) in self.ops().iter().zip(turned) {
             let at = |v: Value| new.stored[v.index()];
             let stored = match op {
@@ -91,6 +98,7 @@ impl Program {
                     new.push(Op::SelectLess(a, b, then.value, otherwise.value), then.negated)
                 }
                 op => {
+                    new.angles += usize::from(matches!(op, Op::Atan2(y, _) if at(y).negated));
                     let op = op.map(|v| new.plain(new.stored[v.index()]));
                     new.push(op, false)
                 }

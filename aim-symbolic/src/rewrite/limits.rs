@@ -75,7 +75,7 @@ impl Product {
             divisors.extend(self.powers.iter().filter_map(|&(factor, _)| Vanishing::base_of_function(g, factor)));
         }
         let mut known = FxHashSet::default();
-        divisors.retain(|&divisor| known.insert(divisor));
+        divisors.retain(|&divisor| known.insert(divisor) && !g.is_never_zero(divisor));
         divisors
     }
 

@@ -26,6 +26,12 @@ macro_rules! functions {
             pub(super) fn atanh(x: $real) -> $real {
                 x.atanh()
             }
+            /// Odds by a probability p = 1/(1 + e⁻ʷ).
+            #[differentiate(wrt(w, x))]
+            pub(super) fn odds(w: $real, x: $real) -> $real {
+                let p = 1.0 / (1.0 + (-w).exp());
+                (1.0 - p) / (x + p)
+            }
             #[differentiate(wrt(x))]
             pub(super) fn roundings(x: $real) -> [$real; 5] {
                 [x.floor(), x.ceil(), x.round(), x.trunc(), x.fract()]
@@ -159,6 +165,12 @@ fn roundings_are_flat() {
             assert_eq!(single::roundings_jacobian(x), (single::roundings(x), ([0.0, 0.0, 0.0, 0.0, 1.0],)), "{x}");
         }
     }
+}
+
+#[test]
+fn what_is_finite_is_not_multiplied_by_what_overflows() {
+    assert_eq!(single::odds_gradient(-100.0, 2.0), (0.5, (0.0, -0.25)));
+    assert_eq!(double::odds_gradient(-800.0, 2.0), (0.5, (0.0, -0.25)));
 }
 
 #[test]

@@ -51,6 +51,24 @@ macro_rules! objectives {
             -((p - pitch.x) * (pitch.y - p)).ln() - ((h - heading.x) * (heading.y - h)).ln()
         }
 
+        /// The angle of what stands aside by a difference.
+        #[differentiate(wrt(a, b))]
+        pub(super) fn left(a: $real, b: $real, ahead: $real) -> $real {
+            (a - b).atan2(a * ahead)
+        }
+
+        /// The same the other way round.
+        #[differentiate(wrt(a, b))]
+        pub(super) fn right(a: $real, b: $real, ahead: $real) -> $real {
+            (b - a).atan2(a * ahead)
+        }
+
+        /// The same by a multiple, with a sum behind.
+        #[differentiate(wrt(a, b))]
+        pub(super) fn wide(a: $real, b: $real, ahead: $real) -> $real {
+            (3.0 * (b - a)).atan2(ahead - a * b)
+        }
+
         /// The length of a displacement in which reluctant joints count more.
         #[differentiate(wrt(angles), budget = 21)]
         pub(super) fn displacement(angles: [$real; 4], stiffness: [$real; 4]) -> $real {
@@ -235,6 +253,17 @@ fn saturated_angle() {
     for (x, expected) in [(0.0, [1.0, 0.0]), (1e4, [0.0, 1.0]), (-1e4, [0.0, -1.0])] {
         let point = [x, 1.0];
         singular(&point, double::saturated, double::saturated_gradient, single::saturated_gradient, &expected);
+    }
+}
+
+/// Behind, the angle of 0 is π and that of −0 is −π: a difference of equals is 0, whichever way round its derivatives need it.
+#[test]
+fn what_is_right_behind_is_on_the_side_that_is_written() {
+    for gradient in [double::left_gradient, double::right_gradient, double::wide_gradient] {
+        assert_eq!(gradient(1.5, 1.5, -2.0).0, std::f64::consts::PI);
+    }
+    for gradient in [single::left_gradient, single::right_gradient, single::wide_gradient] {
+        assert_eq!(gradient(1.5, 1.5, -2.0).0, std::f32::consts::PI);
     }
 }
 
