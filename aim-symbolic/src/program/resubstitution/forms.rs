@@ -179,6 +179,7 @@ impl Known {
         }
         let most = usable.len() * (usable.len() + 1) * 3 / 2;
         known.pairs.slots = vec![None; (2 * most).next_power_of_two()];
+        known.pairs.bits = vec![0; (most / 4).next_power_of_two()];
         for (place, &a) in usable.iter().enumerate() {
             for &b in &usable[place..] {
                 let (r, s) = (residue(a), residue(b));
@@ -199,6 +200,8 @@ impl Known {
 #[derive(Default)]
 pub(super) struct Pairs {
     slots: Vec<Option<(Residue, Pair)>>,
+    /// A bit for each that there is, so small that it stays in the cache: of most residues there is no pair.
+    bits: Vec<u64>,
 }
 
 impl Pairs {
@@ -207,7 +210,7 @@ impl Pairs {
     }
 
     pub(super) fn get(&self, residue: Residue) -> Option<Pair> {
-        if self.is_empty() {
+        if self.is_empty() || self.bits[residue.among(self.bits.len())] & residue.bit() == 0 {
             return None;
         }
         self.slots[self.place(residue)].map(|(_, pair)| pair)
@@ -215,7 +218,8 @@ impl Pairs {
 
     /// Of several pairs with one residue the first stays; there is none for 0.
     fn insert(&mut self, residue: Residue, pair: Pair) {
-        let place = self.place(residue);
+        let (place, word) = (self.place(residue), residue.among(self.bits.len()));
+        self.bits[word] |= residue.bit();
         if residue != Residue::ZERO && self.slots[place].is_none() {
             self.slots[place] = Some((residue, pair));
         }

@@ -59,6 +59,11 @@ impl Residue {
         usize::try_from(self.0).unwrap_or_default() & count.wrapping_sub(1)
     }
 
+    /// One bit of 64, by others than [`among`](Self::among) looks at.
+    pub(super) fn bit(self) -> u64 {
+        1 << ((self.0 >> 54) % 64)
+    }
+
     /// The same for x and −x.
     pub(super) fn unsigned(self) -> Self {
         Self(self.0.min((-self).0))
