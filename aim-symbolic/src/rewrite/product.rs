@@ -30,13 +30,11 @@ impl Graph {
         }
     }
 
-    /// True of a sum with an exponential that is never 0. Nothing vanishes with it, and multiplied by it, what is finite may be
-    /// infinite.
+    /// True of an exponential, or a sum with one, that is never 0. Nothing vanishes with it, and multiplied by it, what is finite may
+    /// be infinite.
     pub(super) fn is_never_zero(&self, s: Scalar) -> bool {
         let is_exponential = |s: Scalar| matches!(self.scalar_node(s), ScalarNode::Op(Op::Call(Function::Exp, _)));
-        matches!(self.scalar_node(s), ScalarNode::Op(Op::Add(..)))
-            && self.is_length(s)
-            && terms(self, s).into_iter().any(is_exponential)
+        self.is_length(s) && terms(self, s).into_iter().any(is_exponential)
     }
 
     /// (1 − a)(1 + a), which keeps its digits near 1.

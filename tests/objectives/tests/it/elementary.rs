@@ -32,6 +32,12 @@ macro_rules! functions {
                 let p = 1.0 / (1.0 + (-w).exp());
                 (1.0 - p) / (x + p)
             }
+            /// A share that goes from x to 1 as e²ʷ goes from infinity to 0.
+            #[differentiate(wrt(w, x))]
+            pub(super) fn bound(w: $real, x: $real) -> $real {
+                let a = (2.0 * w).exp();
+                (x + 1.0 / a) / (1.0 + 1.0 / a)
+            }
             #[differentiate(wrt(x))]
             pub(super) fn roundings(x: $real) -> [$real; 5] {
                 [x.floor(), x.ceil(), x.round(), x.trunc(), x.fract()]
@@ -171,6 +177,8 @@ fn roundings_are_flat() {
 fn what_is_finite_is_not_multiplied_by_what_overflows() {
     assert_eq!(single::odds_gradient(-100.0, 2.0), (0.5, (0.0, -0.25)));
     assert_eq!(double::odds_gradient(-800.0, 2.0), (0.5, (0.0, -0.25)));
+    assert_eq!(single::bound_gradient(100.0, 2.0).0, 2.0);
+    assert_eq!(double::bound_gradient(400.0, 2.0).0, 2.0);
 }
 
 #[test]
