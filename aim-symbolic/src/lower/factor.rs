@@ -146,7 +146,10 @@ impl Factoring {
         let mut counts: Vec<(Factor, usize)> = Vec::new();
         for &(_, term) in terms {
             let all = self.factors(g, term);
-            for (_, &factor) in all.iter().enumerate().filter(|&(i, factor)| !all[..i].contains(factor)) {
+            for (i, &factor) in all.iter().enumerate() {
+                if all[..i].contains(&factor) {
+                    continue;
+                }
                 match counts.iter_mut().find(|(known, _)| *known == factor) {
                     Some((_, count)) => *count += 1,
                     None => counts.push((factor, 1)),

@@ -147,7 +147,7 @@ fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) 
     } else {
         best = best.improved(&changes, g, wanted, without, Effort::Compare);
     }
-    if rival.is_none_or(|rival| cost(&best.program).0 <= (rival + rival / NEAR).max(MOST_PLAIN)) {
+    if rival.is_none_or(|rival| best.is_near(rival, MOST_PLAIN)) {
         best = best.polished(g, wanted, without, rival);
     }
     (best, is_rewritten)
@@ -208,6 +208,11 @@ impl Way {
         cost(&self.program).0 <= SMALL
     }
 
+    /// True if it has hardly more operations than a rival, or no more than `few`.
+    fn is_near(&self, rival: usize, few: usize) -> bool {
+        cost(&self.program).0 <= (rival + rival / NEAR).max(few)
+    }
+
     /// True if a rule was applied, other than those of limits.
     fn is_rewritten(&self) -> bool {
         self.log.applied.iter().any(|done| !LIMITS.rules.contains(&done.rule))
@@ -262,7 +267,7 @@ impl Way {
             // What comes of it may not depend on the trial.
             let mut trial = self.clone();
             trial.arrange(without, Effort::Polish);
-            if cost(&trial.program).0 > (rival + rival / NEAR).max(SMALL) {
+            if !trial.is_near(rival, SMALL) {
                 return;
             }
         }

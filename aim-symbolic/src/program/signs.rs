@@ -3,8 +3,8 @@
 //! Folding moves every negation outward, in the end to the outputs, where each costs an instruction. Here a program is
 //! written anew with some of its values stored negated: a sum of values of unlike signs is a difference, and of a
 //! difference either sign is to be had. Only signs change, never the rounding or the number of counted operations (of
-//! zeros the sign may differ). Of −(a − b) it does: that is −0 where a = b, with the angle −π behind what a − b has π for. So the
-//! differences that angles are taken of come first.
+//! zeros the sign may differ). Where a = b, −(a − b) is −0, and the angle −π instead of π: so the differences that angles are taken of
+//! are turned first.
 
 use std::ops::Range;
 

@@ -178,8 +178,7 @@ impl Known {
             return known;
         }
         let most = usable.len() * (usable.len() + 1) * 3 / 2;
-        known.pairs.slots = vec![None; (2 * most).next_power_of_two()];
-        known.pairs.bits = vec![0; (most / 4).next_power_of_two()];
+        known.pairs = Pairs::with_room_for(most);
         for (place, &a) in usable.iter().enumerate() {
             for &b in &usable[place..] {
                 let (r, s) = (residue(a), residue(b));
@@ -205,6 +204,10 @@ pub(super) struct Pairs {
 }
 
 impl Pairs {
+    fn with_room_for(most: usize) -> Self {
+        Self { slots: vec![None; (2 * most).next_power_of_two()], bits: vec![0; (most / 4).next_power_of_two()] }
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.slots.is_empty()
     }

@@ -12,7 +12,7 @@ pub(super) struct Rounded {
 }
 
 impl Rounded {
-    /// What comes with no rounding but its own.
+    /// A number that nothing was rounded for.
     fn exact(value: f64) -> Self {
         Self { value, bound: 0.0 }
     }
