@@ -92,13 +92,20 @@ fn tried(
         Effort::Finish | Effort::Polish | Effort::Last { .. } => USUAL_TRIES,
     };
     let (mut all, mut best, mut least) = (Vec::new(), outputs.to_vec(), usize::MAX);
+    let mut shared: Vec<(Vec<Scalar>, Open, Vec<Scalar>)> = Vec::new();
     for (number, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
         if number >= USUAL_TRIES && least > MOST_OPERATIONS {
             break;
         }
-        let mut tried = if of_best { best.clone() } else { outputs.to_vec() };
-        if rules.has(&SHARE) {
-            tried = share_products(fold, &tried, products, joins);
+        let start = if of_best { &best } else { outputs };
+        let known = shared.iter().find(|(from, open, _)| *open == products && from == start);
+        let mut tried = match known {
+            Some((.., made)) => made.clone(),
+            None if rules.has(&SHARE) => share_products(fold, start, products, joins),
+            None => start.to_vec(),
+        };
+        if known.is_none() {
+            shared.push((start.to_vec(), products, tried.clone()));
         }
         if rules.has(&FACTOR) {
             tried = factor(fold, &tried, factors, joins);

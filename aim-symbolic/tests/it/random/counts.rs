@@ -4,12 +4,10 @@ use std::cell::RefCell;
 
 use aim_symbolic::rules::Rule;
 use aim_symbolic::{Program, Scalar, Want};
-use fastrand::Rng;
 
-use super::derivatives::wanted;
-use super::judge::{for_each, single_rules, smallest_failure};
+use super::judge::{Verdict, for_each, single_rules, smallest_failure};
 use super::plain;
-use super::recipe::Recipe;
+use super::recipe::{Recipe, Stated};
 
 /// Rules that only take away, or write the same in other words. Of the others each may raise a count by itself: what it
 /// takes apart is shared, or others finish what it begins.
@@ -121,24 +119,30 @@ fn no_rule_alone_raises_the_count() {
     assert!(changes.borrow().iter().all(|change| change.raised == 0), "rules raise counts: see above");
 }
 
-/// The operations of a derivation with the rules and without them.
-fn derivation(recipe: &Recipe, off: &[Rule]) -> (usize, usize) {
-    let mut stated = recipe.build();
-    let wanted: Vec<Want> = wanted(&stated, &mut Rng::with_seed(recipe.seed));
-    let g = &mut stated.pools.g;
-    let without = operations(&Program::derive_without(g, &wanted, off));
-    (without, operations(&Program::derive_wanted(g, &wanted)))
+/// Derivations beside the same without rules.
+pub(crate) struct Comparison {
+    off: Vec<Rule>,
+    change: RefCell<Change>,
 }
 
-#[test]
-fn no_derivation_is_larger_than_without_the_rules() {
-    // Those of limits are no matter of counts.
-    let off: Vec<Rule> = single_rules().iter().filter(|(set, ..)| *set != "limits").map(|(_, rule, _)| *rule).collect();
-    let change = RefCell::new(Change::default());
-    for_each(10_000, 8, |recipe| {
-        let (without, with) = derivation(recipe, &off);
-        change.borrow_mut().add(without, with);
+impl Default for Comparison {
+    fn default() -> Self {
+        // Those of limits are no matter of counts.
+        let of_counts = single_rules().into_iter().filter(|(set, ..)| *set != "limits");
+        Self { off: of_counts.map(|(_, rule, _)| rule).collect(), change: RefCell::default() }
+    }
+}
+
+impl Comparison {
+    /// That `program` takes no more operations than what is derived without the rules.
+    pub(crate) fn is_no_larger(&self, stated: &Stated, wanted: &[Want], program: &Program) -> Verdict {
+        let plain = Program::derive_without(&stated.pools.g, wanted, &self.off);
+        let (without, with) = (operations(&plain), operations(program));
+        self.change.borrow_mut().add(without, with);
         if with > without { Err(format!("{with} operations instead of {without}")) } else { Ok(()) }
-    });
-    change.borrow().tell("all rules");
+    }
+
+    pub(crate) fn tell(&self) {
+        self.change.borrow().tell("all rules");
+    }
 }

@@ -1,17 +1,20 @@
-//! Whole derivations: values, first and second derivatives by the program are those by dual numbers.
+//! Whole derivations: values, first and second derivatives by the program are those by dual numbers, it is no larger than without
+//! the rules, and the same statement always leads to the same program.
 
 use std::cell::Cell;
 
 use aim_symbolic::rules::{ARITHMETIC, Rule};
-use aim_symbolic::{Bindings, Graph, InputKind, Program, Variable, Want};
+use aim_symbolic::{Bindings, Graph, InputKind, Program, Variable, Want, print};
 use fastrand::Rng;
 
 use super::bounded::Bounded;
+use super::counts::Comparison;
 use super::dual::{Dual, Oracle};
 use super::evaluate::Evaluation;
 use super::field::Field;
 use super::judge::{Regular, Tally, Verdict, anywhere, for_each, regular, same, single_rules};
 use super::material::moving;
+use super::plain;
 use super::recipe::{Recipe, Stated};
 
 /// Random questions: values, their derivatives by one to three variables, or second derivatives.
@@ -89,16 +92,39 @@ fn derived(
     judge(&mut stated, &regular, &wanted, &mut random)
 }
 
+/// Each statement is derived once, and all is asked of that program: the rest costs little beside it.
 #[test]
-fn derived_programs_agree_with_dual_numbers() {
-    let tally = Tally::default();
+fn derived_programs_are_right_small_and_the_same_each_time() {
+    let (exact, rounded, comparison) = (Tally::default(), Tally::default(), Comparison::default());
     for_each(30_000, 8, |recipe| {
-        derived(recipe, &tally, |stated, regular, wanted, _| {
-            let program = Program::derive_without(&stated.pools.g, wanted, regular.without());
-            agree(stated, regular.evaluation.inputs(), wanted, &program, "derived")
-        })
+        let stated = recipe.build();
+        let wanted = wanted(&stated, &mut Rng::with_seed(recipe.seed));
+        let program = Program::derive_wanted(&stated.pools.g, &wanted);
+        match regular(&stated, recipe.seed) {
+            Some(regular) => {
+                exact.judge();
+                let inputs = regular.evaluation.inputs();
+                match regular.without() {
+                    [] => agree(&stated, inputs, &wanted, &program, "derived")?,
+                    off => {
+                        let program = Program::derive_without(&stated.pools.g, &wanted, off);
+                        agree(&stated, inputs, &wanted, &program, "derived without rules of lengths")?;
+                    }
+                }
+            }
+            None => exact.discard()?,
+        }
+        if !recipe.seed.is_multiple_of(3) {
+            agree_within_rounding(recipe, &stated, &wanted, &program, &rounded)?;
+        }
+        if recipe.seed.is_multiple_of(3) {
+            comparison.is_no_larger(&stated, &wanted, &program)?;
+        }
+        if recipe.seed.is_multiple_of(6) { derives_again(recipe, &wanted, &program) } else { Ok(()) }
     });
-    tally.assert_few_discards();
+    exact.assert_few_discards();
+    rounded.assert_few_discards();
+    comparison.tell();
 }
 
 #[test]
@@ -134,37 +160,44 @@ fn bindings(g: &Graph, inputs: &[Bounded]) -> Bindings {
     Bindings::new(g, &given, &angles)
 }
 
-#[test]
-fn derived_programs_agree_with_dual_numbers_within_rounding() {
-    let tally = Tally::default();
-    for_each(20_000, 8, |recipe| {
-        let stated = recipe.build();
-        let mut random = Rng::with_seed(recipe.seed);
-        let wanted = wanted(&stated, &mut random);
-        let mut evaluation: Evaluation<Bounded> = anywhere(recipe.seed);
-        let known = stated.outputs.iter().all(|&s| evaluation.scalar(&stated.pools.g, s).is_known());
-        if !known || evaluation.singular {
-            return tally.discard();
+fn agree_within_rounding(
+    recipe: &Recipe,
+    stated: &Stated,
+    wanted: &[Want],
+    program: &Program,
+    tally: &Tally,
+) -> Verdict {
+    let mut evaluation: Evaluation<Bounded> = anywhere(recipe.seed);
+    let known = stated.outputs.iter().all(|&s| evaluation.scalar(&stated.pools.g, s).is_known());
+    if !known || evaluation.singular {
+        return tally.discard();
+    }
+    // The library's own evaluation, from angles.
+    let bindings = bindings(&stated.pools.g, evaluation.inputs());
+    for &s in &stated.outputs {
+        let (value, found) = (evaluation.scalar(&stated.pools.g, s), stated.pools.g.evaluate(s, &bindings));
+        if !value.meets(Bounded { value: found, error: value.error }) {
+            return Err(format!("evaluated to {found} instead of {value:?}"));
         }
-        // The library's own evaluation, from angles.
-        let bindings = bindings(&stated.pools.g, evaluation.inputs());
-        for &s in &stated.outputs {
-            let (value, found) = (evaluation.scalar(&stated.pools.g, s), stated.pools.g.evaluate(s, &bindings));
-            if !value.meets(Bounded { value: found, error: value.error }) {
-                return Err(format!("evaluated to {found} instead of {value:?}"));
-            }
+    }
+    let mut results = vec![Bounded::exact(0.0); wanted.len()];
+    program.run(evaluation.inputs(), &mut results);
+    for (&want, result) in wanted.iter().zip(results) {
+        let Some(value) = expected(stated, evaluation.inputs(), want) else { continue };
+        if !value.meets(result) {
+            return Err(format!("{want:?}: {result:?} instead of {value:?}"));
         }
-        let program = Program::derive_wanted(&stated.pools.g, &wanted);
-        let mut results = vec![Bounded::exact(0.0); wanted.len()];
-        program.run(evaluation.inputs(), &mut results);
-        for (&want, result) in wanted.iter().zip(results) {
-            let Some(value) = expected(&stated, evaluation.inputs(), want) else { continue };
-            if !value.meets(result) {
-                return Err(format!("{want:?}: {result:?} instead of {value:?}"));
-            }
-            tally.judge();
-        }
-        Ok(())
-    });
-    tally.assert_few_discards();
+        tally.judge();
+    }
+    Ok(())
+}
+
+/// That the same statement, made anew, leads to the same program, which reads the same.
+fn derives_again(recipe: &Recipe, wanted: &[Want], program: &Program) -> Verdict {
+    let again = Program::derive_wanted(&recipe.build().pools.g, wanted);
+    let prints: [fn(&Program) -> String; 3] = [plain::program, plain::latex, |p| print::maxima("f", p)];
+    if *program != again || prints.iter().any(|print| print(program) != print(&again)) {
+        return Err(format!("{}\nand\n{}", plain::program(program), plain::program(&again)));
+    }
+    Ok(())
 }
