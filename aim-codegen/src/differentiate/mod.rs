@@ -221,6 +221,9 @@ impl Derived {
         let Declared { values, variables } = arguments.declare(&mut algebra);
         let patterns = arguments.list.iter().map(|argument| &argument.pattern).zip(values);
         let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
+        if options.may_keep_loops() {
+            translation = translation.keeping_loops();
+        }
         let body = translation.function(&function.block, &function.sig.output, patterns, &arguments.faulty);
         let result = arguments.result.as_ref()?;
         for (companion, place) in &options.companions {

@@ -32,6 +32,8 @@ pub(super) struct Options {
     /// The place that asks for companions of numbers in lanes.
     pub(super) lanes: Option<Place>,
     pub(super) krate: Option<TokenStream>,
+    /// False where what is made has no loops.
+    loops: bool,
 }
 
 /// A variable as the attribute names it.
@@ -74,6 +76,7 @@ impl Options {
             check: settings.read_value("check", report, check),
             lanes: None,
             krate,
+            loops: true,
         }
     }
 
@@ -87,6 +90,16 @@ impl Options {
     pub(super) fn beside(self, facade: &str) -> Self {
         let facade = format_ident!("{facade}");
         Self { krate: self.krate.or_else(|| Some(quote!(::#facade))), ..self }
+    }
+
+    /// For a language in which nothing has loops.
+    pub(super) fn without_loops(self) -> Self {
+        Self { loops: false, ..self }
+    }
+
+    /// Whether everything that is asked for may have loops.
+    pub(super) fn may_keep_loops(&self) -> bool {
+        self.loops && self.companions.is_empty() && self.lanes.is_none()
     }
 
     /// What of a variable derivatives are taken by.
@@ -119,6 +132,7 @@ impl Options {
             check: settings.read_value("check", report, check),
             lanes: settings.read_value("lanes", report, presence),
             krate: settings.read_value("crate", report, read::path),
+            loops: true,
         }
     }
 }

@@ -12,16 +12,18 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::MOST_ROUNDS;
-use super::value::{Element, Place, Rounds, Value};
-use super::{Translation, functions, numbers};
+use super::value::{Element, Items, Place, Rounds, Value};
+use super::{Translation, functions, numbers, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
 
-/// The most rounds of a `while` of which it is not known whether they are run.
-const MOST_OPEN_ROUNDS: usize = 200;
+/// The most rounds that are written out of which it is not known whether they are run: of what can be no loop in the code, and of
+/// what can, which is smaller then, and ends where it is left.
+pub(super) const MOST_OPEN_ROUNDS: usize = 200;
+pub(super) const MANY_OPEN_ROUNDS: usize = 16;
 
 impl Translation<'_> {
     /// The value of a block.
@@ -311,10 +313,29 @@ impl Translation<'_> {
             return self.refuse(&e.expr, messages::not_iterable(&kind));
         };
         let label = e.label.as_ref().map(|label| &label.name);
-        self.each(&e.for_token, label, items, |this, item| {
-            this.bind(&e.pat, item);
-            this.block(&e.body)
-        })
+        let count = self.algebra.count(items.len());
+        let exits = self.frame.exits();
+        // Numbers that nobody asks for.
+        let is_counter = matches!((&*e.pat, strip(&e.expr)), (Pat::Wild(_), Expr::Range(_)))
+            && items.iter().all(|item| matches!(item.is_there, Condition::Known(true)));
+        let written = |this: &mut Self| {
+            let mut rounds = 0;
+            this.each(&e.for_token, label, items.clone(), |this, item| {
+                rounds += 1;
+                if is_counter && rounds > this.most_open && this.frame.exits() > exits {
+                    this.is_endless = true;
+                    return this.refuse(&e.expr, messages::rounds_unknown());
+                }
+                this.bind(&e.pat, item);
+                this.block(&e.body)
+            })
+        };
+        let kept = |this: &mut Self| this.kept_for(e, &Rounds::of(count, Items::Numbers));
+        if is_counter && self.most_open < MOST_OPEN_ROUNDS {
+            self.written_or_kept(core::ptr::from_ref(e).cast(), &written, &kept)
+        } else {
+            written(self)
+        }
     }
 
     /// Runs a round with each of the elements that are there.
@@ -353,20 +374,21 @@ impl Translation<'_> {
 
     pub(super) fn while_loop(&mut self, e: &ExprWhile) -> Value {
         let written = |this: &mut Self| this.written_while(e);
-        self.written_or_kept(core::ptr::from_ref(e).cast(), written, |this| this.kept_while(e))
+        self.written_or_kept(core::ptr::from_ref(e).cast(), &written, &|this| this.kept_while(e))
     }
 
     pub(super) fn endless_loop(&mut self, e: &ExprLoop) -> Value {
         let written = |this: &mut Self| this.written_loop(e);
-        self.written_or_kept(core::ptr::from_ref(e).cast(), written, |this| this.kept_endless(e))
+        self.written_or_kept(core::ptr::from_ref(e).cast(), &written, &|this| this.kept_endless(e))
     }
 
-    /// Writes a loop out, round by round; or, if no end of it comes in sight, keeps it.
+    /// Writes a loop out, round by round; or, if no end of it comes in sight, keeps it. One of many rounds that may be left before its
+    /// end is kept where it can be.
     fn written_or_kept(
         &mut self,
         place: *const (),
-        written: impl FnOnce(&mut Self) -> Value,
-        kept: impl FnOnce(&mut Self) -> Value,
+        written: &dyn Fn(&mut Self) -> Value,
+        kept: &dyn Fn(&mut Self) -> Value,
     ) -> Value {
         if self.endless.contains(&place) {
             return kept(self);
@@ -379,12 +401,24 @@ impl Translation<'_> {
         if !is_endless && !fails {
             return value;
         }
-        self.frame = frame;
+        let may_be_written = is_endless && self.most_open < MOST_OPEN_ROUNDS;
+        self.frame = frame.clone();
         let said = self.report.forget(before.errors);
         self.unsay(before);
         self.take_back(mark);
-        self.endless.push(place);
+        if !may_be_written {
+            self.endless.push(place);
+        }
         let value = kept(self);
+        if self.report.count() > before.errors && may_be_written {
+            self.frame = frame;
+            self.unsay(before);
+            self.take_back(mark);
+            let many = core::mem::replace(&mut self.most_open, MOST_OPEN_ROUNDS);
+            let value = self.written_or_kept(place, written, kept);
+            self.most_open = many;
+            return value;
+        }
         // Where a round is wrong by itself, that was said.
         if !is_endless && self.report.count() > before.errors {
             self.report.forget(before.errors);
@@ -401,7 +435,7 @@ impl Translation<'_> {
             Some(Condition::Known(false)) => Round::Over,
             Some(Condition::Known(true)) => Round::Of(this.block(&e.body)),
             // As far as is known it goes on until something else ends it.
-            Some(_) if open_rounds == MOST_OPEN_ROUNDS || this.is_too_large() => {
+            Some(_) if open_rounds == this.most_open || this.is_too_large() => {
                 this.is_endless = true;
                 Round::Of(this.refuse(&e.cond, messages::rounds_unknown()))
             }
@@ -427,7 +461,7 @@ impl Translation<'_> {
                 (open_rounds, this.is_open) = (open_rounds + 1, true);
             }
             // As far as is known it goes on.
-            if open_rounds > MOST_OPEN_ROUNDS {
+            if open_rounds > this.most_open {
                 this.is_endless = true;
                 return Round::Of(this.refuse(&e.loop_token, messages::rounds_unknown()));
             }

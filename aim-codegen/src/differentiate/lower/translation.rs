@@ -7,6 +7,7 @@ use syn::Expr;
 
 use super::algebra::Algebra;
 use super::frame::Frame;
+use super::statements::{MANY_OPEN_ROUNDS, MOST_OPEN_ROUNDS};
 use super::value::{Callable, Scope, Value};
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
@@ -37,6 +38,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) is_drained: bool,
     /// The loops that stay loops and are being run, the innermost last.
     pub(super) kept: Vec<usize>,
+    /// The most rounds that are written out of which it is not known whether they are run.
+    pub(super) most_open: usize,
     /// Whether a loop has just been run of which it is not known how many rounds it has.
     pub(super) is_open: bool,
     /// Whether a loop has just been given up, as no end of it is in sight.
@@ -84,11 +87,17 @@ impl<'a> Translation<'a> {
             rounds_run: 0,
             is_drained: false,
             kept: Vec::new(),
+            most_open: MOST_OPEN_ROUNDS,
             is_open: false,
             is_endless: false,
             endless: Vec::new(),
             given_up,
         }
+    }
+
+    /// With loops of many rounds, which may be left before, as loops.
+    pub(in crate::differentiate) fn keeping_loops(self) -> Self {
+        Self { most_open: MANY_OPEN_ROUNDS, ..self }
     }
 
     /// What is done in another scope, without the variables of the function that is being run.
