@@ -124,7 +124,7 @@ messages! {
 
     length_unknown() =>
         "this length is not known here",
-        "write the number; a constant is known where it stands beside the function in `#[differentiate] mod … {{ … }}`";
+        "write the number, or {CONSTANT}";
 
     too_many_numbers(most: usize) =>
         "this holds more than {most} numbers",
@@ -211,8 +211,10 @@ messages! {
 
 messages! {
     outside_name(name: &str, known: &[&str])
-        where known = if name.starts_with(char::is_uppercase) { &[] } else { known },
-        help = did_you_mean(name, known, || format!("pass it as an argument, or {MODULE}")) =>
+        where is_constant = name.starts_with(char::is_uppercase),
+        known = if is_constant { &[] } else { known },
+        remedy = if is_constant { CONSTANT } else { MODULE },
+        help = did_you_mean(name, known, || format!("pass it as an argument, or {remedy}")) =>
         "the value of `{name}` cannot be seen from here",
         "{help}";
 
@@ -473,10 +475,13 @@ const OF_STD: &str = "the standard library is not read: write what it does in it
 /// How a function sees what is defined beside it.
 const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";
 
+/// How a function sees a constant.
+const CONSTANT: &str = "write its `const` inside of the function, or beside it in the `#[differentiate] mod m { … }`: the attribute sees \
+                        nothing outside of what it stands on, also not what `use super::…` brings";
+
 /// What to write for functions that are known not to be supported.
 const INSTEAD: &[(&str, &str)] = &[
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
-    ("cycle", "write a loop over a range, with the rest of the index"),
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and write `from_rotation_translation`"),
     ("from_scale", "multiply the vector by the scale"),

@@ -41,6 +41,7 @@ const METHODS: &[&str] = &[
     "map_while",
     "zip",
     "rev",
+    "cycle",
     "skip",
     "step_by",
     "take",
@@ -88,6 +89,13 @@ impl Rounds {
         Self::of(a.number(f64::INFINITY), Items::Nothing)
     }
 
+    /// Over these again and again; of none there is no round.
+    pub(super) fn cycled(self, a: &mut Algebra) -> Self {
+        let (one, none, endless) = (a.number(1.0), a.number(0.0), a.number(f64::INFINITY));
+        let count = Condition::less(a, self.count, one).select(a, none, endless);
+        Self::of(count, Items::Cycled { items: self.items, len: self.count })
+    }
+
     /// As many of the numbers first + step k.
     pub(super) fn stepped(self, count: Scalar, first: Scalar, step: Scalar) -> Self {
         Self::of(count, Items::Stepped { items: self.items, first, step })
@@ -132,6 +140,15 @@ impl Translation<'_> {
             // Elements that are passed over are made, too.
             Items::Stepped { items, first, step } => {
                 let index = stepped(self.algebra, *first, *step, index);
+                self.item_aside(items, index)?
+            }
+            Items::Listed(all) => all.chosen(self.algebra, index).unwrap_or(Value::Unknown),
+            Items::Cycled { items, len } => {
+                let a = &mut *self.algebra;
+                let turns = a.div(index, *len);
+                let turns = a.call(Function::Floor, turns);
+                let before = a.mul(*len, turns);
+                let index = a.sub(index, before);
                 self.item_aside(items, index)?
             }
             Items::Numbered(items) => Value::Tuple(vec![Value::Integer(index), self.item_at(items, index)?.value]),
@@ -287,6 +304,7 @@ impl Translation<'_> {
                 let (last, back) = (self.algebra.sub(count, one), self.algebra.number(-1.0));
                 rounds.stepped(count, last, back)
             }
+            ("cycle", []) if is_indexed => rounds.cycled(self.algebra),
             ("skip", [count]) if is_indexed => {
                 let first = self.count(count)?;
                 self.without_first(&rounds, first)
@@ -314,7 +332,17 @@ impl Translation<'_> {
             }
             ("take", [count]) if is_whole => {
                 let count = self.count(count)?;
-                Rounds { count: self.smaller(rounds.count, count), ..rounds }
+                let rounds = Rounds { count: self.smaller(rounds.count, count), ..rounds };
+                match self.algebra.known_index(&Value::Integer(rounds.count)) {
+                    Some(count) if is_indexed && rounds.items.is_listed() => {
+                        let items = (0..count).map(|index| {
+                            let index = self.algebra.count(index);
+                            self.item_at(&rounds.items, index)
+                        });
+                        return Some(Value::iterator_of(items.collect::<Option<Vec<_>>>()?));
+                    }
+                    _ => rounds,
+                }
             }
             ("zip", [other]) if is_whole => {
                 let other = match strip(other) {

@@ -97,6 +97,13 @@ pub(crate) enum Items {
     Nothing,
     Numbers,
     Elements(Rc<Slice>),
+    /// Those of an array.
+    Listed(Value),
+    /// Of so many, from the first again after the last.
+    Cycled {
+        items: Rc<Self>,
+        len: Scalar,
+    },
     /// Parts of a slice, of so many elements each, each so many further on.
     Parts {
         slice: Rc<Slice>,
@@ -132,10 +139,23 @@ impl Items {
         self.are_all(&|name| name == "map")
     }
 
+    /// Whether they are of arrays and numbers, which are there in every language.
+    pub(crate) fn is_listed(&self) -> bool {
+        match self {
+            Self::Numbers | Self::Listed(_) => true,
+            Self::Stepped { items, .. }
+            | Self::Cycled { items, .. }
+            | Self::Numbered(items)
+            | Self::Made(items, ..) => items.is_listed(),
+            Self::Paired(both, _) => both.iter().all(|items| items.is_listed()),
+            Self::Nothing | Self::Elements(_) | Self::Parts { .. } | Self::Chunks { .. } => false,
+        }
+    }
+
     /// The method that makes each by a function.
     pub(crate) fn made_by(&self) -> Option<&ExprMethodCall> {
         match self {
-            Self::Stepped { items, .. } | Self::Numbered(items) => items.made_by(),
+            Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.made_by(),
             Self::Made(_, call, _) => Some(call),
             _ => None,
         }
@@ -144,8 +164,13 @@ impl Items {
     /// Whether all methods that make elements are such.
     fn are_all(&self, such: &dyn Fn(&str) -> bool) -> bool {
         match self {
-            Self::Nothing | Self::Numbers | Self::Elements(_) | Self::Parts { .. } | Self::Chunks { .. } => true,
-            Self::Stepped { items, .. } | Self::Numbered(items) => items.are_all(such),
+            Self::Nothing
+            | Self::Numbers
+            | Self::Elements(_)
+            | Self::Listed(_)
+            | Self::Parts { .. }
+            | Self::Chunks { .. } => true,
+            Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.are_all(such),
             Self::Made(items, call, _) => such(&call.method.to_string()) && items.are_all(such),
             Self::Paired(both, _) => both.iter().all(|items| items.are_all(such)),
         }

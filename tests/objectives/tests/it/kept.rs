@@ -62,6 +62,48 @@ mod functions {
         x - (x * x * x - a) / (3.0 * x * x)
     }
 
+    /// Tries that may end early: written out, they would be thousands of operations.
+    #[differentiate(wrt(price), budget = 50)]
+    pub(super) fn bond_yield(price: f64, flows: &[[f64; 2]]) -> Option<f64> {
+        let mut y = 0.05;
+        for _ in 0..50 {
+            let value: f64 = flows.iter().map(|[time, amount]| amount * (-y * time).exp()).sum();
+            let slope: f64 = flows.iter().map(|[time, amount]| time * amount * (-y * time).exp()).sum();
+            let step = (value - price) / slope;
+            y += step;
+            if step.abs() < 1e-12 {
+                return Some(y);
+            }
+        }
+        None
+    }
+
+    /// The same where no loop can stay: a list grows.
+    #[differentiate(wrt(a))]
+    pub(super) fn trail(a: f64) -> f64 {
+        let mut trail = vec![a];
+        for _ in 0..20 {
+            let last = trail[trail.len() - 1];
+            if last < 0.5 {
+                break;
+            }
+            trail.push(0.7 * last);
+        }
+        trail.iter().sum()
+    }
+
+    #[differentiate(wrt(k))]
+    pub(super) fn closed(k: f64, x: &[f64]) -> f64 {
+        let around: f64 = x.iter().zip(x.iter().cycle().skip(1)).map(|(a, b)| (k * b - a).powi(2)).sum();
+        let weighed: f64 = x.iter().zip([1.0, 4.0, 2.0].iter().cycle()).map(|(x, w)| w * (k * x).powi(3)).sum();
+        around + weighed
+    }
+
+    #[differentiate(wrt(x), hessian)]
+    pub(super) fn taken(x: [f64; 3]) -> f64 {
+        x.iter().cycle().skip(2).take(7).enumerate().map(|(i, x)| i as f64 * x * x).sum()
+    }
+
     /// Kepler's equation.
     #[differentiate(wrt(mean, eccentricity))]
     pub(super) fn anomaly(mean: f64, eccentricity: f64) -> Option<f64> {
@@ -321,6 +363,38 @@ fn what_was_nothing_and_what_is_returned() {
         let expected = (functions::resistance(reynolds + h) - functions::resistance(reynolds - h)) / (2.0 * h);
         assert!((slope - expected).abs() < 1e-4 * expected.abs(), "{reynolds}: {slope}, not {expected}");
     }
+}
+
+#[test]
+fn tries_that_may_end_early() {
+    let flows: Vec<[f64; 2]> = (1..=10).map(|year| [f64::from(year), if year == 10 { 105.0 } else { 5.0 }]).collect();
+    for price in [60.0, 100.0, 140.0] {
+        let (value, (slope,)) = functions::bond_yield_gradient(price, &flows).expect("it converges");
+        assert_near(value, functions::bond_yield(price, &flows).expect("it converges"));
+        assert_near(slope, difference(|price| functions::bond_yield(price, &flows).expect("it converges"), price));
+    }
+    assert!(functions::bond_yield_gradient(-1.0, &flows).is_none() && functions::bond_yield(-1.0, &flows).is_none());
+    for a in [0.3, 0.6, 5.0, 2000.0] {
+        let (value, (slope,)) = functions::trail_gradient(a);
+        assert_near(value, functions::trail(a));
+        assert_near(slope, functions::trail(a) / a);
+    }
+}
+
+#[test]
+fn around_and_around() {
+    for count in 0..8 {
+        let x: Vec<f64> = (0..count).map(|i| f64::from(i * i) - 3.0).collect();
+        let (value, (slope,)) = functions::closed_gradient(0.7, &x);
+        assert_near(value, functions::closed(0.7, &x));
+        assert_near(slope, difference(|k| functions::closed(k, &x), 0.7));
+    }
+    let x = [1.0, -2.0, 3.0];
+    let (value, (slopes,)) = functions::taken_gradient(x);
+    assert_near(value, functions::taken(x));
+    // 2 (0 + 3 + 6) x₂, 2 (1 + 4) x₀, 2 (2 + 5) x₁
+    assert_eq!(slopes, [10.0 * x[0], 14.0 * x[1], 18.0 * x[2]]);
+    assert_eq!(functions::taken_hessian(x).2[2], [0.0, 0.0, 18.0]);
 }
 
 use std::f64::consts::{PI, TAU as TURN};

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use syn::{Expr, ExprMethodCall, ExprRange};
 
 use super::super::condition::Condition;
-use super::super::value::{Callable, Element, Optional, Place, Rounds, Value};
+use super::super::value::{Callable, Element, Items, Optional, Place, Rounds, Value};
 use super::super::{Translation, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
@@ -52,14 +52,23 @@ impl Translation<'_> {
                     Element { is_there: is_there.and(if name == "take" { is_before } else { is_before.not() }), value }
                 }))
             }
-            ("step_by", [count]) => match (self.known_count(count)?, all_there(items)) {
-                (0, _) => self.refuse(*count, messages::index_outside("a loop")),
-                (count, Ok(values)) => Value::iterator(values.into_iter().step_by(count)),
-                (_, Err(_)) => {
+            ("step_by" | "cycle", _) => {
+                let Ok(values) = all_there(items) else {
                     let kind = "an iterator that leaves elements out by their values";
-                    self.refuse(&call.method, messages::unknown_method(&name, kind, &[]))
+                    return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, &[])));
+                };
+                match arguments[..] {
+                    [count] => match self.known_count(count)? {
+                        0 => self.refuse(count, messages::index_outside("a loop")),
+                        count => Value::iterator(values.into_iter().step_by(count)),
+                    },
+                    _ => {
+                        let count = self.algebra.count(values.len());
+                        let rounds = Rounds::of(count, Items::Listed(Value::Array(values)));
+                        Value::Rounds(Rc::new(rounds.cycled(self.algebra)))
+                    }
                 }
-            },
+            }
             ("map", [function]) => Value::Iterator(self.mapped(call, function, items)?),
             ("flatten", []) => self.flattened(call, items)?,
             ("flat_map", [function]) => {

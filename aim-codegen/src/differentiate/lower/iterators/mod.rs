@@ -69,6 +69,7 @@ const METHODS: &[Method] = &[
     Method::plain("zip", 1, Course::Later),
     Method::plain("chain", 1, Course::InStep),
     Method::plain("rev", 0, Course::Later),
+    Method::plain("cycle", 0, Course::Later),
     Method::plain("skip", 1, Course::InStep),
     Method::plain("take", 1, Course::Later),
     Method::plain("step_by", 1, Course::Later),
