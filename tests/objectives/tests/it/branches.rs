@@ -159,3 +159,34 @@ fn branching_turns() {
         dual::turned::<Dual64>,
     );
 }
+
+#[aim::differentiate]
+mod not_a_number {
+    #[differentiate(wrt(a, b))]
+    pub(super) fn compared(a: f64, b: f64) -> [f64; 6] {
+        let truth = |holds: bool| if holds { 1.0 } else { 0.0 };
+        [truth(a < b), truth(a > b), truth(a != b), truth(a == b), truth(a <= b), truth(a >= b)]
+    }
+
+    #[differentiate(wrt(a, b))]
+    pub(super) fn best(a: f64, b: f64) -> [f64; 2] {
+        [a.max(b), a.min(b)]
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn cast(x: f64) -> f64 {
+        x + (x as usize) as f64
+    }
+}
+
+/// The table of the guide.
+#[test]
+fn what_is_not_a_number_is_not_below_and_not_above() {
+    use not_a_number::{best_jacobian, cast_gradient, compared, compared_jacobian};
+    for (a, b) in [(f64::NAN, 1.0), (1.0, f64::NAN)] {
+        assert_eq!(compared_jacobian(a, b).0, [0.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+        assert_eq!(compared(a, b), [0.0, 0.0, 1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(best_jacobian(a, b).0.map(f64::is_nan), [a.is_nan(); 2]);
+    }
+    assert!(cast_gradient(f64::NAN).0.is_nan());
+}
