@@ -294,7 +294,8 @@ messages! {
 
     too_large(nodes: usize, rounds: usize) =>
         "written out, this is more than {nodes} operations or {rounds} rounds of loops",
-        "shorten the loop, or differentiate one term and sum its derivatives in a loop around it";
+        "shorten the loop, or differentiate one term and sum its derivatives in a loop around it; a `for` over a range stays a loop \
+         where the gradient or Jacobian alone is asked for";
 
     array_too_long(most: usize) => "arrays hold up to {most} elements", "make it shorter";
 

@@ -58,7 +58,7 @@ fn loops(x: f32, points: [Vec3; 3], count: usize) -> f32 {
     points.iter().filter(|p| p.x > x).step_by(2).map(|p| p.y).sum::<f32>() + sum
 }
 
-#[differentiate(wrt(x))]
+#[differentiate(wrt(x), jvp)]
 fn long(x: f32) -> f32 {
     let mut sum = x;
     for i in 0..9_000 {

@@ -21,6 +21,7 @@ mod iterators;
 mod kept;
 mod lending;
 mod lists;
+mod loops;
 mod map;
 mod methods;
 mod numbers;

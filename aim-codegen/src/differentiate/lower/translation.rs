@@ -7,7 +7,7 @@ use syn::Expr;
 
 use super::algebra::Algebra;
 use super::frame::Frame;
-use super::statements::{MANY_OPEN_ROUNDS, MOST_OPEN_ROUNDS};
+use super::loops::{MANY_OPEN_ROUNDS, MOST_OPEN_ROUNDS};
 use super::value::{Callable, Scope, Value};
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;

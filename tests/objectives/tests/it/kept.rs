@@ -78,7 +78,20 @@ mod functions {
         None
     }
 
-    /// The same where no loop can stay: a list grows.
+    /// Written out, these would be too many operations.
+    #[differentiate(wrt(a, b))]
+    pub(super) fn quadrature(a: f64, b: f64) -> f64 {
+        let mut sum = 0.0;
+        for i in 0..40 {
+            for j in 5..=60 {
+                let (x, y) = ((i as f64 + 0.5) / 40.0, j as f64 / 60.0);
+                sum += (a * x).sin() * (-b * x * y).exp() / (1.0 + x * a);
+            }
+        }
+        sum / 2400.0
+    }
+
+    /// Many tries where no loop can stay: a list grows.
     #[differentiate(wrt(a))]
     pub(super) fn trail(a: f64) -> f64 {
         let mut trail = vec![a];
@@ -366,7 +379,7 @@ fn what_was_nothing_and_what_is_returned() {
 }
 
 #[test]
-fn tries_that_may_end_early() {
+fn loops_of_known_length_that_are_better_not_written_out() {
     let flows: Vec<[f64; 2]> = (1..=10).map(|year| [f64::from(year), if year == 10 { 105.0 } else { 5.0 }]).collect();
     for price in [60.0, 100.0, 140.0] {
         let (value, (slope,)) = functions::bond_yield_gradient(price, &flows).expect("it converges");
@@ -374,6 +387,10 @@ fn tries_that_may_end_early() {
         assert_near(slope, difference(|price| functions::bond_yield(price, &flows).expect("it converges"), price));
     }
     assert!(functions::bond_yield_gradient(-1.0, &flows).is_none() && functions::bond_yield(-1.0, &flows).is_none());
+    let (value, (by_a, by_b)) = functions::quadrature_gradient(1.3, 0.7);
+    assert_near(value, functions::quadrature(1.3, 0.7));
+    assert_near(by_a, difference(|a| functions::quadrature(a, 0.7), 1.3));
+    assert_near(by_b, difference(|b| functions::quadrature(1.3, b), 0.7));
     for a in [0.3, 0.6, 5.0, 2000.0] {
         let (value, (slope,)) = functions::trail_gradient(a);
         assert_near(value, functions::trail(a));
