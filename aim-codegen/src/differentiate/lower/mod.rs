@@ -35,6 +35,7 @@ mod place_types;
 mod places;
 mod rounds;
 mod select;
+mod slices;
 mod square;
 mod statements;
 mod translation;

@@ -4,15 +4,14 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Function, Scalar};
-use syn::{BinOp, Expr, ExprMethodCall, ExprRange, RangeLimits, parse_quote};
+use syn::{BinOp, Expr, ExprMethodCall, parse_quote};
 
 use super::algebra::Algebra;
-use super::bounds::Linear;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::iterators::ranks;
-use super::outside::{At, Outside};
+use super::outside::Outside;
 use super::value::{Callable, Element, Items, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
@@ -58,21 +57,6 @@ const METHODS: &[&str] = &[
     "find",
     "position",
 ];
-
-impl Slice {
-    fn element(&self, this: &mut Translation<'_>, index: Scalar) -> Value {
-        let index = this.algebra.add(self.first, index);
-        let at = this.place_of(index);
-        let of = |number| Outside::Element { slice: self.place, at, number };
-        let inputs = (0..self.components).map(|number| this.algebra.outside(of(number))).collect();
-        (self.make)(this.algebra, inputs)
-    }
-
-    /// As many elements from the one of this number on.
-    pub(super) fn part(&self, a: &mut Algebra, first: Scalar, len: Scalar) -> Self {
-        Self { first: a.add(self.first, first), len, ..self.clone() }
-    }
-}
 
 impl Rounds {
     pub(super) fn of(count: Scalar, items: Items) -> Self {
@@ -226,45 +210,6 @@ impl Translation<'_> {
             Value::Never
         };
         self.branch(&call.method, Some(holds), end, |_| Value::nothing())
-    }
-
-    /// Where an element is.
-    fn place_of(&mut self, index: Scalar) -> At {
-        let a = &*self.algebra;
-        let round = |x: Scalar| {
-            let source = a.outside.iter().find(|(_, input)| *input == x)?;
-            if let Outside::Round(number) = source.0 { Some(number) } else { None }
-        };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
-        match Linear::of(a, index) {
-            Linear { x: None, c, .. } if c >= 0.0 => At::Known(c as usize),
-            Linear { x: Some(x), k: 1.0, c } => {
-                round(x).map_or(At::Chosen(index), |number| At::Round(number, c as i64))
-            }
-            _ => At::Chosen(index),
-        }
-    }
-
-    /// The element of a slice.
-    pub(super) fn element_of(&mut self, slice: &Slice, index: Scalar) -> Value {
-        slice.element(self, index)
-    }
-
-    /// `slice[start..end]`; `None` after an error.
-    pub(super) fn part_of_slice(&mut self, slice: &Slice, range: &ExprRange) -> Option<Value> {
-        let start = match &range.start {
-            Some(start) => self.count(start)?,
-            None => self.algebra.number(0.0),
-        };
-        let end = match &range.end {
-            Some(end) => self.count(end)?,
-            None => slice.len,
-        };
-        let a = &mut *self.algebra;
-        let more = a.number(if matches!(range.limits, RangeLimits::Closed(_)) { 1.0 } else { 0.0 });
-        let len = a.sub(end, start);
-        let len = a.add(len, more);
-        Some(Value::Slice(Rc::new(slice.part(a, start, len))))
     }
 
     /// A method of a slice, or of an iterator over one; `None` of any other receiver.
@@ -455,71 +400,6 @@ impl Translation<'_> {
                 None
             }
         }
-    }
-
-    /// A method of a slice that those of other iterators do not have; `None` if it is another one.
-    fn slice_method(&mut self, slice: &Rc<Slice>, name: &str, arguments: &[&Expr]) -> Option<Option<Value>> {
-        let (zero, one) = (self.algebra.number(0.0), self.algebra.number(1.0));
-        Some(match (name, arguments) {
-            ("len", []) => Some(Value::Integer(slice.len)),
-            ("is_empty", []) => Some(Value::Truth(Condition::at_most(self.algebra, slice.len, zero))),
-            ("first", []) => Some(self.got(slice, zero)),
-            ("last", []) => {
-                let last = self.algebra.sub(slice.len, one);
-                Some(self.got(slice, last))
-            }
-            ("split_first" | "split_last", []) => {
-                let a = &mut *self.algebra;
-                let is_some = Condition::at_most(a, one, slice.len);
-                let left = a.sub(slice.len, one);
-                let (place, first) = if name == "split_first" { (zero, one) } else { (left, zero) };
-                let rest = Value::Slice(Rc::new(slice.part(a, first, left)));
-                Some(Value::some_if(is_some, Value::Tuple(vec![slice.element(self, place), rest])))
-            }
-            ("split_at", [place]) => self.count(place).map(|place| {
-                let a = &mut *self.algebra;
-                let left = a.sub(slice.len, place);
-                let parts = [slice.part(a, zero, place), slice.part(a, place, left)];
-                Value::Tuple(parts.map(|part| Value::Slice(Rc::new(part))).into())
-            }),
-            ("get", [index]) => self.count(index).map(|index| self.got(slice, index)),
-            ("windows" | "chunks_exact", [size]) => self.known_count(size).map(|size| {
-                let (step, count) = match name {
-                    "windows" => {
-                        let less = self.algebra.count(size.saturating_sub(1));
-                        (1, self.algebra.sub(slice.len, less))
-                    }
-                    _ => (size, self.parts(slice.len, size, 0)),
-                };
-                Value::Rounds(Rc::new(Rounds::of(count, Items::Parts { slice: slice.clone(), size, step })))
-            }),
-            ("chunks", [size]) => self.count(size).map(|size| {
-                let a = &mut *self.algebra;
-                let less = a.sub(size, one);
-                let count = a.add(slice.len, less);
-                let count = a.div(count, size);
-                let count = a.call(Function::Floor, count);
-                Value::Rounds(Rc::new(Rounds::of(count, Items::Chunks { slice: slice.clone(), size })))
-            }),
-            _ => return None,
-        })
-    }
-
-    /// The element of this number, if there is one.
-    fn got(&mut self, slice: &Slice, index: Scalar) -> Value {
-        let zero = self.algebra.number(0.0);
-        let is_some = Condition::less(self.algebra, index, zero).not();
-        let is_some = is_some.and(Condition::less(self.algebra, index, slice.len));
-        Value::some_if(is_some, slice.element(self, index))
-    }
-
-    /// How many parts of this size there are in so many and `more`.
-    fn parts(&mut self, count: Scalar, size: usize, more: usize) -> Scalar {
-        let a = &mut *self.algebra;
-        let [size, more] = [size, more].map(|number| a.count(number));
-        let count = a.add(count, more);
-        let parts = a.div(count, size);
-        a.call(Function::Floor, parts)
     }
 
     /// The type of the elements, found by making one; `None` after an error.
