@@ -8,18 +8,13 @@ use syn::{Expr, ExprForLoop, ExprLoop, ExprWhile, Lifetime, Pat};
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
-use super::translation::MOST_ROUNDS;
+use super::translation::{MOST_OPEN_ROUNDS, MOST_ROUNDS};
 use super::value::{Element, Items, Rounds, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
 
 /// The most nodes of a function's graph. What is derived of more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
-
-/// The most rounds that are written out of which it is not known whether they are run: of what can be no loop in the code, and of
-/// what can, which is smaller then, and ends where it is left.
-pub(super) const MOST_OPEN_ROUNDS: usize = 200;
-pub(super) const MANY_OPEN_ROUNDS: usize = 16;
 
 /// A round of a loop.
 enum Round {

@@ -7,7 +7,6 @@ use syn::Expr;
 
 use super::algebra::Algebra;
 use super::frame::Frame;
-use super::loops::{MANY_OPEN_ROUNDS, MOST_OPEN_ROUNDS};
 use super::value::{Callable, Scope, Value};
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
@@ -18,6 +17,11 @@ use crate::emit::Precision;
 
 /// The most rounds of all loops, and calls of functions inside of themselves, together.
 pub(super) const MOST_ROUNDS: usize = 10_000;
+
+/// The most rounds that are written out of which it is not known whether they are run: of what can be no loop in the code, and of
+/// what can, which is smaller then, and ends where it is left.
+pub(super) const MOST_OPEN_ROUNDS: usize = 200;
+const MANY_OPEN_ROUNDS: usize = 16;
 
 /// The interpretation of one function.
 pub(in crate::differentiate) struct Translation<'a> {
