@@ -134,7 +134,8 @@ impl Default for Comparison {
 }
 
 impl Comparison {
-    /// That `program` takes no more operations than what is derived without the rules.
+    /// That `program` takes no more operations than what is derived without the rules. How far that rival is arranged while deriving is
+    /// bounded, so that this may be missed: by none of the statements that are tested.
     pub(crate) fn is_no_larger(&self, stated: &Stated, wanted: &[Want], program: &Program) -> Verdict {
         let plain = Program::derive_without(&stated.pools.g, wanted, &self.off);
         let (without, with) = (operations(&plain), operations(program));

@@ -12,7 +12,7 @@ use super::counts::Comparison;
 use super::dual::{Dual, Oracle};
 use super::evaluate::Evaluation;
 use super::field::Field;
-use super::judge::{Regular, Tally, Verdict, anywhere, for_each, regular, same, single_rules};
+use super::judge::{Regular, Tally, Verdict, anywhere, for_each, regular, same, scaled, single_rules};
 use super::material::moving;
 use super::plain;
 use super::recipe::{Recipe, Stated};
@@ -96,6 +96,7 @@ fn derived(
 #[test]
 fn derived_programs_are_right_small_and_the_same_each_time() {
     let (exact, rounded, comparison) = (Tally::default(), Tally::default(), Comparison::default());
+    let compared = Cell::new(0);
     for_each(30_000, 8, |recipe| {
         let stated = recipe.build();
         let wanted = wanted(&stated, &mut Rng::with_seed(recipe.seed));
@@ -117,7 +118,8 @@ fn derived_programs_are_right_small_and_the_same_each_time() {
         if !recipe.seed.is_multiple_of(3) {
             agree_within_rounding(recipe, &stated, &wanted, &program, &rounded)?;
         }
-        if recipe.seed.is_multiple_of(3) {
+        if compared.get() < scaled(10_000) {
+            compared.set(compared.get() + 1);
             comparison.is_no_larger(&stated, &wanted, &program)?;
         }
         if recipe.seed.is_multiple_of(6) { derives_again(recipe, &wanted, &program) } else { Ok(()) }

@@ -39,6 +39,12 @@ pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
+/// So many of these are tested.
+pub(crate) fn scaled(cases: u64) -> u64 {
+    let part = if in_full() { cases } else { cases.div_ceil(16) };
+    part * setting("AIM_RANDOM_TIMES").unwrap_or(1)
+}
+
 /// What a test says of a recipe.
 pub(crate) type Verdict = Result<(), String>;
 
@@ -55,7 +61,7 @@ pub(crate) fn smallest_failure(
     most: usize,
     test: impl Fn(&Recipe) -> Verdict,
 ) -> Result<(), (Recipe, String)> {
-    let cases = if in_full() { cases } else { cases.div_ceil(16) } * setting("AIM_RANDOM_TIMES").unwrap_or(1);
+    let cases = scaled(cases);
     let mut runner = TestRunner::new(Config {
         cases: u32::try_from(cases).expect("fewer than four billion"),
         rng_seed: RngSeed::Fixed(setting("AIM_RANDOM_SEED").unwrap_or(1)),

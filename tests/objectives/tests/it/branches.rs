@@ -173,6 +173,7 @@ mod not_a_number {
         [a.max(b), a.min(b)]
     }
 
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "this is what it is about")]
     #[differentiate(wrt(x))]
     pub(super) fn cast(x: f64) -> f64 {
         x + (x as usize) as f64
