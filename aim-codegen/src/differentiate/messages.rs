@@ -476,7 +476,7 @@ const OF_STD: &str = "the standard library is not read: write what it does in it
 /// How a function sees what is defined beside it.
 const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";
 
-/// How a function sees a constant.
+/// The help for a constant that a function does not see.
 const CONSTANT: &str = "write its `const` inside of the function, or beside it in the `#[differentiate] mod m { … }`: the attribute sees \
                         nothing outside of what it stands on, also not what `use super::…` brings";
 

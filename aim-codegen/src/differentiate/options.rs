@@ -97,7 +97,7 @@ impl Options {
         Self { loops: false, ..self }
     }
 
-    /// Whether everything that is asked for may have loops.
+    /// True if everything that is asked for may have loops.
     pub(super) fn may_keep_loops(&self) -> bool {
         self.loops && self.companions.is_empty() && self.lanes.is_none()
     }

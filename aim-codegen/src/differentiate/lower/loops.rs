@@ -9,7 +9,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
 use super::translation::{MOST_OPEN_ROUNDS, MOST_ROUNDS};
-use super::value::{Element, Items, Rounds, Value};
+use super::value::{Element, Rounds, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
 
@@ -76,8 +76,8 @@ impl Translation<'_> {
         let is_range = matches!(strip(&e.expr), Expr::Range(_)) && items.iter().all(is_there);
         let first = items.first().filter(|_| is_range && self.most_open < MOST_OPEN_ROUNDS)?;
         let Value::Integer(first) = first.value else { return None };
-        let (count, one) = (self.algebra.count(items.len()), self.algebra.number(1.0));
-        Some(Rounds::of(count, Items::Numbers).stepped(count, first, one))
+        let count = self.algebra.count(items.len());
+        Some(Rounds::numbers(self.algebra, first, count))
     }
 
     /// Runs a round with each of the elements that are there.
@@ -245,7 +245,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether the graph has outgrown its bound.
+    /// True once the graph has outgrown its bound.
     pub(super) fn is_too_large(&self) -> bool {
         self.algebra.g.len() - self.given_up > MOST_NODES
     }

@@ -63,6 +63,12 @@ impl Rounds {
         Self { count, items: Rc::new(items) }
     }
 
+    /// Over so many whole numbers from the first on.
+    pub(super) fn numbers(a: &mut Algebra, first: Scalar, count: Scalar) -> Self {
+        let one = a.number(1.0);
+        Self::of(count, Items::Numbers).stepped(count, first, one)
+    }
+
     /// Over the elements of a slice.
     pub(super) fn over(slice: Rc<Slice>) -> Self {
         Self::of(slice.len, Items::Elements(slice))

@@ -28,7 +28,7 @@ impl Slice {
 }
 
 impl Translation<'_> {
-    /// Where an element is.
+    /// The place of an element.
     fn place_of(&mut self, index: Scalar) -> At {
         let a = &*self.algebra;
         let round = |x: Scalar| {
@@ -123,7 +123,7 @@ impl Translation<'_> {
         Value::some_if(is_some, slice.element(self, index))
     }
 
-    /// How many parts of this size there are in so many and `more`.
+    /// The number of parts of this size in so many and `more`.
     pub(super) fn parts(&mut self, count: Scalar, size: usize, more: usize) -> Scalar {
         let a = &mut *self.algebra;
         let [size, more] = [size, more].map(|number| a.count(number));

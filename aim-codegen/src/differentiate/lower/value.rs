@@ -139,7 +139,7 @@ impl Items {
         self.are_all(&|name| name == "map")
     }
 
-    /// Whether they are of arrays and numbers, which are there in every language.
+    /// True if they are of arrays and numbers, which are there in every language.
     pub(crate) fn is_listed(&self) -> bool {
         match self {
             Self::Numbers | Self::Listed(_) => true,

@@ -12,7 +12,7 @@ use super::counts::Comparison;
 use super::dual::{Dual, Oracle};
 use super::evaluate::Evaluation;
 use super::field::Field;
-use super::judge::{Regular, Tally, Verdict, anywhere, for_each, regular, same, scaled, single_rules};
+use super::judge::{Tally, Verdict, anywhere, for_each, regular, same, scaled, single_rules};
 use super::material::moving;
 use super::plain;
 use super::recipe::{Recipe, Stated};
@@ -79,19 +79,6 @@ fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, 
     Ok(())
 }
 
-fn derived(
-    recipe: &Recipe,
-    tally: &Tally,
-    judge: impl Fn(&mut Stated, &Regular, &[Want], &mut Rng) -> Verdict,
-) -> Verdict {
-    let mut stated = recipe.build();
-    let Some(regular) = regular(&stated, recipe.seed) else { return tally.discard() };
-    let mut random = Rng::with_seed(recipe.seed);
-    let wanted = wanted(&stated, &mut random);
-    tally.judge();
-    judge(&mut stated, &regular, &wanted, &mut random)
-}
-
 /// Each statement is derived once, and all is asked of that program: the rest costs little beside it.
 #[test]
 fn derived_programs_are_right_small_and_the_same_each_time() {
@@ -134,16 +121,19 @@ fn programs_derived_without_some_rules_agree_too() {
     let all: Vec<Rule> = single_rules().iter().map(|(_, rule, _)| *rule).chain(ARITHMETIC).collect();
     let (tally, turn) = (Tally::default(), Cell::new(0));
     for_each(10_000, 8, |recipe| {
-        derived(recipe, &tally, |stated, regular, wanted, random| {
-            // Every rule alone in turn, and sometimes others with it.
-            let mut without = vec![all[turn.replace(turn.get() + 1) % all.len()]];
-            if random.u8(..4) == 0 {
-                without.extend((0..4).map(|_| all[random.usize(..all.len())]));
-            }
-            without.extend(regular.without());
-            let program = Program::derive_without(&stated.pools.g, wanted, &without);
-            agree(stated, regular.evaluation.inputs(), wanted, &program, &format!("without {without:?}"))
-        })
+        let stated = recipe.build();
+        let Some(regular) = regular(&stated, recipe.seed) else { return tally.discard() };
+        tally.judge();
+        let mut random = Rng::with_seed(recipe.seed);
+        let wanted = wanted(&stated, &mut random);
+        // Every rule alone in turn, and sometimes others with it.
+        let mut without = vec![all[turn.replace(turn.get() + 1) % all.len()]];
+        if random.u8(..4) == 0 {
+            without.extend((0..4).map(|_| all[random.usize(..all.len())]));
+        }
+        without.extend(regular.without());
+        let program = Program::derive_without(&stated.pools.g, &wanted, &without);
+        agree(&stated, regular.evaluation.inputs(), &wanted, &program, &format!("without {without:?}"))
     });
     tally.assert_few_discards();
 }

@@ -52,22 +52,15 @@ impl Translation<'_> {
                     Element { is_there: is_there.and(if name == "take" { is_before } else { is_before.not() }), value }
                 }))
             }
-            ("step_by" | "cycle", _) => {
-                let Ok(values) = all_there(items) else {
-                    let kind = "an iterator that leaves elements out by their values";
-                    return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, &[])));
-                };
-                match arguments[..] {
-                    [count] => match self.known_count(count)? {
-                        0 => self.refuse(count, messages::index_outside("a loop")),
-                        count => Value::iterator(values.into_iter().step_by(count)),
-                    },
-                    _ => {
-                        let count = self.algebra.count(values.len());
-                        let rounds = Rounds::of(count, Items::Listed(Value::Array(values)));
-                        Value::Rounds(Rc::new(rounds.cycled(self.algebra)))
-                    }
-                }
+            ("step_by", [count]) => match self.known_count(count)? {
+                0 => self.refuse(*count, messages::index_outside("a loop")),
+                count => Value::iterator(self.whole(items, call)?.into_iter().step_by(count)),
+            },
+            ("cycle", []) => {
+                let values = self.whole(items, call)?;
+                let count = self.algebra.count(values.len());
+                let rounds = Rounds::of(count, Items::Listed(Value::Array(values)));
+                Value::Rounds(Rc::new(rounds.cycled(self.algebra)))
             }
             ("map", [function]) => Value::Iterator(self.mapped(call, function, items)?),
             ("flatten", []) => self.flattened(call, items)?,
@@ -105,6 +98,16 @@ impl Translation<'_> {
             // `iter`, `copied` and the like.
             _ => Value::Iterator(items),
         })
+    }
+
+    /// The elements for a method that needs all of them to be there; `None` after an error.
+    fn whole(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Vec<Value>> {
+        let all = all_there(items);
+        if all.is_err() {
+            let kind = "an iterator that leaves elements out by their values";
+            self.refuse(&call.method, messages::unknown_method(&call.method.to_string(), kind, &[]));
+        }
+        all.ok()
     }
 
     /// Those that are there, each as a function makes it; `None` after an error.

@@ -14,7 +14,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::value::{Element, Items, Optional, Rounds, Value};
+use super::value::{Element, Optional, Rounds, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
@@ -217,9 +217,9 @@ impl Translation<'_> {
         let is_written = rounds <= if is_known { LONGEST } else { LONGEST_OPEN };
         let (true, Some(least), Some(most)) = (is_written, least, most) else {
             let a = &mut *self.algebra;
-            let (count, more, step) = (a.sub(last, first), a.count(usize::from(is_closed)), a.count(1));
+            let (count, more) = (a.sub(last, first), a.count(usize::from(is_closed)));
             let count = a.add(count, more);
-            return Value::Rounds(Rc::new(Rounds::of(count, Items::Numbers).stepped(count, first, step)));
+            return Value::Rounds(Rc::new(Rounds::numbers(a, first, count)));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
         let mut items = Vec::new();
