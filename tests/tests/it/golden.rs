@@ -92,18 +92,17 @@ fn everything() -> String {
 }
 
 #[test]
-fn a_second_expansion_and_a_second_process_write_the_same_bytes() {
+fn a_second_process_writes_the_same_bytes() {
     if let Some(file) = env::var_os(SECOND_PROCESS) {
         fs::write(file, everything()).expect("the first process has made the folder");
         return;
     }
     let here = everything();
-    assert!(here == everything(), "two expansions in one process differ");
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("expansions");
     // Another process has other hash seeds and other addresses.
     let child = Command::new(env::current_exe().expect("a test knows its own file"))
-        .args(["--exact", "golden::a_second_expansion_and_a_second_process_write_the_same_bytes"])
+        .args(["--exact", "golden::a_second_process_writes_the_same_bytes"])
         .env(SECOND_PROCESS, &file)
         .output()
         .expect("the test can be started once more");

@@ -40,7 +40,7 @@ pub(crate) fn in_full() -> bool {
 }
 
 /// So many of these are tested.
-pub(crate) fn scaled(cases: u64) -> u64 {
+fn scaled(cases: u64) -> u64 {
     let part = if in_full() { cases } else { cases.div_ceil(16) };
     part * setting("AIM_RANDOM_TIMES").unwrap_or(1)
 }
