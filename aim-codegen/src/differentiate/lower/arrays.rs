@@ -8,7 +8,6 @@ use super::value::{Element, Value};
 use super::{Translation, iterators, lending, lists};
 use crate::differentiate::messages;
 
-/// Their names, for messages.
 const METHODS: &[&str] = &[
     "iter",
     "into_iter",
@@ -29,6 +28,11 @@ const METHODS: &[&str] = &[
     "partition_point",
     "swap",
 ];
+
+/// The names of all methods of arrays, slices and lists.
+pub(super) fn names() -> Vec<&'static str> {
+    METHODS.iter().copied().chain(lists::methods()).chain(lending::LENDING).collect()
+}
 
 impl Translation<'_> {
     /// A method of an array or an iterator; `None` if it is none of theirs.
@@ -61,12 +65,11 @@ impl Translation<'_> {
             return Some(Value::Unknown);
         }
         let name = call.method.to_string();
-        let known: Vec<&str> = METHODS.iter().copied().chain(lists::methods()).chain(lending::LENDING).collect();
         // Of an array these can only be methods of a trait.
-        Some(if iterators::has_method(&call.method) && !known.contains(&&*name) {
+        Some(if iterators::has_method(&call.method) && !names().contains(&&*name) {
             self.refuse(&call.method, messages::trait_method(&name))
         } else {
-            self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), &known))
+            self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), &names()))
         })
     }
 

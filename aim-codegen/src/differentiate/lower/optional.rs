@@ -14,8 +14,8 @@ use super::numbers;
 use super::value::{Optional, Order, Value};
 use crate::differentiate::messages;
 
-/// The methods of options and orderings, for messages.
-const METHODS: &[&str] = &[
+/// The methods of options, for messages.
+pub(super) const METHODS: &[&str] = &[
     "is_some",
     "is_none",
     "is_some_and",

@@ -16,7 +16,8 @@ use super::value::{Callable, Element, Items, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
 
-const METHODS: &[&str] = &[
+/// Methods of slices of any length and of what goes over them.
+pub(super) const METHODS: &[&str] = &[
     "len",
     "is_empty",
     "first",

@@ -104,6 +104,11 @@ const METHODS: &[Method] = &[
     Method::plain("product", 0, Course::Whole),
 ];
 
+/// The names of all methods.
+pub(super) fn names() -> Vec<&'static str> {
+    METHODS.iter().map(|method| method.name).collect()
+}
+
 /// The method of this name.
 fn method(name: &Ident) -> Option<&'static Method> {
     METHODS.iter().find(|method| name == method.name)
@@ -241,8 +246,7 @@ impl Translation<'_> {
     pub(super) fn iterator_method(&mut self, items: &[Element], call: &ExprMethodCall, expected: &Expected) -> Value {
         let name = call.method.to_string();
         let Some(method) = method(&call.method).filter(|method| method.arguments == call.args.len()) else {
-            let known: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
-            return self.refuse(&call.method, messages::unknown_method(&name, "an iterator", &known));
+            return self.refuse(&call.method, messages::unknown_method(&name, "an iterator", &names()));
         };
         let items = items.to_vec();
         let value = match method.course {

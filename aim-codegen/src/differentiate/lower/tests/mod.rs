@@ -1,6 +1,7 @@
 //! That a function is run as the compiler runs it: the same text, compiled and interpreted.
 
 mod control;
+mod guide;
 mod items;
 mod parts;
 mod patterns;
