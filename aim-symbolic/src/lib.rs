@@ -1,14 +1,15 @@
 //! A small symbolic derivative compiler for rigid kinematics.
 //!
-//! Scalars, vectors, rotations and rigid transforms are *types* of one hash-consed [`Graph`], so that the rewriting
-//! knows what no scalar algebra system knows: `R Rᵀ = 1`. The passes, in order:
+//! Scalars, vectors, rotations and rigid transforms are *types* of one hash-consed [`Graph`], so that rewriting can use
+//! identities that scalar algebra systems cannot see, such as `R Rᵀ = 1`. The passes, in order:
 //!
-//! 1. An objective is stated with the constructors of [`Graph`], as its author would write it down.
+//! 1. The caller states an objective with the constructors of [`Graph`], as it would be written on paper.
 //! 2. [`rules`] move rotations to where they cancel or cost least.
-//! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors, linear in the length of a chain, or
-//!    [`tangents`](Graph::tangents) forwards.
-//! 4. More rules drop what is radial and gather factors; components are folded, shared and ordered: a straight-line
-//!    [`Program`]. Where rules compete, [`Program::derive`] compares a bounded number of ways by their counts.
+//! 3. [`gradient`](Graph::gradient) sweeps backwards over whole vectors, in time linear in the length of a chain;
+//!    [`tangents`](Graph::tangents) sweeps forwards.
+//! 4. More rules drop radial parts and gather common factors. The result is split into components, folded, shared and
+//!    ordered into a straight-line [`Program`]. Where rules compete, [`Program::derive`] derives a bounded number of
+//!    variants and keeps the one with the fewest operations.
 //! 5. The program is run ([`Program::run`]), counted ([`Program::count`]), traced ([`Program::trace`]) or printed
 //!    ([`mod@print`]).
 //!

@@ -1,4 +1,4 @@
-// Its examples need the feature. The workspace's tests have it.
+// The README's examples need the feature `f64`, which the workspace's tests enable.
 #![cfg_attr(any(not(doctest), feature = "f64"), doc = include_str!("../README.md"))]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -11,8 +11,8 @@ pub use glam;
 #[cfg(feature = "wide")]
 pub use wide;
 
-/// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
-/// mirroring. `differentiate` relies on it, for this name and for `Affine3A` alike.
+/// An affine transform that the caller guarantees to be rigid: a rotation and a translation, without scale, shear or
+/// mirroring. `differentiate` relies on this for `Rigid` and `Affine3A` alike.
 ///
 /// ```
 /// use derivand::glam::Vec3;
@@ -28,17 +28,17 @@ pub use wide;
 #[cfg(feature = "glam")]
 pub type Rigid = glam::Affine3A;
 
-/// The same in double precision.
+/// A rigid transform in double precision; see [`Rigid`].
 #[cfg(feature = "f64")]
 pub type DRigid = glam::DAffine3;
 
-/// What derived code names; not for hand-written code.
+/// Items that derived code refers to. Not meant for hand-written code.
 #[doc(hidden)]
 pub mod __private {
     pub use aim_model::{Real, Scalar, differences};
 }
 
-/// The examples of a page, run as tests.
+/// Runs the examples of the book's page as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/differentiating.md")]
 mod page {}

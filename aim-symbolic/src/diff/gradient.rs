@@ -1,14 +1,15 @@
-//! Derivatives by one reverse sweep over scalars and vectors: linear in the size of the expression.
+//! Derivatives by one reverse sweep over scalars and vectors, in time linear in the size of the expression.
 //!
-//! With x̄ the derivative of the output by x (of a vector a covector), each node adds to those of its parts:
+//! Let x̄, the adjoint of x, be the derivative of the output by x (for a vector x a covector). Each node adds to the
+//! adjoints of its operands:
 //!
 //! | node | adds |
 //! |---|---|
 //! | s = v · w | v̄ += s̄ w, w̄ += s̄ v |
 //! | s = \|v\| | v̄ += s̄ v/\|v\| |
-//! | s = atan2(u · (v × w), v · w), v and w square to u | v̄ −= s̄ (u × v)/v², w̄ += s̄ (u × w)/w² |
+//! | s = atan2(u · (v × w), v · w), v and w perpendicular to u | v̄ −= s̄ (u × v)/v², w̄ += s̄ (u × w)/w² |
 //! | y = k v | k̄ += ȳ · v, v̄ += k ȳ |
-//! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the quarter turn in its plane or the cross product with its axis |
+//! | y = R v, where R turns by θ | v̄ += Rᵀ ȳ, θ̄ += ȳ · J y with J the 90° turn in its plane or the cross product with its axis |
 //! | y = R v, where R turns by a step or a motion δ | δ̄ += y × ȳ, v̄ += Rᵀ ȳ |
 //! | y = v/\|v\| | v̄ += (ȳ − (ȳ · y) y)/\|v\| |
 //! | y = J v | v̄ += Jᵀ ȳ = −J ȳ |
@@ -27,25 +28,27 @@ use crate::ir::table::{NodeSet, NodeTable};
 use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Attitude, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Space, Variable, Vector, VectorNode};
 
-/// Where the reciprocal of a normalised vector's derivative goes: a choice that the length of the chain decides.
+/// Placement of the reciprocal length in the derivative of a normalised vector. The length of the chain decides which
+/// costs less.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placement {
-    /// It stays a scale factor, which may float out to each derivative.
+    /// The reciprocal remains a scale factor, which later rules may move out to each derivative.
     Late,
-    /// It is multiplied into the vector at once, for all that comes after.
+    /// The reciprocal is multiplied into the vector at once, before everything that follows.
     Early,
 }
 
 impl Graph {
-    /// The derivatives of `output` by each of `variables`.
+    /// Returns the derivatives of `output` by each of `variables`.
     ///
-    /// Matrices, quaternions and the axes of rotations count as constants. A guarded [`reciprocal`](Self::reciprocal) is 0
-    /// with all its derivatives where it is guarded, and a root has derivative 0 where it is 0.
+    /// Matrices, quaternions and the axes of rotations are treated as constants. A guarded
+    /// [`reciprocal`](Self::reciprocal) that is 0 by its guard has derivatives 0, and the derivative of a root is 0
+    /// where the root is 0.
     pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: Placement) -> Vec<Scalar> {
         self.swept_back(output, variables, placement).0
     }
 
-    /// The same, with what the sweep passed on its way.
+    /// Returns the [`gradient`](Self::gradient) and the nodes that the sweep visited.
     pub(crate) fn swept_back(
         &mut self,
         output: Scalar,
@@ -70,7 +73,7 @@ impl Graph {
         (components.into_iter().map(sum).collect(), passages)
     }
 
-    /// The same by variables that are no combinations of others.
+    /// Sweeps back to variables that are not directions.
     fn swept_back_to(
         &mut self,
         output: Scalar,
@@ -79,7 +82,7 @@ impl Graph {
     ) -> (Vec<Scalar>, Vec<Passage>) {
         let order = self.order(&[output]);
         let active = self.active(&order, variables);
-        // A module for the web derives rigs alone, which have no selects.
+        // Builds with `aim_small`, as for the web, derive only rigs, which have no selects.
         let (masks, growth) = if cfg!(not(aim_small)) && self.selects(&order) {
             (Masks::of(self, output, &order, &active), Growth::of(self, &order))
         } else {
@@ -118,14 +121,14 @@ impl Graph {
     }
 }
 
-/// The node under way.
+/// The node that the sweep is visiting.
 #[derive(Clone, Copy)]
 struct Here {
-    /// d output / d node
+    /// d output / d node.
     adjoint: Node,
-    /// The condition under which that is needed.
+    /// The condition under which the adjoint is needed.
     mask: Mask,
-    /// Whether it may be something else than 0 where the mask does not hold.
+    /// `true` if the adjoint may differ from 0 where the mask does not hold.
     unmasked: bool,
 }
 
@@ -136,16 +139,16 @@ struct Sweep<'g> {
     variables: &'g [Variable],
     growth: Growth,
     masks: Masks,
-    /// The nodes whose adjoint may be anything where their mask does not hold; those of the others are 0 there.
+    /// The nodes whose adjoint may have any value where their mask does not hold. All other adjoints are 0 there.
     unmasked: NodeSet,
     here: Here,
-    /// d output / d node; by a vector a covector.
+    /// d output / d node, for a vector a covector.
     adjoints: NodeTable<Node>,
-    /// What adjoints that are not masked add to nodes, by mask.
+    /// Contributions from unmasked adjoints that are not yet added to their node, by mask.
     waiting: FxHashMap<Node, Vec<(Mask, Node)>>,
-    /// d output / d variable
+    /// d output / d variable.
     found: Vec<Option<Scalar>>,
-    /// What the node under way adds to that.
+    /// The contributions of the current node to `found`.
     gives: Vec<(Variable, Scalar)>,
 }
 
@@ -164,8 +167,9 @@ impl Sweep<'_> {
         }
     }
 
-    /// Adds what is needed where the mask holds; elsewhere it is 0, unless it is `unmasked`: then it waits to be masked with
-    /// all that has the same mask, where the node has another.
+    /// Adds a contribution that is needed where the mask holds and is 0 elsewhere. If it is `unmasked`, so that it may
+    /// differ from 0 elsewhere, and the node has another mask, it is deferred and later masked together with all
+    /// contributions of the same mask.
     fn add(&mut self, node: Node, change: Node, mask: Mask, unmasked: bool) {
         if unmasked && self.masks.of_node(node) != mask {
             let waiting = self.waiting.entry(node).or_default();
@@ -185,7 +189,8 @@ impl Sweep<'_> {
         self.adjoints.insert(node, total);
     }
 
-    /// d output / d node, where the output depends on it: everything was added.
+    /// Returns d output / d node, or `None` if the output does not depend on the node. All users of the node must have
+    /// been visited.
     fn adjoint(&mut self, node: Node) -> Option<Node> {
         for (mask, change) in self.waiting.remove(&node).unwrap_or_default() {
             let change = match change {
@@ -216,7 +221,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// Whether `change`, made of the adjoint under way, may be something else than 0 where the mask does not hold.
+    /// Returns `true` if `change`, computed from the current adjoint, may differ from 0 where the current mask does not
+    /// hold.
     fn is_unmasked(&self, change: Node) -> bool {
         let Here { adjoint, mask, unmasked } = self.here;
         mask != Mask::ALWAYS && (unmasked || !self.growth.keeps_zero(self.g, change, adjoint))
@@ -302,7 +308,7 @@ impl Sweep<'_> {
                 });
             }
             VectorNode::Normalize(v) => {
-                // d(v/|v|) is the part of dv across v, over |v|.
+                // d(v/|v|) is the part of dv perpendicular to v, over |v|.
                 let placement = self.placement;
                 self.add_to_vector(v, |g| {
                     let across = g.across(bar, crate::Unit(vector));
@@ -321,7 +327,7 @@ impl Sweep<'_> {
                 });
             }
             VectorNode::Motion(space, Attitude::Quaternion(u, w)) => {
-                // Of a quaternion the motion is 2 q̇ q*/|q|² in the world, and 2 q* q̇/|q|² in the body.
+                // The motion of a quaternion is 2 q̇ q*/|q|² in the world and 2 q* q̇/|q|² in the body.
                 let twice = self.g.twice_over_square(u, w);
                 let moment = self.g.scale(twice, bar);
                 self.add_to_vector(u, |g| {
@@ -336,7 +342,7 @@ impl Sweep<'_> {
             VectorNode::Motion(space, Attitude::Turn(v)) => {
                 self.add_to_vector(v, |g| g.turned_rate(v, bar, space == Space::World));
             }
-            // The transpose of a quarter turn is the quarter turn back.
+            // The transpose of a 90° turn is the 90° turn back.
             VectorNode::Perp(plane, v) => self.add_to_vector(v, |g| {
                 let perp = g.perp(plane, bar);
                 g.neg_vector(perp)
@@ -369,8 +375,8 @@ impl Sweep<'_> {
         }
     }
 
-    /// What `rotation` adds to the derivative by its angle: it moves `rotated` along the result's own perpendicular, which
-    /// is already at hand.
+    /// Adds the derivative by the angle of `rotation`: the dot product of the adjoint with the perpendicular of
+    /// `rotated`, which is already available. For a step or a motion, adds the moment to its adjoint.
     fn turn(&mut self, rotation: Rotation, rotated: Vector, bar: Vector) {
         if let Some((step, back)) = self.g.moved_by(rotation) {
             self.add_to_vector(step, |g| g.moment(step, back, rotated, bar));
@@ -386,7 +392,7 @@ impl Sweep<'_> {
 }
 
 impl Graph {
-    /// The angle that `rotation` turns by, and what it adds to its result `rotated` per radian.
+    /// Returns the angle of `rotation`, and the derivative of the result `rotated` by that angle.
     pub(crate) fn swing(&mut self, rotation: Rotation, rotated: Vector) -> Option<(crate::Angle, Vector)> {
         let (turn, back) = match self.rotation_node(rotation) {
             RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
@@ -400,7 +406,7 @@ impl Graph {
         Some((self.unshifted(angle), if back { self.neg_vector(perp) } else { perp }))
     }
 
-    /// The sum of two scalars or of two vectors.
+    /// Returns the sum of two scalars or of two vectors.
     fn add_nodes(&mut self, one: Node, other: Node) -> Node {
         match (one, other) {
             (Node::Scalar(a), Node::Scalar(b)) => Node::Scalar(self.add(a, b)),

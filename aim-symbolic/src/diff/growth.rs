@@ -1,27 +1,27 @@
-//! Whether 0 times an expression is 0: not where the expression may be infinite or NaN.
+//! Decides whether 0 times an expression is 0, which fails if the expression may be infinite or NaN.
 //!
-//! Nothing is known of the inputs but that they are finite. A product of two can overflow already, so expressions count by
-//! their degree: sums of inputs are taken for finite, products of them are not. The largest guarded reciprocal is the root
-//! of the largest finite number, so a product of two is finite.
+//! The inputs are only known to be finite, and a product of two inputs can already overflow. So each expression has a
+//! degree: sums of inputs are taken for finite, products of inputs are not. A guarded reciprocal is at most the square
+//! root of the largest finite number, so that a product of two of them is finite; it has half the degree of an input.
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::NodeTable;
 use crate::{Angle, Attitude, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
-/// The degree of what may be infinite or NaN for inputs of any size.
+/// The degree of expressions that may be infinite or NaN.
 const UNBOUNDED: u8 = u8::MAX;
 
-/// The degree of an input, and the largest of what is finite.
+/// The degree of an input, and the largest degree that is taken for finite.
 const FINITE: u8 = 2;
 
-/// The degrees of the nodes that a sweep goes through.
+/// The degrees of the nodes of a sweep.
 #[derive(Default)]
 pub(crate) struct Growth {
     known: NodeTable<u8>,
 }
 
 impl Growth {
-    /// Of `order`, in which each node comes after its parts.
+    /// Computes the degrees of `order`, in which each node comes after its operands.
     pub(crate) fn of(g: &Graph, order: &[Node]) -> Self {
         let mut growth = Self::default();
         for &node in order {
@@ -31,7 +31,8 @@ impl Growth {
         growth
     }
 
-    /// Whether `change`, which is made of the adjoint and known nodes, is 0 where the adjoint is.
+    /// Returns `true` if `change`, an expression of the adjoint and of nodes with known degrees, is 0 wherever the
+    /// adjoint is 0.
     pub(crate) fn keeps_zero(&self, g: &Graph, change: Node, adjoint: Node) -> bool {
         self.degree(g, change, Some(adjoint)) <= FINITE
     }
@@ -51,12 +52,12 @@ impl Growth {
     }
 }
 
-/// The degrees of an expression's parts.
+/// Computes the degree of a node from those of its operands.
 #[derive(Clone, Copy)]
 struct Degrees<'a> {
     growth: &'a Growth,
     g: &'a Graph,
-    /// What is 0.
+    /// The node that is assumed to be 0.
     zero: Option<Node>,
 }
 
@@ -81,7 +82,7 @@ impl Degrees<'_> {
             ScalarNode::Op(Op::SelectLess(_, _, then, otherwise)) => self.scalar(then).max(self.scalar(otherwise)),
             ScalarNode::Op(Op::Call(Function::Sin | Function::Cos, a)) => bounded(self.scalar(a)),
             ScalarNode::Op(Op::Atan2(y, x)) => bounded(self.scalar(y).max(self.scalar(x))),
-            // Guarded, so that it is finite also of NaN.
+            // The guard makes it finite even if the operand is NaN.
             ScalarNode::Reciprocal(_) => FINITE / 2,
             ScalarNode::Dot(v, w) => self.vector(v).saturating_add(self.vector(w)),
             ScalarNode::Norm(v) => self.vector(v).saturating_mul(2),
@@ -106,7 +107,7 @@ impl Degrees<'_> {
         }
     }
 
-    /// A rotation keeps lengths.
+    /// Returns the degree of a rotation, which preserves lengths: 0 if its numbers are finite.
     fn rotation(self, rotation: Rotation) -> u8 {
         let mut parts = Largest { of: self, degree: 0 };
         parts.rotation(rotation);
@@ -114,12 +115,12 @@ impl Degrees<'_> {
     }
 }
 
-/// The degree of what is about 1 at most, if its parts are finite.
+/// Returns the degree of an expression whose absolute value is at most about 1 if its operands are finite.
 fn bounded(degree: u8) -> u8 {
     if degree <= FINITE { 0 } else { UNBOUNDED }
 }
 
-/// The largest degree among parts.
+/// Accumulates the largest degree among operands.
 struct Largest<'a> {
     of: Degrees<'a>,
     degree: u8,

@@ -1,10 +1,10 @@
-//! Where adjoints are masked: the conditions under which a value depends on a part of it.
+//! Masks of adjoints: the conditions under which a value depends on a node.
 //!
-//! The adjoint of `if c { x } else { y }` is passed on as `c ? ȳ : 0` and `c ? 0 : ȳ`, so that what stands below a select is
-//! swept once. In the branch not taken 0 is then multiplied by partial derivatives, which is 0 as long as they are finite.
-//! Where they may not be ([`Growth`](crate::diff::growth::Growth)), adjoints are no longer 0 there, and are masked again where
-//! they leave the branch: for parts that are needed elsewhere, too. So each node has the condition under which it is needed,
-//! its [`Mask`].
+//! The adjoint ȳ of `if c { x } else { z }` is passed on as `c ? ȳ : 0` to x and `c ? 0 : ȳ` to z, so that each node
+//! below a select is visited once. In the branch not taken, this 0 is multiplied by partial derivatives, and the
+//! product is 0 as long as they are finite. Where they may not be finite ([`Growth`](crate::diff::growth::Growth)),
+//! adjoints inside the branch may differ from 0, and are masked again on the edges that leave the branch, to nodes that
+//! are also used elsewhere. For this each node has a [`Mask`], the condition under which it is needed.
 
 use rustc_hash::FxHashMap;
 
@@ -12,20 +12,20 @@ use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, NodeTable};
 use crate::{Graph, Op, Scalar, ScalarNode};
 
-/// A condition of comparisons; equal ones are one.
+/// A condition on comparisons, interned: equal conditions have equal ids.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Mask(usize);
 
 impl Mask {
-    /// It always holds.
+    /// The condition that always holds.
     pub(crate) const ALWAYS: Self = Self(0);
 }
 
-/// What a mask is made of.
+/// The definition of a mask.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Condition {
     Always,
-    /// The comparison a < b comes out like this, and another mask holds.
+    /// The comparison a < b has the result `holds`, and the mask `within` holds.
     Less {
         a: Scalar,
         b: Scalar,
@@ -35,19 +35,19 @@ enum Condition {
     Either(Mask, Mask),
 }
 
-/// The masks of the nodes of one sweep: of nodes that are not known, [`Mask::ALWAYS`].
+/// The masks of the nodes of one sweep. Nodes without an entry have [`Mask::ALWAYS`].
 pub(crate) struct Masks {
     conditions: Vec<Condition>,
     index: FxHashMap<Condition, Mask>,
-    /// 1 where the mask holds, else 0, of those that were asked for.
+    /// Scalars that are 1 where the mask holds, else 0, for the masks that needed one.
     flags: FxHashMap<Mask, Scalar>,
     needed: NodeTable<Mask>,
 }
 
-/// Among so many conditions either of which needs a node one looks for two that make one.
+/// Limit on the number of alternatives of a node's mask that are searched for a pair to merge.
 const MOST_JOINED: usize = 16;
 
-/// Conditions of so many comparisons are put in one order.
+/// Limit on the number of nested comparisons that are brought into a canonical order.
 const MOST_ORDERED: usize = 4;
 
 impl Default for Masks {
@@ -64,12 +64,12 @@ impl Default for Masks {
 }
 
 impl Masks {
-    /// The masks of the active nodes of `order`, which are parts of `output`, each after its own parts.
+    /// Computes the masks of the active nodes of `order`: the nodes on which `output` depends, each after its operands.
     pub(crate) fn of(g: &Graph, output: Scalar, order: &[Node], active: &NodeSet) -> Self {
         let mut masks = Self::default();
         masks.need(Node::Scalar(output), Mask::ALWAYS);
         for &node in order.iter().rev().filter(|&&node| active.contains(node)) {
-            // What is only compared has no adjoint, and its parts are not needed for it.
+            // A node that is only compared has no adjoint, and does not make its operands needed.
             let Some(mask) = masks.needed.copied(node) else { continue };
             match node {
                 Node::Scalar(s) => match g.scalar_node(s) {
@@ -95,7 +95,7 @@ impl Masks {
         })
     }
 
-    /// That of a branch of a select which is needed under the condition `within`.
+    /// Returns the mask of a branch of a select that is needed under the condition `within`.
     pub(crate) fn branch(&mut self, a: Scalar, b: Scalar, holds: bool, within: Mask) -> Mask {
         let mut all = vec![(a, b, holds)];
         let mut rest = within;
@@ -108,13 +108,14 @@ impl Masks {
         if rest != Mask::ALWAYS {
             return self.intern(Condition::Less { a, b, holds, within });
         }
-        // What stands deeper was made earlier and comes last, so that conditions of different depth have the most in common.
+        // Nodes deeper in the expression were created earlier and sort last, so that conditions of different depth
+        // share the longest prefix.
         all.sort_unstable_by(|one, other| other.cmp(one));
         all.dedup();
         all.into_iter().fold(Mask::ALWAYS, |within, (a, b, holds)| self.intern(Condition::Less { a, b, holds, within }))
     }
 
-    /// The condition under which the node is needed.
+    /// Returns the condition under which the node is needed.
     pub(crate) fn of_node(&self, node: Node) -> Mask {
         self.needed.copied(node).unwrap_or(Mask::ALWAYS)
     }
@@ -127,8 +128,8 @@ impl Masks {
         self.needed.insert(node, mask);
     }
 
-    /// Holds where either does: `known` may be a list of such, of which those that make something simpler with the other are
-    /// exchanged for that.
+    /// Returns a mask that holds where either mask does. `known` may be a list of alternatives; those that merge with
+    /// `other` into a simpler mask are replaced by it.
     fn either(&mut self, known: Mask, other: Mask) -> Mask {
         let (mut rest, mut latest, mut other) = (known, Vec::new(), other);
         loop {
@@ -136,7 +137,7 @@ impl Masks {
             if let Some(place) = found {
                 other = self.joined(latest.remove(place), other).unwrap_or(other);
             } else if let Some(joined) = self.joined(rest, other) {
-                // Nothing comes before it: the first of the others takes its place.
+                // `rest` was the head of the list: the first of the later alternatives takes its place.
                 let Some(first) = latest.pop() else { return joined };
                 (rest, other) = (first, joined);
             } else if let Condition::Either(before, last) = self.conditions[rest.0]
@@ -152,7 +153,7 @@ impl Masks {
         all.fold(rest, |list, mask| self.intern(Condition::Either(list, mask)))
     }
 
-    /// What holds where either does, if it is one of the two or what both are within.
+    /// Returns the union of two masks if it is one of the two or the mask that both are within.
     fn joined(&self, one: Mask, other: Mask) -> Option<Mask> {
         match (self.conditions[one.0], self.conditions[other.0]) {
             _ if one == other => Some(one),
@@ -167,7 +168,7 @@ impl Masks {
         }
     }
 
-    /// `value` where the mask holds, else 0, whatever `value` is there.
+    /// Returns `value` where the mask holds, else 0, even if `value` is not finite there.
     pub(crate) fn masked(&mut self, g: &mut Graph, mask: Mask, value: Scalar) -> Scalar {
         match self.conditions[mask.0] {
             Condition::Always => value,
@@ -182,7 +183,7 @@ impl Masks {
         }
     }
 
-    /// Whether it is one comparison at most.
+    /// Returns `true` if the mask is at most one comparison.
     fn is_simple(&self, mask: Mask) -> bool {
         match self.conditions[mask.0] {
             Condition::Always => true,
@@ -191,7 +192,7 @@ impl Masks {
         }
     }
 
-    /// 1 where the mask holds, else 0.
+    /// Returns a scalar that is 1 where the mask holds, else 0.
     fn flag(&mut self, g: &mut Graph, mask: Mask) -> Scalar {
         let mut wanted = vec![mask];
         while let Some(&mask) = wanted.last() {
@@ -220,7 +221,7 @@ impl Masks {
 }
 
 impl Graph {
-    /// `value` where the comparison a < b comes out like this, else 0.
+    /// Returns `value` where the comparison a < b has the result `holds`, else 0.
     pub(crate) fn where_less(&mut self, a: Scalar, b: Scalar, holds: bool, value: Scalar) -> Scalar {
         let zero = self.constant(0.0);
         if holds { self.select_less(a, b, value, zero) } else { self.select_less(a, b, zero, value) }

@@ -1,4 +1,4 @@
-//! Derivatives: backwards from a value over whole vectors, or forwards from a variable.
+//! Derivatives: reverse sweeps from a value, over whole vectors, and forward sweeps from a variable.
 
 pub(crate) mod gradient;
 mod growth;

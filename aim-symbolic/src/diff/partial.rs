@@ -1,27 +1,27 @@
-//! The derivatives of scalar operations by their parts, which both sweeps use.
+//! Partial derivatives of scalar operations by their operands, shared by both sweeps.
 
 use crate::ir::smooth::arc_factor;
 use crate::{Angle, Function, Graph, InputKind, Op, Scalar, ScalarNode, Stumpff};
 
-/// A partial derivative.
+/// A partial derivative, in the form that is cheapest to multiply by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Partials {
     /// 1
     One,
     /// −1
     MinusOne,
-    /// A factor.
+    /// A factor f.
     Factor(Scalar),
-    /// Its negation.
+    /// A factor with a minus sign, −f.
     MinusFactor(Scalar),
-    /// A divisor.
+    /// The reciprocal of a divisor, 1/d.
     Over(Scalar),
-    /// A factor over a divisor, negated.
+    /// A quotient with a minus sign, −f/d.
     MinusOver(Scalar, Scalar),
 }
 
 impl Graph {
-    /// `bar` times a partial derivative.
+    /// Returns `bar` times a partial derivative.
     pub(crate) fn times(&mut self, bar: Scalar, partial: Partials) -> Scalar {
         let one = self.constant_of(bar) == Some(1.0);
         match partial {
@@ -48,7 +48,8 @@ impl Graph {
         self.times(a, Partials::Factor(two))
     }
 
-    /// The derivatives of `scalar` by those of its scalar parts that are wanted; not for selects and functions of vectors.
+    /// Returns the partial derivatives of `scalar` by its `wanted` scalar operands. Does not handle selects and
+    /// functions of vectors.
     pub(crate) fn partials(&mut self, scalar: Scalar, wanted: impl Fn(Scalar) -> bool) -> Vec<(Scalar, Partials)> {
         use Partials::{Factor, MinusFactor, MinusOne, MinusOver, One, Over};
         let mut partials = match self.scalar_node(scalar) {
@@ -68,7 +69,7 @@ impl Graph {
             ScalarNode::Stumpff(function, s) if wanted(s) => vec![(s, Factor(self.slope_of_stumpff(function, s)))],
             ScalarNode::Arc(order, s, w) => self.slopes_of_arc(order, s, w),
             ScalarNode::Reciprocal(a) if wanted(a) => vec![(a, MinusFactor(self.mul(scalar, scalar)))],
-            // It is constant but for its jumps.
+            // Piecewise constant.
             ScalarNode::Op(Op::Call(Function::Floor, _)) => vec![],
             ScalarNode::Op(Op::Call(function, a)) if wanted(a) => vec![(a, self.slope(function, a, scalar))],
             ScalarNode::Op(Op::Atan2(y, x)) if wanted(y) || wanted(x) => {
@@ -79,10 +80,10 @@ impl Graph {
                 vec![(y, Factor(by_y)), (x, MinusFactor(by_x))]
             }
             ScalarNode::Op(Op::Pow(a, b)) if wanted(a) || wanted(b) => {
-                // b aᵇ⁻¹, and aᵇ ln a; both 0 where the base is and they are infinite.
+                // ∂(aᵇ)/∂a = b aᵇ⁻¹ and ∂(aᵇ)/∂b = aᵇ ln a; both are set to 0 at a = 0 if they would be infinite there.
                 let (one, zero) = (self.constant(1.0), self.constant(0.0));
                 let by_a = if self.constant_of(b).is_some_and(|b| b.fract() != 0.0) {
-                    // There is no power of a negative base.
+                    // Negative bases have no power with a fractional exponent.
                     let (product, over) = (self.mul(b, scalar), self.over_positive(a));
                     self.mul(product, over)
                 } else {
@@ -104,14 +105,14 @@ impl Graph {
         partials
     }
 
-    /// 1 / a of an argument that has to be positive, and 0 where it is not.
+    /// Returns 1 / a, or 0 unless a > 0.
     fn over_positive(&mut self, a: Scalar) -> Scalar {
         let (one, zero) = (self.constant(1.0), self.constant(0.0));
         let over = self.div(one, a);
         self.select_less(zero, a, over, zero)
     }
 
-    /// Of an input that is the sine or cosine of an angle: the angle, and its derivative by it.
+    /// Returns the angle of an input that is its sine or cosine, and the derivative of the input by the angle.
     pub(crate) fn slope_of_input(&self, scalar: Scalar) -> Option<(Angle, Partials)> {
         let ScalarNode::Op(Op::Input(index)) = self.scalar_node(scalar) else { return None };
         match self.inputs().get(index as usize)?.1 {
@@ -121,7 +122,7 @@ impl Graph {
         }
     }
 
-    /// dcₖ/ds = (k cₖ₊₂ − cₖ₊₁)/2; of −s the other sign.
+    /// dcₖ/ds = (k cₖ₊₂ − cₖ₊₁)/2; the hyperbolic function of −s has the opposite sign.
     fn slope_of_stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
         let k = function.order;
         let [next, second] = [1, 2].map(|more| self.stumpff(function.of_order(k + more), s));
@@ -152,7 +153,7 @@ impl Graph {
                 Partials::Factor(self.add(one, square))
             }
             Function::Asin | Function::Acos => {
-                // 1 − a² would lose its digits near 1.
+                // Computing 1 − a² directly would lose its digits near |a| = 1.
                 let square = self.around_one(a);
                 let root = self.sqrt(square);
                 let reciprocal = self.reciprocal(root);

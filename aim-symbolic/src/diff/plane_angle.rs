@@ -1,14 +1,14 @@
-//! Angles between two vectors of a plane, stated by their sine and cosine: `atan2(u · (v × w), v · w)` with v and w square to
-//! the direction u.
+//! Angles between two vectors of a plane, given by their sine and cosine: `atan2(u · (v × w), v · w)` with v and w
+//! perpendicular to the direction u.
 //!
-//! Such an angle grows by what w moves along u × w, over w², less what v moves along u × v, over v². The direction u may
-//! change, too: it does so across itself, while v × w is along it, and nothing comes of that. As the angle of a pair of
-//! numbers the same derivative is two vectors for each of the pair, which have to be added.
+//! Such an angle changes by ẇ · (u × w)/w² − v̇ · (u × v)/v². A change of u does not contribute: u̇ is perpendicular to
+//! u, while v × w is parallel to it. Differentiating atan2 by its two arguments would give the same result, but as two
+//! vectors for each of v and w, which have to be added.
 
 use crate::rewrite::directions::{as_unit, is_across};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-/// A product of numbers: its sign, what is multiplied, and what is divided by.
+/// A product of numbers: its sign, numerator factors and denominator factors.
 #[derive(Default)]
 struct Factors {
     negative: bool,
@@ -40,11 +40,12 @@ impl Factors {
     }
 }
 
-/// Longer products are not looked at.
+/// Limit on the number of factors; longer products are not analysed.
 const MOST_FACTORS: usize = 16;
 
 impl Graph {
-    /// The vectors that `angle` lies between, and its derivatives by them, if it is such an angle.
+    /// If `angle` is the angle between two vectors of a plane, returns both vectors, each with the derivative of the
+    /// angle by it.
     pub(crate) fn plane_angle(&mut self, angle: Scalar) -> Option<[(Vector, Vector); 2]> {
         let ScalarNode::Op(Op::Atan2(y, x)) = self.scalar_node(angle) else { return None };
         let (sines, cosines) = (Factors::of(self, y), Factors::of(self, x));
@@ -66,8 +67,8 @@ impl Graph {
         }))
     }
 
-    /// Of a number that is ± u · (v × w) |b|ᵏ, with u the direction of b, to which v and w are square: whether it is negative,
-    /// b and k.
+    /// If `sine` is ± u · (v × w) |b|ᵏ, where u is the direction of b and v and w are perpendicular to u, returns
+    /// whether the sign is negative, b and k.
     fn sine(&self, sine: Scalar, v: Vector, w: Vector) -> Option<(bool, Vector, i32)> {
         let (a, b) = match self.scalar_node(sine) {
             ScalarNode::Dot(a, b) => (a, b),
@@ -80,7 +81,7 @@ impl Graph {
         };
         let across = |axis| is_across(self, v, axis) && is_across(self, w, axis);
         [(a, b), (b, a)].into_iter().find_map(|(cross, last)| {
-            // A product of three vectors, of which two are v and w.
+            // A triple product with v and w among its factors.
             if let VectorNode::Cross(first, second) = self.vector_node(cross) {
                 let cyclic = [[first, second, last], [second, last, first], [last, first, second]];
                 let found = cyclic.into_iter().find_map(|[one, other, axis]| match () {
@@ -105,7 +106,8 @@ impl Graph {
         })
     }
 
-    /// Whether sine and cosine have the same other factors, but for one that makes the axis' length to that power 1.
+    /// Returns `true` if all other factors of sine and cosine cancel, given that the sine contains |axis| to this
+    /// power.
     fn is_ratio(&mut self, [sines, cosines]: [(&Factors, Scalar); 2], axis: Vector, power: i32) -> bool {
         let (mut above, mut below) = (sines.0.above.clone(), sines.0.below.clone());
         above.extend(&cosines.0.below);

@@ -1,16 +1,16 @@
-//! Steps: vectors that are 0 and by which rotations move on their manifold.
+//! Steps: vector variables of value 0 by which rotations move on their manifold.
 //!
-//! A rotation R that derivatives are taken by is stated as R exp δ or exp δ R with a step δ. Then ∂(exp(δ) v) = δ̇ × v is all
-//! that the sweeps need: no number of the rotation itself is differentiated. The terms of first order in δ that they keep make
-//! the derivatives of the derivatives right, too; after the sweeps all steps are 0.
+//! To take derivatives by a rotation R, it is stated as R exp δ or exp δ R with a step δ. The sweeps then need only
+//! ∂(exp(δ) v) = δ̇ × v; no entry of the rotation itself is differentiated. They keep the terms of first order in δ, so
+//! that second derivatives are right too. After the sweeps all steps are set to 0.
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::Table;
 use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
-    /// The step or the motion that `rotation` turns by, and whether it is the way back: what is turned is seen from where
-    /// it ends.
+    /// Returns the step or motion of `rotation`, and `true` if `rotation` is the inverse of that rotation. The inverse
+    /// of a moving rotation has the motion in the body.
     pub(crate) fn moved_by(&self, rotation: Rotation) -> Option<(Vector, bool)> {
         let (turn, back) = match self.rotation_node(rotation) {
             RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
@@ -28,8 +28,9 @@ impl Graph {
         matches!(self.vector_node(v), VectorNode::Motion(..))
     }
 
-    /// J m, where `v` is that by which a turn about it by its length is to the left: m sin r / r + (v × m)(1 − cos r)/r² + (v · m) v
-    /// (r − sin r)/r³; seen from the body, or transposed, its curl has the other sign.
+    /// Returns J m, with J the left Jacobian of the rotation about `v` by its length r:
+    /// m sin r / r + (v × m)(1 − cos r)/r² + (v · m) v (r − sin r)/r³. With `curled_back` the cross product has the
+    /// opposite sign: the right Jacobian, which is also the transpose of the left one.
     pub(crate) fn turned_rate(&mut self, v: Vector, m: Vector, curled_back: bool) -> Vector {
         let [_, kept, aside, along] = self.turn_factors(v);
         let (cross, dot) = (self.cross(v, m), self.dot(v, m));
@@ -45,8 +46,8 @@ impl Graph {
         self.scale(half, cross)
     }
 
-    /// What a result of y = exp(δ) v adds to the derivative by δ: J(δ)ᵀ (y × ȳ), with J = 1 + ½ [δ]× to first order; of the
-    /// way back, y = exp(−δ) v, it is J(−δ)ᵀ (ȳ × y). Of motions, which are velocities, J is 1.
+    /// Returns the contribution of a result y = exp(δ) v to the adjoint of δ: J(δ)ᵀ (y × ȳ), with J = 1 + ½ [δ]× to
+    /// first order. For the inverse, y = exp(−δ) v, it is J(−δ)ᵀ (ȳ × y). For motions, which are velocities, J is 1.
     pub(crate) fn moment(&mut self, step: Vector, back: bool, rotated: Vector, bar: Vector) -> Vector {
         let moment = if back { self.cross(bar, rotated) } else { self.cross(rotated, bar) };
         if self.is_motion(step) {
@@ -60,7 +61,7 @@ impl Graph {
         self.sub_vectors(moment, curl)
     }
 
-    /// `outputs` with all steps 0, and without the turns by them.
+    /// Returns `outputs` with all steps set to 0 and the rotations about them removed.
     pub(crate) fn at_rest(&mut self, outputs: &[Scalar]) -> Vec<Scalar> {
         if self.step_components() == 0 {
             return outputs.to_vec();
@@ -78,7 +79,7 @@ impl Graph {
     }
 }
 
-/// Makes expressions anew without steps, each after its parts.
+/// Rebuilds expressions without steps, each after its operands.
 struct Rest<'g> {
     g: &'g mut Graph,
     scalars: Table<Scalar, Scalar>,

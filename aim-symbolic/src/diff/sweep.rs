@@ -1,33 +1,33 @@
-//! What a sweep passed on its way.
+//! Records of derivative sweeps.
 
 use crate::ir::node::Node;
 use crate::{Scalar, Variable};
 
-/// How derivatives were taken: everything that the sweep passed, in that order.
+/// The record of a sweep: all nodes that it visited, in order.
 #[derive(Clone, Debug)]
 pub struct Swept {
-    /// Which way.
+    /// The direction of the sweep.
     pub course: Course,
-    /// What was passed.
+    /// The visited nodes.
     pub passages: Vec<Passage>,
 }
 
-/// Which way a sweep went.
+/// The direction of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
-    /// From this value back to the variables.
+    /// Backward, from this value to the variables.
     Back(Scalar),
-    /// From this variable forward to the values.
+    /// Forward, from this variable to the values.
     Forward(Variable),
 }
 
-/// A part of the expression on the way of a sweep.
+/// A node that a sweep visited.
 #[derive(Clone, Debug)]
 pub struct Passage {
-    /// The part.
+    /// The visited node.
     pub node: Node,
-    /// On the way back the derivative of the value by the part, on the way forward the part's derivative by the variable.
+    /// Backward, the derivative of the value by the node; forward, the derivative of the node by the variable.
     pub derivative: Node,
-    /// On the way back, what the part adds to the value's derivatives by variables.
+    /// Backward, the node's contributions to the derivatives of the value by variables. Empty forward.
     pub gives: Vec<(Variable, Scalar)>,
 }

@@ -1,8 +1,13 @@
-//! Derivatives by a forward sweep: each part's tangent, its derivative by one variable.
+//! Derivatives by a forward sweep, which computes the tangent of each node: its derivative by one variable.
 //!
-//! With ẋ the tangent of x: (v · w)˙ = v̇ · w + v · ẇ; |v|˙ = v̇ · v/|v|; (R v)˙ = R v̇ + θ̇ J R v, where R turns by θ
-//! and J is the quarter turn in its plane or the cross product with its axis, or R v̇ + δ̇ × R v, where R turns by a step δ; (v/|v|)˙ is the part of v̇ across v, over
-//! |v|; (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇.
+//! With ẋ the tangent of x:
+//!
+//! - (v · w)˙ = v̇ · w + v · ẇ
+//! - |v|˙ = v̇ · v/|v|
+//! - (R v)˙ = R v̇ + θ̇ J R v, where R turns by θ and J is the 90° turn in its plane or the cross product with its axis
+//! - (R v)˙ = R v̇ + δ̇ × R v, where R turns by a step δ
+//! - (v/|v|)˙ = across(v̇)/|v|, the part of v̇ perpendicular to v over |v|
+//! - (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇
 
 use crate::diff::sweep::Passage;
 use crate::ir::node::Node;
@@ -11,12 +16,13 @@ use crate::rewrite::rules::COMPOSITIONS;
 use crate::{Attitude, Graph, Op, Rotation, Scalar, ScalarNode, Space, Variable, Vector, VectorNode};
 
 impl Graph {
-    /// The derivatives of each of `outputs` by `variable`, under the same terms as [`gradient`](Self::gradient).
+    /// Returns the derivatives of each of `outputs` by `variable`, with the same conventions as
+    /// [`gradient`](Self::gradient).
     pub fn tangents(&mut self, outputs: &[Scalar], variable: Variable) -> Vec<Scalar> {
         self.swept_forward(outputs, variable).0
     }
 
-    /// The same, with what the sweep passed on its way.
+    /// Returns the [`tangents`](Self::tangents) and the nodes that the sweep visited.
     pub(crate) fn swept_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<Passage>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs);
@@ -49,16 +55,16 @@ impl Graph {
 
 struct Sweep<'g> {
     g: &'g mut Graph,
-    /// The tangents of the variables; 1 is left out.
+    /// The tangents of the variables; `None` stands for 1.
     seeds: Vec<(Variable, Option<Scalar>)>,
     active: NodeSet,
-    /// d scalar / d variable, of those that depend on it.
+    /// d scalar / d variable, for the scalars that depend on it.
     scalars: Table<Scalar, Scalar>,
     vectors: Table<Vector, Vector>,
 }
 
 impl Sweep<'_> {
-    /// The tangent of a variable, if it has one: 1 is left out.
+    /// Returns the tangent of a variable, or `None` if it has none. An inner `None` stands for 1.
     fn seed(&self, variable: Variable) -> Option<Option<Scalar>> {
         self.seeds.iter().find(|(known, _)| *known == variable).map(|(_, seed)| *seed)
     }
@@ -129,7 +135,8 @@ impl Sweep<'_> {
         terms.into_iter().reduce(|a, b| self.g.add(a, b)).unwrap_or_else(|| self.g.constant(0.0))
     }
 
-    /// What a turn by a step adds: J δ̇ × y, or where it is the way back −J δ̇ × y, with J = 1 ± ½ [δ]× to first order.
+    /// Returns the contribution of a rotation about a step δ to the tangent of y: J δ̇ × y, or for the inverse
+    /// −J δ̇ × y, with J = 1 ± ½ [δ]× to first order.
     fn step(&mut self, rotation: Rotation, rotated: Vector) -> Option<Vector> {
         let (step, back) = self.g.moved_by(rotation)?;
         let change = self.vector_tangent(step)?;

@@ -1,4 +1,4 @@
-//! Evaluation of typed expressions in f64, without lowering: the independent oracle of the tests.
+//! Evaluation of typed expressions in f64 without lowering: the independent oracle of the tests.
 
 use crate::ir::smooth::arc_value;
 use crate::{
@@ -13,7 +13,8 @@ pub struct Bindings {
 }
 
 impl Bindings {
-    /// The given inputs in order of their declaration, without the sines and cosines, which follow from `angles`.
+    /// Binds the given inputs in order of declaration. Sines and cosines are omitted: they follow from `angles`, in
+    /// radians. Missing inputs and angles are 0.
     #[must_use]
     pub fn new(g: &Graph, given: &[f64], angles: &[(Angle, f64)]) -> Self {
         let mut given = given.iter().copied();
@@ -30,13 +31,13 @@ impl Bindings {
         Self { inputs, angles: angles.to_vec() }
     }
 
-    /// One value an input, as [`Program::run`](crate::Program::run) takes them.
+    /// Returns one value for each input, in the order that [`Program::run`](crate::Program::run) takes.
     #[must_use]
     pub fn inputs(&self) -> &[f64] {
         &self.inputs
     }
 
-    /// The same with one angle moved by `by` radians.
+    /// Returns the bindings with one angle changed by `by` radians.
     #[must_use]
     pub fn moved(&self, g: &Graph, angle: Angle, by: f64) -> Self {
         let angles: Vec<_> = self.angles.iter().map(|&(a, x)| (a, if a == angle { x + by } else { x })).collect();
@@ -76,26 +77,26 @@ fn cross(v: [f64; 3], w: [f64; 3]) -> [f64; 3] {
 }
 
 impl Graph {
-    /// The value of `scalar`.
+    /// Returns the value of `scalar`.
     #[must_use]
     pub fn evaluate(&self, scalar: Scalar, bindings: &Bindings) -> f64 {
         Evaluation::new(self, bindings).scalar(scalar)
     }
 
-    /// The value of `vector`.
+    /// Returns the value of `vector`.
     #[must_use]
     pub fn evaluate_vector(&self, vector: Vector, bindings: &Bindings) -> [f64; 3] {
         Evaluation::new(self, bindings).vector(vector)
     }
 
-    /// The rows of `rotation` in the row-vector layout.
+    /// Returns the rows of `rotation` in the row-vector layout.
     #[must_use]
     pub fn evaluate_rotation(&self, rotation: Rotation, bindings: &Bindings) -> [[f64; 3]; 3] {
         Evaluation::new(self, bindings).rotation(rotation)
     }
 }
 
-/// One evaluation: every expression once, however often it is used.
+/// One evaluation: computes every expression once, however often it is used.
 pub(crate) struct Evaluation<'a> {
     g: &'a Graph,
     bindings: &'a Bindings,

@@ -1,4 +1,4 @@
-//! The hash-consed graph: equal expressions are one node, so that sharing is found by construction.
+//! The hash-consed graph: equal expressions are one node, so that common subexpressions are shared by construction.
 
 pub(crate) mod prune;
 
@@ -34,9 +34,9 @@ impl<N: Copy + Eq + Hash> Arena<N> {
     }
 }
 
-/// Expressions, each stored once.
+/// An expression graph in which equal expressions are stored once.
 ///
-/// The constructors state; they do not simplify. That is [`rewrite`](Self::rewrite)'s and the lowering's work.
+/// The constructors build nodes as stated and do not simplify; [`rewrite`](Self::rewrite) and the lowering do.
 #[derive(Clone, Debug)]
 pub struct Graph {
     scalars: Arena<ScalarNode>,
@@ -44,16 +44,16 @@ pub struct Graph {
     rotations: Arena<RotationNode>,
     inputs: Vec<(String, InputKind)>,
     angles: Vec<AngleEntry>,
-    /// The angles that are expressions.
+    /// The angles of [`angle_of`](Graph::angle_of), by their expressions in radians.
     angles_of: Table<Scalar, Angle>,
     directions: Vec<Vec<(Variable, Scalar)>>,
-    /// How many components of steps there are.
+    /// The total number of components of steps.
     steps: u32,
-    /// Vectors that are needed more than once, which the rules of the pass under way may not take apart.
+    /// Vectors that are used more than once and that the rules of the current pass may not take apart.
     closed: Table<Vector, ()>,
-    /// Rotations before which the calculation is to be done.
+    /// Rotations whose inner frame the calculation should move to; see [`keep`](Graph::keep).
     kept: Vec<Rotation>,
-    /// Rotations that left a direction and its neighbour, in order.
+    /// Rotations that cancelled between a direction and the other side of a dot product, in order, with repetitions.
     cancelled: Vec<Rotation>,
 }
 
@@ -62,9 +62,9 @@ struct AngleEntry {
     name: String,
     sin: Scalar,
     cos: Scalar,
-    /// The expression it stands for, unless it is an input.
+    /// The expression in radians; `None` if the sine and cosine are inputs.
     radians: Option<Scalar>,
-    /// The input that it differs from by a constant.
+    /// The angle of which this is the sum with a constant.
     shifted: Option<Angle>,
 }
 
@@ -75,7 +75,7 @@ impl Default for Graph {
 }
 
 impl Graph {
-    /// An empty graph.
+    /// Creates an empty graph.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -93,32 +93,32 @@ impl Graph {
         }
     }
 
-    /// What `scalar` is made of.
+    /// Returns the operation and operands of `scalar`.
     #[must_use]
     pub fn scalar_node(&self, scalar: Scalar) -> ScalarNode {
         self.scalars.nodes[scalar.0 as usize]
     }
 
-    /// What `vector` is made of.
+    /// Returns the operation and operands of `vector`.
     #[must_use]
     pub fn vector_node(&self, vector: Vector) -> VectorNode {
         self.vectors.nodes[vector.0 as usize]
     }
 
-    /// What `rotation` is made of.
+    /// Returns the operation and operands of `rotation`.
     #[must_use]
     pub fn rotation_node(&self, rotation: Rotation) -> RotationNode {
         self.rotations.nodes[rotation.0 as usize]
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     #[expect(clippy::len_without_is_empty, reason = "an empty graph is of no interest")]
     #[must_use]
     pub fn len(&self) -> usize {
         self.sizes().iter().sum()
     }
 
-    /// How many scalars, vectors and rotations there are.
+    /// Returns the numbers of scalars, vectors and rotations.
     pub(crate) fn sizes(&self) -> [usize; 3] {
         [self.scalars.nodes.len(), self.vectors.nodes.len(), self.rotations.nodes.len()]
     }
@@ -131,13 +131,13 @@ impl Graph {
         Vector(self.vectors.intern(node))
     }
 
-    /// The cross product of two vectors in either order, and whether that is the other, where it is there already.
+    /// Looks up an existing cross product of the two vectors in either order. The flag is `true` if the order is w × v.
     pub(crate) fn known_cross(&self, v: Vector, w: Vector) -> Option<(Vector, bool)> {
         let known = |v, w| self.vectors.index.get(&VectorNode::Cross(v, w)).map(|&place| Vector(place));
         known(v, w).map(|cross| (cross, false)).or_else(|| known(w, v).map(|cross| (cross, true)))
     }
 
-    /// Stores a node that a pass has made of others, in the form in which the constructors make it.
+    /// Stores a node that a pass has built from other nodes, in the form that the constructors give it.
     pub(crate) fn remade_scalar(&mut self, node: ScalarNode) -> Scalar {
         match node {
             ScalarNode::Dot(v, w) => self.dot(v, w),
@@ -164,7 +164,8 @@ impl Graph {
         self.closed.insert(sum, ());
     }
 
-    /// From now on [`FRAMES`](crate::rewrite::rules::FRAMES) moves calculations to before these rotations.
+    /// Sets the rotations to whose inner frame [`FRAMES`](crate::rewrite::rules::FRAMES) moves calculations from now
+    /// on.
     pub fn keep(&mut self, rotations: &[Rotation]) {
         self.kept = rotations.to_vec();
         self.cancelled.clear();
@@ -178,7 +179,8 @@ impl Graph {
         self.cancelled.push(rotation);
     }
 
-    /// The rotations that left a direction and its neighbour since [`keep`](Self::keep), as often as they did.
+    /// Returns the rotations that cancelled between a direction and the other side of a dot product since
+    /// [`keep`](Self::keep), with repetitions.
     pub(crate) fn cancelled(&self) -> &[Rotation] {
         &self.cancelled
     }
@@ -187,26 +189,26 @@ impl Graph {
         self.closed = Table::default();
     }
 
-    /// The inputs in order of their declaration.
+    /// Returns the inputs in order of declaration.
     #[must_use]
     pub fn inputs(&self) -> &[(String, InputKind)] {
         &self.inputs
     }
 
-    /// The name of an angle.
+    /// Returns the name of an angle.
     #[must_use]
     pub fn angle_name(&self, angle: Angle) -> &str {
         &self.angles[angle.0 as usize].name
     }
 
-    /// An angle's sine and cosine: inputs, or functions of its radians.
+    /// Returns an angle's sine and cosine: inputs, or functions of the angle's expression in radians.
     #[must_use]
     pub fn sin_cos(&self, angle: Angle) -> (Scalar, Scalar) {
         let AngleEntry { sin, cos, .. } = self.angles[angle.0 as usize];
         (sin, cos)
     }
 
-    /// The expression that an angle stands for; `None` for one whose sine and cosine are inputs.
+    /// Returns an angle's expression in radians, or `None` if its sine and cosine are inputs.
     #[must_use]
     pub fn radians(&self, angle: Angle) -> Option<Scalar> {
         self.angles[angle.0 as usize].radians
@@ -218,7 +220,7 @@ impl Graph {
         self.intern_scalar(ScalarNode::Op(Op::Input(index)))
     }
 
-    /// A number given by the caller.
+    /// Declares an input: a number given by the caller.
     pub fn input(&mut self, name: &str) -> Scalar {
         self.declare(name.to_owned(), InputKind::Given)
     }
@@ -227,7 +229,7 @@ impl Graph {
         Angle(u32::try_from(self.angles.len()).expect("four billion angles do not fit in memory"))
     }
 
-    /// An angle; its sine and its cosine become the next two inputs.
+    /// Declares an angle; its sine and its cosine become the next two inputs.
     pub fn angle(&mut self, name: &str) -> Angle {
         let angle = self.next_angle();
         let sin = self.declare(format!("sin_{name}"), InputKind::Sin(angle));
@@ -236,7 +238,7 @@ impl Graph {
         angle
     }
 
-    /// The angle of so many radians, for rotations by an expression.
+    /// Returns the angle with this value in radians, for rotations by an expression.
     pub fn angle_of(&mut self, radians: Scalar) -> Angle {
         if let Some(&known) = self.angles_of.get(radians) {
             return known;
@@ -248,7 +250,7 @@ impl Graph {
         angle
     }
 
-    /// `angle` and a constant one with this sine and cosine.
+    /// Returns the sum of `angle` and a constant angle with this sine and cosine.
     pub(crate) fn shifted_angle(&mut self, angle: Angle, [sine, cosine]: [f64; 2]) -> Angle {
         if let Some(radians) = self.radians(angle) {
             let shift = self.constant(sine.atan2(cosine));
@@ -268,25 +270,27 @@ impl Graph {
         shifted
     }
 
-    /// The angle without what a constant adds to it: both have the same derivatives.
+    /// Returns the angle without the constant that was added to it. Both have the same derivatives.
     pub(crate) fn unshifted(&self, angle: Angle) -> Angle {
         self.angles[angle.0 as usize].shifted.unwrap_or(angle)
     }
 
-    /// A direction with these components by inputs and angles; the components count as constants.
+    /// Creates a direction with these components along inputs and angles. Derivatives treat the components as
+    /// constants.
     pub fn direction(&mut self, components: &[(Variable, Scalar)]) -> Direction {
         let direction = Direction(u32::try_from(self.directions.len()).expect("directions fit in memory"));
         self.directions.push(components.to_vec());
         direction
     }
 
-    /// The components of a direction.
+    /// Returns the components of a direction.
     #[must_use]
     pub fn direction_components(&self, direction: Direction) -> &[(Variable, Scalar)] {
         &self.directions[direction.0 as usize]
     }
 
-    /// A variable's components: itself, with a component of 1 that is left out, or those of a direction.
+    /// Returns a variable's components: those of a direction, or the variable itself with component `None`, which
+    /// stands for 1.
     pub(crate) fn components_of(&self, variable: Variable) -> Vec<(Variable, Option<Scalar>)> {
         match variable {
             Variable::Along(direction) => {
@@ -296,39 +300,39 @@ impl Graph {
         }
     }
 
-    /// A step: a vector that is 0, and by whose components derivatives are taken.
+    /// Creates a step: a vector variable whose value is 0, by whose components derivatives can be taken.
     pub fn step(&mut self) -> Vector {
         let components = [0, 1, 2].map(|axis| self.intern_scalar(ScalarNode::Step(self.steps + axis)));
         self.steps += 3;
         self.components(components)
     }
 
-    /// How many components the steps have.
+    /// Returns the total number of components of all steps.
     #[must_use]
     pub fn step_components(&self) -> usize {
         self.steps as usize
     }
 
-    /// A vector of three inputs.
+    /// Declares a vector of three inputs.
     pub fn vector_input(&mut self, name: &str) -> Vector {
         let components = ["x", "y", "z"].map(|axis| self.input(&format!("{name}_{axis}")));
         self.components(components)
     }
 
-    /// A rotation of nine inputs, rows of the row-vector layout.
+    /// Declares a rotation of nine inputs, the rows of the row-vector layout.
     pub fn rotation_input(&mut self, name: &str) -> Rotation {
         let entries = core::array::from_fn(|i| self.input(&format!("{name}_{}{}", i / 3, i % 3)));
         self.matrix(entries)
     }
 
-    /// A rigid transform of twelve inputs: the rotation's rows, then the translation.
+    /// Declares a rigid transform of twelve inputs: the rotation's rows, then the translation.
     pub fn rigid_input(&mut self, name: &str) -> Rigid {
         let rotation = self.rotation_input(name);
         let translation = self.vector_input(&format!("{name}_t"));
         Rigid { rotation, translation }
     }
 
-    /// A number.
+    /// A constant number.
     pub fn constant(&mut self, value: f64) -> Scalar {
         self.intern_scalar(ScalarNode::Op(Op::Constant(Constant::new(value))))
     }
@@ -363,7 +367,7 @@ impl Graph {
         self.intern_scalar(ScalarNode::Op(Op::Sqrt(a)))
     }
 
-    /// 1 / a, and 0 where a is not above the smallest length that is divided by.
+    /// 1 / a, or 0 unless a is greater than the smallest length by which a guarded division divides, [`Op::Tiny`].
     pub fn reciprocal(&mut self, a: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Reciprocal(a))
     }
@@ -378,7 +382,7 @@ impl Graph {
         self.intern_scalar(ScalarNode::Op(Op::Call(function, a)))
     }
 
-    /// The angle of the point (`x`, `y`) from the first axis, −π…π.
+    /// atan2(`y`, `x`): the angle of the point (`x`, `y`), measured from the first axis, −π…π.
     pub fn atan2(&mut self, y: Scalar, x: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Op(Op::Atan2(y, x)))
     }
@@ -388,12 +392,12 @@ impl Graph {
         self.intern_scalar(ScalarNode::Op(Op::Pow(a, b)))
     }
 
-    /// A Stumpff function of `s`, a square.
+    /// A Stumpff function of `s` = r².
     pub fn stumpff(&mut self, function: Stumpff, s: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Stumpff(function, s))
     }
 
-    /// atan2(√s, w)/√s, which is 1/w at s = 0 for positive w.
+    /// atan2(√s, w)/√s; for positive w it is 1/w at s = 0.
     pub fn arc(&mut self, s: Scalar, w: Scalar) -> Scalar {
         self.intern_scalar(ScalarNode::Arc(0, s, w))
     }
@@ -445,12 +449,12 @@ impl Graph {
         self.intern_vector(VectorNode::Scale(k, v))
     }
 
-    /// v / |v|, and 0 where that has no direction.
+    /// v / |v|, or 0 if v is too short to have a direction.
     pub fn normalize(&mut self, v: Vector) -> Unit {
         Unit(self.intern_vector(VectorNode::Normalize(v)))
     }
 
-    /// v's part in the plane, turned by a quarter.
+    /// v projected onto the plane and turned by 90°.
     pub fn perp(&mut self, plane: Plane, v: Vector) -> Vector {
         self.intern_vector(VectorNode::Perp(plane, v))
     }
@@ -460,18 +464,18 @@ impl Graph {
         self.intern_vector(VectorNode::Cross(v, w))
     }
 
-    /// v − (v · u) u: what of v is square to the direction u.
+    /// v − (v · u) u: the part of v perpendicular to the direction u.
     pub fn across(&mut self, v: Vector, u: Unit) -> Vector {
         self.intern_vector(VectorNode::Across(v, u))
     }
 
-    /// M⁻¹ v, which is not finite where M has no inverse.
+    /// M⁻¹ v. Not finite if M is singular.
     pub fn solve(&mut self, m: Matrix, v: Vector) -> Vector {
         self.intern_vector(VectorNode::Solve(m, v))
     }
 
-    /// The same by Cramer's rule: with n₀ = c₁ × c₂ and so on of the columns, nₖ · v over the determinant c₂ · n₂; of the transpose
-    /// the sum of vₖ nₖ over it.
+    /// M⁻¹ v by Cramer's rule: with the columns c₀, c₁, c₂ and n₀ = c₁ × c₂, n₁ = c₂ × c₀, n₂ = c₀ × c₁, component k is
+    /// nₖ · v over the determinant c₂ · n₂. For the transpose it is the sum of vₖ nₖ over the determinant.
     pub(crate) fn by_cofactors(&mut self, m: Matrix, v: Vector) -> Vector {
         let [x, y, z] = m.columns;
         let normals = [self.cross(y, z), self.cross(z, x), self.cross(x, y)];
@@ -496,39 +500,41 @@ impl Graph {
         self.intern_vector(VectorNode::Rotate(rotation, v.into()))
     }
 
-    /// The rotation with these rows in the row-vector layout. Whether they are orthogonal is the caller's business.
+    /// The rotation with these rows in the row-vector layout. The caller guarantees that they are orthonormal.
     pub fn matrix(&mut self, rows: [Scalar; 9]) -> Rotation {
         self.intern_rotation(RotationNode::Matrix(rows))
     }
 
-    /// The change of basis that takes axis k to `images[k]`; the images must be unit and square to each other.
+    /// The change of basis that maps axis k to `images[k]`. The images must be unit vectors, perpendicular to each
+    /// other.
     pub fn basis(&mut self, images: [[f64; 3]; 3]) -> Rotation {
         let entries = core::array::from_fn(|i| Constant::new(images[i / 3][i % 3]));
         self.intern_rotation(RotationNode::Basis(entries))
     }
 
-    /// The turn of `plane` by `angle`.
+    /// The rotation in `plane` by `angle`.
     pub fn turn(&mut self, plane: Plane, angle: Angle) -> Rotation {
         self.intern_rotation(RotationNode::Turn(plane, angle))
     }
 
-    /// The right-handed turn about `axis` by `angle`. The axis must have length 1; derivatives count it as a constant.
+    /// The right-handed rotation about `axis` by `angle`. The axis must have length 1; derivatives treat it as a
+    /// constant.
     pub fn about(&mut self, axis: Vector, angle: Angle) -> Rotation {
         self.intern_rotation(RotationNode::About(axis, angle))
     }
 
-    /// The rotation of a quaternion of length 1. Derivatives count it as a constant.
+    /// The rotation of a quaternion of length 1. Derivatives treat the quaternion as a constant.
     pub fn quaternion(&mut self, vector: Vector, scalar: Scalar) -> Rotation {
         self.intern_rotation(RotationNode::Quaternion(vector, scalar))
     }
 
-    /// The rotation that an attitude gives. Derivatives by its numbers are those of the rotation.
+    /// The rotation defined by an attitude. It can be differentiated by the attitude's numbers.
     pub fn attitude(&mut self, attitude: Attitude) -> Rotation {
         let motions = [Space::World, Space::Body].map(|space| self.intern_vector(VectorNode::Motion(space, attitude)));
         self.intern_rotation(RotationNode::Moving(motions))
     }
 
-    /// The attitude that a moving rotation follows.
+    /// Returns the attitude of a rotation from its motions.
     #[must_use]
     pub fn attitude_of(&self, [motion, _]: [Vector; 2]) -> Attitude {
         match self.vector_node(motion) {
@@ -537,7 +543,7 @@ impl Graph {
         }
     }
 
-    /// 2/|q|² of a quaternion's parts; 0 where it is 0.
+    /// 2/|q|² of the quaternion with these parts; 0 if the quaternion is 0.
     pub(crate) fn twice_over_square(&mut self, u: Vector, w: Scalar) -> Scalar {
         let (u2, w2) = (self.dot(u, u), self.mul(w, w));
         let square = self.add(u2, w2);
@@ -545,24 +551,24 @@ impl Graph {
         self.mul(two, reciprocal)
     }
 
-    /// cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ of a vector's length r.
+    /// cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ with r = |v|.
     pub(crate) fn turn_factors(&mut self, v: Vector) -> [Scalar; 4] {
         let square = self.dot(v, v);
         [0, 1, 2, 3].map(|order| self.stumpff(Stumpff { hyperbolic: false, order }, square))
     }
 
-    /// The turn by a [`step`](Self::step): R times it moves on the manifold of rotations. Derivatives by the step, first and
-    /// second ones, are those of the exponential map.
+    /// The rotation about a [`step`](Self::step) by its length. Composed with a rotation R it moves R on the rotation
+    /// manifold; first and second derivatives by the step are those of the exponential map.
     pub fn turn_by_step(&mut self, step: Vector) -> Rotation {
         self.intern_rotation(RotationNode::Step(step))
     }
 
-    /// `inner`, then `outer`.
+    /// The composition that applies `inner`, then `outer`.
     pub fn compose(&mut self, outer: Rotation, inner: Rotation) -> Rotation {
         self.intern_rotation(RotationNode::Compose(outer, inner))
     }
 
-    /// The way back.
+    /// The inverse rotation.
     pub fn transpose(&mut self, rotation: Rotation) -> Rotation {
         if let RotationNode::Transpose(inner) = self.rotation_node(rotation) {
             return inner;
@@ -575,7 +581,7 @@ impl Graph {
         Rigid { rotation, translation: self.constant_vector([0.0; 3]) }
     }
 
-    /// `inner`, then `outer`.
+    /// The composition that applies `inner`, then `outer`.
     pub fn compose_rigid(&mut self, outer: Rigid, inner: Rigid) -> Rigid {
         Rigid {
             rotation: self.compose(outer.rotation, inner.rotation),
@@ -583,13 +589,13 @@ impl Graph {
         }
     }
 
-    /// The image of a point.
+    /// The image of a point under a rigid transform.
     pub fn transform_point(&mut self, rigid: Rigid, point: Vector) -> Vector {
         let rotated = self.rotate(rigid.rotation, point);
         self.add_vectors(rotated, rigid.translation)
     }
 
-    /// The value of a constant.
+    /// Returns the value if `scalar` is a constant.
     #[must_use]
     pub fn constant_of(&self, scalar: Scalar) -> Option<f64> {
         match self.scalar_node(scalar) {
@@ -598,7 +604,7 @@ impl Graph {
         }
     }
 
-    /// The components of a constant vector.
+    /// Returns the components if `v` is a vector of constants.
     #[must_use]
     pub fn constant_vector_of(&self, v: Vector) -> Option<[f64; 3]> {
         let VectorNode::Components([x, y, z]) = self.vector_node(v) else { return None };

@@ -1,4 +1,4 @@
-//! Expressions: typed nodes, hash-consed in one graph, what they are made of and what they are worth.
+//! Expressions: typed nodes, hash-consed in one graph, with traversal and evaluation.
 
 pub(crate) mod evaluate;
 pub(crate) mod graph;

@@ -1,4 +1,4 @@
-//! What expressions are made of: scalars, vectors, rotations, and the parts of each.
+//! Expression nodes: scalars, vectors and rotations, and the operands of each.
 
 use crate::ir::op::{Constant, Op};
 use crate::ir::smooth::Stumpff;
@@ -11,7 +11,8 @@ pub struct Scalar(pub(crate) u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Vector(pub(crate) u32);
 
-/// A vector of length 1: the type that a normalised vector has. Zero where its vector had no direction.
+/// A vector of length 1: the type of a normalised vector. Zero if the normalised vector was too short to have a
+/// direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Unit(pub(crate) Vector);
 
@@ -21,11 +22,11 @@ impl From<Unit> for Vector {
     }
 }
 
-/// An orthogonal map of vectors. `R Rᵀ = 1` is all that the rules use, so a mirror is one too.
+/// An orthogonal map of vectors. The rules use only `R Rᵀ = 1`, so a reflection is allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Rotation(pub(crate) u32);
 
-/// A part of an expression that has a value of its own.
+/// A part of an expression that has a value of its own: a scalar or a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// A number.
@@ -37,22 +38,22 @@ pub enum Node {
 /// A rotation followed by a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rigid {
-    /// Its rotation.
+    /// The rotation, applied first.
     pub rotation: Rotation,
-    /// Its translation.
+    /// The translation, applied second.
     pub translation: Vector,
 }
 
-/// An angle: a variable that rotations turn by and gradients are taken in.
+/// An angle: a variable of rotations, by which derivatives can be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Angle(pub(crate) u32);
 
-/// The plane of a turn: the first axis turns towards the second.
+/// The plane of a rotation by an angle: the first axis turns towards the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Plane {
-    /// The axis that turns (0, 1, 2).
+    /// The axis that is turned (0, 1, 2).
     pub from: u8,
-    /// The axis it turns towards (0, 1, 2).
+    /// The axis towards which it is turned (0, 1, 2).
     pub towards: u8,
 }
 
@@ -69,31 +70,31 @@ impl Plane {
     }
 }
 
-/// What a scalar is made of.
+/// The operation and operands of a scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ScalarNode {
     /// An operation on numbers.
     Op(Op<Scalar>),
-    /// 1 / a, and 0 where a is not above [`Tiny`](Op::Tiny): the policy for degenerate geometry.
+    /// 1 / a, or 0 unless a > [`Tiny`](Op::Tiny): the policy for degenerate geometry.
     Reciprocal(Scalar),
     /// v · w
     Dot(Vector, Vector),
     /// |v|
     Norm(Vector),
-    /// A component of a vector.
+    /// A component of a vector, by axis 0, 1 or 2.
     Component(Vector, u8),
-    /// A component of a step: a number that is 0, and that derivatives are taken by.
+    /// A component of a step: a variable that is 0 and by which derivatives are taken.
     Step(u32),
-    /// A Stumpff function of a square.
+    /// A Stumpff function of r², see [`Graph::stumpff`](crate::Graph::stumpff).
     Stumpff(Stumpff, Scalar),
-    /// The derivative of this order of [`Graph::arc`](crate::Graph::arc) by its first argument, by D = 2 d/ds.
+    /// The derivative of this order of [`Graph::arc`](crate::Graph::arc) by its first argument s, with D = 2 d/ds.
     Arc(u8, Scalar, Scalar),
 }
 
-/// What a vector is made of.
+/// The operation and operands of a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum VectorNode {
-    /// Its components.
+    /// A vector given by its components.
     Components([Scalar; 3]),
     /// v + w
     Add(Vector, Vector),
@@ -105,27 +106,27 @@ pub enum VectorNode {
     Scale(Scalar, Vector),
     /// R v
     Rotate(Rotation, Vector),
-    /// v / |v|, and 0 where |v| is not above [`Op::Tiny`].
+    /// v / |v|, or 0 unless |v| > [`Op::Tiny`].
     Normalize(Vector),
-    /// v's part in the plane, turned by a quarter: what a turn in that plane adds to v per radian.
+    /// v projected onto the plane and turned by 90°: the derivative of v by the angle of a rotation in that plane.
     Perp(Plane, Vector),
     /// v × w
     Cross(Vector, Vector),
-    /// v − (v · u) u: v's part across the direction u, which has length 1 (or 0).
+    /// v − (v · u) u: the part of v perpendicular to the direction u, which has length 1 (or 0).
     Across(Vector, Unit),
-    /// M⁻¹ v: the vector that M takes to v.
+    /// M⁻¹ v: the solution x of M x = v.
     Solve(Matrix, Vector),
-    /// 0, whose derivative is the angular velocity of a rotation: ω of Ṙ v = ω × R v in space, of Ṙ v = R (ω × v) in the
-    /// body.
+    /// The infinitesimal rotation of an attitude. Its value is 0; its derivative is the angular velocity ω of the
+    /// rotation, with Ṙ v = ω × R v in the world and Ṙ v = R (ω × v) in the body.
     Motion(Space, Attitude),
 }
 
-/// A matrix of three columns, or of three rows.
+/// A 3×3 matrix, stored as columns or as rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Matrix {
-    /// Its columns; where it is transposed, its rows.
+    /// The columns, or the rows if `transposed`.
     pub columns: [Vector; 3],
-    /// Whether these are rows.
+    /// `true` if `columns` holds the rows.
     pub transposed: bool,
 }
 
@@ -136,67 +137,69 @@ impl Matrix {
         Self { columns, transposed: false }
     }
 
-    /// Its transpose.
+    /// Returns the transpose.
     #[must_use]
     pub fn transpose(self) -> Self {
         Self { transposed: !self.transposed, ..self }
     }
 }
 
-/// Where an angular velocity is seen from.
+/// The space in which an angular velocity is expressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Space {
-    /// The space that the rotation leads to.
+    /// The space that the rotation maps to.
     World,
-    /// The space that it leads from.
+    /// The space that the rotation maps from.
     Body,
 }
 
-/// Numbers that a rotation is given by and that may vary.
+/// Variable numbers that define a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Attitude {
-    /// The vector part and the scalar part of a quaternion of any length but 0, which does not matter.
+    /// The vector part and the scalar part of a quaternion of any length but 0; the rotation does not depend on the
+    /// length.
     Quaternion(Vector, Scalar),
-    /// The vector that is turned about, by its length.
+    /// A rotation vector: the axis times the angle.
     Turn(Vector),
 }
 
-/// What a rotation is made of.
+/// The operation and operands of a rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RotationNode {
     /// Nine numbers, the rows of a row-vector matrix: row k is the image of axis k.
     Matrix([Scalar; 9]),
-    /// The same with constant numbers: a change of basis.
+    /// A constant row-vector matrix: a change of basis. Row k is the image of axis k.
     Basis([Constant; 9]),
-    /// A turn in a plane of two axes.
+    /// A rotation in the plane of two axes.
     Turn(Plane, Angle),
-    /// A right-handed turn about an axis of length 1.
+    /// A right-handed rotation about an axis of length 1.
     About(Vector, Angle),
     /// A quaternion of length 1: its vector part and its scalar part.
     Quaternion(Vector, Scalar),
-    /// What an [`Attitude`] gives: its motions in the world and in the body.
+    /// The rotation of an [`Attitude`], by its [motions](VectorNode::Motion) in the world and in the body.
     Moving([Vector; 2]),
-    /// The right-handed turn by a step, about it and by its length: the identity, and what derivatives by a rotation are
-    /// taken by.
+    /// The right-handed rotation about a step by its length. Its value is the identity; it is the variable of
+    /// derivatives by a rotation.
     Step(Vector),
-    /// The second, then the first.
+    /// Composition: the second rotation is applied first.
     Compose(Rotation, Rotation),
-    /// The way back.
+    /// The inverse.
     Transpose(Rotation),
 }
 
-/// A direction in the space of the variables, with components that are expressions: derivatives by it are along it.
+/// A direction in the space of the variables, whose components are expressions: the variable of directional
+/// derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Direction(pub(crate) u32);
 
-/// What derivatives are taken by: an angle, a number of the caller's, or several of them at once.
+/// A variable of differentiation: an angle, an input, or a linear combination of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Variable {
     /// An angle whose sine and cosine are inputs.
     Angle(Angle),
-    /// An input, or a component of a step.
+    /// An input that is not the sine or cosine of an angle, or a component of a step.
     Input(Scalar),
-    /// Along a direction: the sum of the derivatives by its variables, each times its component.
+    /// A direction: the derivative is the sum of the derivatives by its variables, each times its component.
     Along(Direction),
 }
 
@@ -218,7 +221,7 @@ impl From<Direction> for Variable {
     }
 }
 
-/// What an input of the program stands for.
+/// The meaning of a program's input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
     /// A number given by the caller.
@@ -229,7 +232,7 @@ pub enum InputKind {
     Cos(Angle),
 }
 
-/// Something done to each part of a node.
+/// A map over the operands of a node.
 pub(crate) trait Parts {
     fn scalar(&mut self, scalar: Scalar) -> Scalar;
     fn vector(&mut self, vector: Vector) -> Vector;
@@ -238,7 +241,7 @@ pub(crate) trait Parts {
 }
 
 impl ScalarNode {
-    /// The node with its parts exchanged.
+    /// Returns the node with its operands mapped.
     pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
         match self {
             Self::Op(op) => Self::Op(op.map(|s| parts.scalar(s))),
@@ -254,7 +257,7 @@ impl ScalarNode {
 }
 
 impl VectorNode {
-    /// The node with its parts exchanged.
+    /// Returns the node with its operands mapped.
     pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
         match self {
             Self::Components(c) => Self::Components(c.map(|c| parts.scalar(c))),
@@ -280,7 +283,7 @@ impl VectorNode {
 }
 
 impl RotationNode {
-    /// The node with its parts exchanged.
+    /// Returns the node with its operands mapped.
     pub(crate) fn map(self, parts: &mut impl Parts) -> Self {
         match self {
             Self::Matrix(entries) => Self::Matrix(entries.map(|s| parts.scalar(s))),
@@ -297,8 +300,8 @@ impl RotationNode {
 }
 
 impl ScalarNode {
-    /// The operation that the node is; `None` for what has to be lowered first: guarded reciprocals and what is made of
-    /// vectors.
+    /// Returns the node as an operation on numbers, or `None` if it has to be lowered first: guarded reciprocals and
+    /// functions of vectors.
     pub(crate) fn op(self) -> Option<Op<Scalar>> {
         match self {
             Self::Op(op) => Some(op),

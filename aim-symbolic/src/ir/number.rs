@@ -1,30 +1,31 @@
-//! What operations do to numbers: the same in the interpreter as in emitted code, so the same bits.
+//! Arithmetic of operations on numbers. The interpreter and the emitted code use the same operations, so results agree
+//! bit for bit.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::ir::op::{Function, Op};
 
-/// A number type that programs run in.
+/// A number type in which programs can run.
 pub trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The value nearest to `value`.
     fn constant(value: f64) -> Self;
-    /// The smallest length that is divided by: its square is still a normal number.
+    /// The smallest length by which a guarded division divides: the square of it is still a normal number.
     fn tiny() -> Self;
     /// The square root.
     fn sqrt(self) -> Self;
     /// `then` where `a < b`, else `otherwise`.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
-    /// A function of the mathematical library; NaN for a type without them.
+    /// Applies a function of the mathematics library; NaN for types that lack them.
     fn call(self, _function: Function) -> Self {
         Self::constant(f64::NAN)
     }
-    /// The angle of the point (`x`, `self`) from the first axis; NaN for a type without functions.
+    /// The angle of the point (`x`, `self`), measured from the first axis; NaN for types without such functions.
     fn atan2(self, _x: Self) -> Self {
         Self::constant(f64::NAN)
     }
-    /// The power; NaN for a type without functions.
+    /// `self` to the power `exponent`; NaN for types without such functions.
     fn pow(self, _exponent: Self) -> Self {
         Self::constant(f64::NAN)
     }
@@ -85,7 +86,7 @@ number!(f32, 1.084_202_2e-19);
 number!(f64, 1.491_668_146_240_041_3e-154);
 
 impl<T: Number> Op<T> {
-    /// The result, the operands being numbers. A missing input counts as 0.
+    /// Returns the result of the operation on these numbers. A missing input counts as 0.
     pub(crate) fn value(self, inputs: &[T]) -> T {
         match self {
             Self::Input(i) => inputs.get(i as usize).copied().unwrap_or_else(|| T::constant(0.0)),

@@ -1,25 +1,24 @@
-//! Operations on numbers: what programs consist of, a part of what expressions do, and all that is left of them once they
-//! are lowered.
+//! Operations on numbers: the instructions of programs. Expressions consist of nothing else once they are lowered.
 
-/// A constant, compared by its bits.
+/// A constant. Compared by its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Constant(u64);
 
 impl Constant {
-    /// `value`, with −0 made 0.
+    /// Creates a constant; −0 becomes 0.
     #[must_use]
     pub fn new(value: f64) -> Self {
         Self((value + 0.0).to_bits())
     }
 
-    /// Its value.
+    /// Returns the value.
     #[must_use]
     pub fn value(self) -> f64 {
         f64::from_bits(self.0)
     }
 }
 
-/// A function of one number from the mathematical library.
+/// A function of one number from the mathematics library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
     /// The sine.
@@ -42,12 +41,12 @@ pub enum Function {
     Cosh,
     /// The hyperbolic tangent.
     Tanh,
-    /// The largest whole number that is not above.
+    /// The largest integer not greater than the argument.
     Floor,
 }
 
 impl Function {
-    /// Its name, in Rust and in mathematics.
+    /// Returns the function's name, the same in Rust and in mathematics.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -66,7 +65,7 @@ impl Function {
     }
 }
 
-/// The result of an operation of a [`Program`](crate::Program): its place in the list.
+/// The result of an operation of a [`Program`](crate::Program), identified by the operation's index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub(crate) u32);
 
@@ -75,21 +74,21 @@ impl Value {
         Self(u32::try_from(place).expect("four billion operations do not fit in memory"))
     }
 
-    /// The place in [`Program::ops`](crate::Program::ops).
+    /// Returns the index in [`Program::ops`](crate::Program::ops).
     #[must_use]
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// An operation on operands of one type: earlier values of a program, scalars of a graph, numbers, pieces of text.
+/// An operation. Its operands can be earlier values of a program, scalars of a graph, numbers or pieces of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Op<V = Value> {
     /// The input with this index.
     Input(u32),
     /// A number.
     Constant(Constant),
-    /// The smallest length that is divided by.
+    /// The smallest length by which a guarded division divides.
     Tiny,
     /// a + b
     Add(V, V),
@@ -103,28 +102,28 @@ pub enum Op<V = Value> {
     Neg(V),
     /// √a
     Sqrt(V),
-    /// The third where the first is below the second, else the fourth.
+    /// The third operand if the first is less than the second, else the fourth.
     SelectLess(V, V, V, V),
     /// A function of a.
     Call(Function, V),
-    /// The angle of the point (second, first) from the first axis.
+    /// atan2(first, second): the angle of the point (second, first), measured from the first axis.
     Atan2(V, V),
     /// The first to the power of the second.
     Pow(V, V),
 }
 
 impl<V> Op<V> {
-    /// Whether it computes something: inputs and constants are at hand, and a negation is free.
+    /// Returns `true` if the operation costs a step. Inputs and constants are available anyway, and a negation is free.
     pub(crate) fn is_step(&self) -> bool {
         !matches!(self, Self::Input(_) | Self::Constant(_) | Self::Tiny | Self::Neg(_))
     }
 
-    /// Whether it is written with an operator between its operands.
+    /// Returns `true` if the operation is written as an operator between two operands.
     pub(crate) fn is_arithmetic(&self) -> bool {
         matches!(self, Self::Add(..) | Self::Sub(..) | Self::Mul(..) | Self::Div(..))
     }
 
-    /// The same operation with its operands exchanged, the first one first.
+    /// Returns the operation with each operand mapped, in order.
     pub fn map<W>(self, mut exchange: impl FnMut(V) -> W) -> Op<W> {
         match self {
             Self::Input(i) => Op::Input(i),
@@ -143,7 +142,7 @@ impl<V> Op<V> {
         }
     }
 
-    /// The operands.
+    /// Returns the operands in order.
     pub fn operands(self) -> impl Iterator<Item = V> {
         let mut operands = [None, None, None, None];
         let mut free = operands.iter_mut();

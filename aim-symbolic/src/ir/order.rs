@@ -1,27 +1,28 @@
-//! What an expression is made of: each part after its own parts.
+//! Traversal of expressions in topological order: each node after its operands.
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::{NodeSet, Table};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {
-    /// The number of scalars and vectors that `outputs` are made of.
+    /// Returns the number of scalars and vectors on which `outputs` depend, themselves included.
     pub(crate) fn size(&self, outputs: &[Scalar]) -> usize {
         self.order(outputs).len()
     }
 
-    /// Everything that `outputs` are made of, each after its parts.
+    /// Returns `outputs` and everything they depend on, each node after its operands.
     pub(crate) fn order(&self, outputs: &[Scalar]) -> Vec<Node> {
         let outputs: Vec<Node> = outputs.iter().map(|&s| Node::Scalar(s)).collect();
         self.order_of_nodes(&outputs)
     }
 
-    /// Everything that `nodes` are made of, each after its parts.
+    /// Returns `nodes` and everything they depend on, each node after its operands. Leaves out the numbers of matrices
+    /// and quaternions and the axes of rotations.
     pub(crate) fn order_of_nodes(&self, nodes: &[Node]) -> Vec<Node> {
         self.ordered(nodes, Numbers::Constant)
     }
 
-    /// The same with the numbers that rotations are made of.
+    /// Returns `nodes` and everything they depend on, including the numbers of rotations, each node after its operands.
     pub(crate) fn order_with_numbers(&self, nodes: &[Node]) -> Vec<Node> {
         self.ordered(nodes, Numbers::Parts)
     }
@@ -44,7 +45,7 @@ impl Graph {
         order
     }
 
-    /// Whether a constant vector of more than one component is among what `outputs` are made of.
+    /// Returns `true` if `outputs` depend on a constant vector with more than one nonzero component.
     pub(crate) fn has_constant_direction(&self, outputs: &[Scalar]) -> bool {
         self.order(outputs).iter().any(|node| match *node {
             Node::Vector(v) => self.constant_vector_of(v).is_some_and(|c| c.iter().filter(|&&c| c != 0.0).count() > 1),
@@ -52,7 +53,7 @@ impl Graph {
         })
     }
 
-    /// The quaternions that turn several of these vectors, there or back.
+    /// Returns the quaternions that rotate more than one of these vectors, forward or inverted.
     pub(crate) fn busy_quaternions(&self, nodes: &[Node]) -> Vec<Rotation> {
         let (mut once, mut busy): (Vec<Rotation>, Vec<Rotation>) = (Vec::new(), Vec::new());
         for node in nodes {
@@ -74,13 +75,13 @@ impl Graph {
         busy
     }
 
-    /// Whether there is a select among these nodes.
+    /// Returns `true` if any of these nodes is a select.
     pub(crate) fn selects(&self, nodes: &[Node]) -> bool {
         let is_select = |s| matches!(self.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
         nodes.iter().any(|node| matches!(*node, Node::Scalar(s) if is_select(s)))
     }
 
-    /// What `node` is made of, as far as it has a value of its own.
+    /// Returns the operands of `node` that have a value of their own.
     #[must_use]
     pub fn parts(&self, node: Node) -> Vec<Node> {
         let mut parts = Collect::new(self);
@@ -88,7 +89,7 @@ impl Graph {
         parts.nodes
     }
 
-    /// The vectors that more than one other needs; its components together are one need.
+    /// Returns the vectors that have more than one user. Uses of single components count together as one.
     pub(crate) fn shared_vectors(&self, outputs: &[Scalar]) -> Table<Vector, ()> {
         let mut needed = Table::default();
         let mut shared = Table::default();
@@ -111,13 +112,14 @@ impl Graph {
         shared
     }
 
-    /// Whether `node` depends on any of `variables`. Matrices, quaternions and the axes of rotations count as constants.
+    /// Returns `true` if `node` depends on any of `variables`. Matrices, quaternions and the axes of rotations count as
+    /// constants.
     #[must_use]
     pub fn depends_on(&self, node: Node, variables: &[Variable]) -> bool {
         self.active(&self.order_of_nodes(&[node]), variables).contains(node)
     }
 
-    /// Of `order`, what depends on any of `variables`.
+    /// Returns the nodes of `order` that depend on any of `variables`.
     pub(crate) fn active(&self, order: &[Node], variables: &[Variable]) -> NodeSet {
         let mut active = NodeSet::default();
         let mut parts = Collect::new(self);
@@ -138,14 +140,14 @@ impl Graph {
     }
 }
 
-/// What the numbers of matrices and quaternions and the axes of rotations count as.
+/// Treatment of the numbers of matrices and quaternions and of the axes of rotations: as constants, or as operands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Numbers {
     Constant,
     Parts,
 }
 
-/// Gathers the parts of a node.
+/// Collects the operands of a node.
 struct Collect<'g> {
     g: &'g Graph,
     numbers: Numbers,
@@ -164,7 +166,7 @@ impl<'g> Collect<'g> {
                 self.g.scalar_node(s).map(self);
             }
             Node::Vector(v) => match self.g.vector_node(v) {
-                // The vector first, so that an order reads as the expression is written.
+                // The vector comes before the rotation, so that the order matches the written expression.
                 VectorNode::Rotate(rotation, inner) => {
                     self.vector(inner);
                     self.rotation(rotation);
@@ -188,7 +190,7 @@ impl Parts for Collect<'_> {
         vector
     }
 
-    /// Of a rotation its angles, unless its numbers are parts, too.
+    /// Collects the angles of a rotation, and its numbers if they count as operands.
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
         match (self.g.rotation_node(rotation), self.numbers) {
             (RotationNode::Matrix(_) | RotationNode::Quaternion(..), Numbers::Constant)

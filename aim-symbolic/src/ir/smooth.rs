@@ -1,19 +1,20 @@
-//! Functions of s = r² that are smooth where their closed forms in r are 0 / 0, and that have each other as derivatives.
+//! Functions of s = r² that are smooth where their closed forms in r are 0 / 0, and whose derivatives are functions of
+//! the same family.
 //!
 //! The Stumpff functions are c₀ = cos r, c₁ = sin r / r, c₂ = (1 − cos r)/r², c₃ = (r − sin r)/r³ and so on,
 //! cₖ(s) = Σ (−s)ʲ/(k + 2j)!, with cₖ = 1/k! − s cₖ₊₂ and dcₖ/ds = (k cₖ₊₂ − cₖ₊₁)/2 (Danby, *Fundamentals of Celestial
-//! Mechanics*, 1988, § 6.9). With hyperbolic functions they are those of −s.
+//! Mechanics*, 1988, § 6.9). Their hyperbolic counterparts are cₖ(−s).
 //!
-//! The arc is a₀(s, w) = atan2(r, w)/r. With D = 2 ∂/∂s, q = s + w² and tⱼ = (−2)ʲ j!/qʲ⁺¹ its derivatives aⱼ = Dʲ a₀ obey
-//! s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ and ∂aⱼ/∂w = −tⱼ; near s = 0 they are aⱼ = w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q) with the
-//! hypergeometric function, if w > 0.
+//! The arc function is a₀(s, w) = atan2(r, w)/r. With D = 2 ∂/∂s, q = s + w² and tⱼ = (−2)ʲ j!/qʲ⁺¹, its derivatives
+//! aⱼ = Dʲ a₀ satisfy s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ and ∂aⱼ/∂w = −tⱼ. Near s = 0, for w > 0, they are
+//! aⱼ = w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q) with the hypergeometric function F.
 
-/// A Stumpff function cₖ(s), or cₖ(−s), which is of hyperbolic functions.
+/// A Stumpff function cₖ(s), or its hyperbolic counterpart cₖ(−s).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Stumpff {
-    /// True of cₖ(−s).
+    /// `true` for cₖ(−s), the hyperbolic counterpart.
     pub hyperbolic: bool,
-    /// k
+    /// The order k.
     pub order: u8,
 }
 
@@ -22,18 +23,18 @@ pub(crate) fn factorial(k: u8) -> f64 {
     (1..=k).map(f64::from).product()
 }
 
-/// The factor of tⱼ = (−2)ʲ j!/qʲ⁺¹.
+/// Returns (−2)ʲ j!, the constant factor of tⱼ = (−2)ʲ j!/qʲ⁺¹.
 pub(crate) fn arc_factor(order: u8) -> f64 {
     (-2.0_f64).powi(order.into()) * factorial(order)
 }
 
 impl Stumpff {
-    /// The same with another order.
+    /// Returns the function of the same kind with another order.
     pub(crate) fn of_order(self, order: u8) -> Self {
         Self { order, ..self }
     }
 
-    /// cₖ(s), by its series for small s, else by cₖ₊₂ = (1/k! − cₖ)/s.
+    /// Returns cₖ(s), or cₖ(−s) if hyperbolic: by its series for |s| < 1, else by cₖ₊₂ = (1/k! − cₖ)/s.
     pub(crate) fn value(self, s: f64) -> f64 {
         let s = if self.hyperbolic { -s } else { s };
         if s.abs() < 1.0 {
@@ -57,7 +58,7 @@ impl Stumpff {
     }
 }
 
-/// aⱼ(s, w), by its series for small s/q, else by the recurrence.
+/// Returns aⱼ(s, w): for w > 0 and small s/q by its series, else by the recurrence.
 pub(crate) fn arc_value(order: u8, s: f64, w: f64) -> f64 {
     let q = s + w * w;
     if w > 0.0 && s < q / 4.0 {

@@ -1,5 +1,5 @@
-//! Maps and sets indexed by node ids. Ids are dense, so a vector serves: fast without optimisation too, which is how
-//! macros run.
+//! Maps and sets indexed by node ids. Ids are dense, so a vector serves as the map: it is fast even without
+//! optimisation, and procedural macros are usually compiled without.
 
 use std::marker::PhantomData;
 use std::ops::Index;
@@ -40,7 +40,7 @@ impl<K: Id, V: Clone> Table<K, V> {
         self.entries.get(key.number())?.as_ref()
     }
 
-    /// Whether there was no entry before.
+    /// Inserts an entry. Returns `true` if there was none before.
     pub(crate) fn insert(&mut self, key: K, value: V) -> bool {
         let number = key.number();
         if self.entries.len() <= number {
@@ -94,7 +94,7 @@ impl<V: Clone> NodeTable<V> {
         self.copied(node).is_some()
     }
 
-    /// Whether there was no entry before.
+    /// Inserts an entry. Returns `true` if there was none before.
     pub(crate) fn insert(&mut self, node: Node, value: V) -> bool {
         match node {
             Node::Scalar(s) => self.scalars.insert(s, value),

@@ -1,4 +1,4 @@
-//! From typed expressions to components: scalars that only add, multiply, divide, take roots and select.
+//! Lowering of typed expressions to components, the scalars of which vectors and rotations consist.
 
 use crate::ir::node::Node;
 use crate::ir::table::Table;
@@ -8,7 +8,7 @@ use crate::rewrite::rules::{MATRIX, Rules};
 use crate::{Attitude, Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
 impl Graph {
-    /// The components of `v` as scalars that only add, multiply, divide, take roots and select; 0 and ±1 are folded away.
+    /// Returns the components of `v` in operations on numbers alone; factors and terms 0 and ±1 are folded.
     pub fn in_components(&mut self, v: impl Into<Vector>) -> [Scalar; 3] {
         let mut lowering = Lowering::new(core::mem::take(self), &Rules::default());
         let v = v.into();
@@ -24,7 +24,7 @@ pub(crate) struct Lowering {
     pub(crate) fold: Fold,
     scalars: Table<Scalar, Scalar>,
     vectors: Table<Vector, [Scalar; 3]>,
-    /// The matrices of the quaternions that are lowered by one.
+    /// The matrices of the quaternions that are applied as matrices.
     matrices: Table<Rotation, [Scalar; 9]>,
     by_matrices: bool,
     highest: Highest,
@@ -37,7 +37,7 @@ impl Lowering {
         Self { fold: Fold::new(g, rules), scalars, vectors, matrices, by_matrices, highest }
     }
 
-    /// Lowers the nodes and all that they are made of, parts first: no deeper expression has to be walked down.
+    /// Lowers the nodes and everything they depend on, operands first, so that no recursion runs deep.
     fn lower(&mut self, nodes: &[Node]) {
         let order = self.fold.g.order_with_numbers(nodes);
         if cfg!(not(aim_small)) {
@@ -58,7 +58,7 @@ impl Lowering {
         }
     }
 
-    /// Makes matrices of the quaternions that turn several vectors.
+    /// Converts the quaternions that rotate several vectors to matrices.
     fn make_matrices(&mut self, order: &[Node]) {
         for rotation in self.fold.g.busy_quaternions(order) {
             let numbers = match self.fold.g.rotation_node(rotation) {
@@ -75,7 +75,7 @@ impl Lowering {
         }
     }
 
-    /// The scalars lowered.
+    /// Lowers the scalars and returns the results.
     pub(crate) fn outputs(&mut self, outputs: &[Scalar]) -> Vec<Scalar> {
         self.lower(&outputs.iter().map(|&s| Node::Scalar(s)).collect::<Vec<_>>());
         outputs.iter().map(|&s| self.scalar(s)).collect()
@@ -105,7 +105,7 @@ impl Lowering {
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
             ScalarNode::Step(_) => self.fold.g.constant(0.0),
-            // They come of limits, of which a module for the web has none.
+            // These nodes come from limits, which builds with `aim_small` leave out.
             ScalarNode::Stumpff(..) | ScalarNode::Arc(..) if cfg!(aim_small) => unreachable!("no rig has one"),
             ScalarNode::Stumpff(function, s) => {
                 let highest = self.highest.of_stumpff(function, s);
@@ -195,7 +195,7 @@ impl Lowering {
         })
     }
 
-    /// The image of `v`, or, where it is `back`, what has the image `v`.
+    /// Returns the image of `v`, or with `back` the vector whose image is `v`.
     fn rotate_by(&mut self, rotation: Rotation, back: bool, v: [Scalar; 3]) -> [Scalar; 3] {
         let node = self.fold.g.rotation_node(rotation);
         match node {
@@ -247,7 +247,7 @@ impl Lowering {
         })
     }
 
-    /// The parts u and w of a rotation's quaternion, and 2 u/|q|².
+    /// Returns the parts u and w of a rotation's quaternion, and 2 u/|q|²; `None` if it has no quaternion.
     fn quaternion(&mut self, rotation: Rotation) -> Option<([Scalar; 3], Scalar, [Scalar; 3])> {
         let (u, w, factor) = match self.fold.g.rotation_node(rotation) {
             RotationNode::Quaternion(u, w) => (u, w, None),
@@ -265,7 +265,7 @@ impl Lowering {
         Some((u, w, twice))
     }
 
-    /// `v` turned by a quaternion, `v + w t + u × t` with `t = 2 u × v/|q|²`, or about a vector by its length.
+    /// Returns `v` rotated by a quaternion, `v + w t + u × t` with `t = 2 u × v/|q|²`, or by a rotation vector.
     fn turned(&mut self, rotation: Rotation, back: bool, v: [Scalar; 3]) -> [Scalar; 3] {
         if let Some((u, w, twice)) = self.quaternion(rotation) {
             let w = if back { self.fold.neg(w) } else { w };
@@ -286,7 +286,7 @@ impl Lowering {
         self.axis_angle(turn, [cos, sine, versine], v)
     }
 
-    /// The images of the axes.
+    /// Returns the images of the axes, which are the rows of the matrix in the row-vector layout.
     fn images(&mut self, rotation: Rotation) -> [Scalar; 9] {
         let [zero, one] = [0.0, 1.0].map(|c| self.fold.g.constant(c));
         let axes: [[Scalar; 3]; 3] =
@@ -295,12 +295,12 @@ impl Lowering {
         core::array::from_fn(|i| images[i / 3][i % 3])
     }
 
-    /// The rows of its matrix in the row-vector layout: row k is the image of axis k.
+    /// Returns the matrix of a quaternion in the row-vector layout: row k is the image of axis k.
     fn matrix_of(&mut self, (u, w, twice): ([Scalar; 3], Scalar, [Scalar; 3])) -> [Scalar; 9] {
         let one = self.fold.g.constant(1.0);
         let mut rows = [one; 9];
         for (k, (i, j)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
-            // 1 − 2 (i² + j²), and 2 (i j ± w k)
+            // Diagonal entries 1 − 2 (i² + j²), others 2 (i j ± w k).
             let (ii, jj) = (self.fold.mul(u[i], twice[i]), self.fold.mul(u[j], twice[j]));
             let squares = self.fold.add(ii, jj);
             rows[4 * k] = self.fold.sub(one, squares);
@@ -321,8 +321,9 @@ impl Lowering {
         self.two_turns(core::array::from_fn(|place| at(place / 3, place % 3)), zero, v)
     }
 
-    /// An orthogonal matrix with one zero is two turns of planes, or one and a mirror image: of the two components of `v` that
-    /// the zero's row sees, only that sum and what is square to it are needed.
+    /// Applies an orthogonal matrix with one zero as two plane rotations, or one and a reflection. The row with the
+    /// zero combines two components of `v`; the other rows need only the combination perpendicular to that one, and the
+    /// third component.
     fn two_turns(&mut self, rows: [f64; 9], zero: usize, v: [Scalar; 3]) -> [Scalar; 3] {
         let (row, k) = (zero / 3, zero % 3);
         let [i, j] = [(k + 1) % 3, (k + 2) % 3];
@@ -345,7 +346,7 @@ impl Lowering {
         self.fold.add(x, y)
     }
 
-    /// The row-vector product `v M`, or `v Mᵀ`.
+    /// Returns the row-vector product `v M`, or `v Mᵀ` if `transposed`.
     fn matrix(&mut self, rows: [Scalar; 9], transposed: bool, v: [Scalar; 3]) -> [Scalar; 3] {
         [0, 1, 2].map(|k| {
             let column = [0, 1, 2].map(|i| rows[if transposed { 3 * k + i } else { 3 * i + k }]);

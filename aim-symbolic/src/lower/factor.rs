@@ -1,5 +1,5 @@
-//! Sum factoring on components: `a b + a c = a (b + c)`, where neither product is needed elsewhere; and terms of which
-//! always one is 0, by the outcome of a comparison, become one.
+//! Factoring of sums of components: `a b + a c = a (b + c)`, if neither product is used elsewhere. Also joins terms of
+//! which, by the result of a comparison, one is always 0.
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
@@ -8,7 +8,7 @@ use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
 use crate::lower::sides::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
-/// `outputs`, which are lowered, with every sum factored.
+/// Returns `outputs`, which must be lowered, with every sum factored.
 pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
     let mut factoring = Factoring { uses, open, joins, terms: Table::default() };
@@ -19,26 +19,26 @@ pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: boo
     Rebuild::outputs(fold, outputs, &mut factoring)
 }
 
-/// A longer sum of sums is looked at in parts.
+/// Limit on the depth to which sums of sums are collected; deeper sums are factored in parts.
 const DEEPEST: usize = 24;
 
-/// A term of a sum and whether it is subtracted.
+/// A term of a sum, `true` if it is subtracted.
 type Term = (bool, Scalar);
 
-/// A factor of a product and whether it is divided by.
+/// A factor of a product, `true` if it is a divisor.
 type Factor = (bool, Scalar);
 
 struct Factoring {
     uses: Uses,
     open: Open,
-    /// True if multiples of one number become one.
+    /// `true` if multiples of the same number are joined.
     joins: bool,
-    /// The terms of sums that are under way or done.
+    /// The terms of the sums that are in progress or done.
     terms: Table<Scalar, Vec<Term>>,
 }
 
 impl Exchange for Factoring {
-    /// The sum `s` where some of its products have a common factor, or some of its terms exclude each other.
+    /// Rebuilds the sum `s` if some of its products have a common factor or some of its terms exclude each other.
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
         if !self.terms.contains(s) {
             let Some(mut terms) = self.terms_to_factor(rebuild.fold, s) else { return Ok(None) };
@@ -53,7 +53,7 @@ impl Exchange for Factoring {
 }
 
 impl Factoring {
-    /// The terms of a sum of which some have a common factor or exclude each other.
+    /// Returns the terms of a sum if some have a common factor or exclude each other.
     fn terms_to_factor(&self, fold: &mut Fold, s: Scalar) -> Option<Vec<Term>> {
         if !matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..))) {
             return None;
@@ -68,7 +68,7 @@ impl Factoring {
         (is_shorter || has_common || fold.exclude_each_other(terms.iter().map(|&(_, s)| s))).then_some(terms)
     }
 
-    /// The terms of a sum, through partial sums that nothing else needs.
+    /// Collects the terms of a sum, through partial sums that have no other use.
     fn collect(&self, g: &Graph, s: Scalar, negative: bool, depth: usize, terms: &mut Vec<Term>) {
         if depth > 0 && (!self.uses.once(s) || depth > DEEPEST) {
             terms.push((negative, s));
@@ -88,7 +88,7 @@ impl Factoring {
         }
     }
 
-    /// The terms of a product with a sum, neither of which anything else needs.
+    /// Expands a product with a sum, neither of which has another use, into terms.
     fn spread(&self, fold: &mut Fold, (negative, s): Term) -> Vec<Term> {
         let is_sum = |s| matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
         let (sum, other) = match fold.g.scalar_node(s) {
@@ -101,8 +101,8 @@ impl Factoring {
         terms.into_iter().map(|(negative, term)| (negative, fold.mul(other, term))).collect()
     }
 
-    /// The factors of a product or quotient that nothing else needs; where shared products are open, those of its factors, too, and in
-    /// the end of products that others need.
+    /// Returns the factors of a product or quotient that has no other use. Depending on `open`, factors that are
+    /// products are split, too, and products with other uses are included.
     fn factors(&self, g: &Graph, s: Scalar) -> Vec<Factor> {
         let parts = |s: Scalar| match g.scalar_node(s) {
             ScalarNode::Op(Op::Mul(a, b)) => vec![(false, a), (false, b)],
@@ -119,7 +119,7 @@ impl Factoring {
         }
     }
 
-    /// A product without one of its factors; only the product that has it is taken apart.
+    /// Returns a product without one of its factors. Only the product that contains the factor is taken apart.
     fn cofactor(&self, fold: &mut Fold, s: Scalar, factor: Factor) -> Option<Scalar> {
         if !self.factors(&fold.g, s).contains(&factor) {
             return None;
@@ -141,7 +141,7 @@ impl Factoring {
         })
     }
 
-    /// The factor that most of the terms have; the first of several, `None` where each has its own.
+    /// Returns the factor shared by the most terms, the first of several; `None` if no factor is shared.
     fn common(&self, g: &Graph, terms: &[Term]) -> Option<Factor> {
         let mut counts: Vec<(Factor, usize)> = Vec::new();
         for &(_, term) in terms {
@@ -160,7 +160,7 @@ impl Factoring {
         most.filter(|&(_, count)| count > 1).map(|(factor, _)| factor)
     }
 
-    /// Joins terms that are 0 on opposite sides of a comparison, those that fit best first.
+    /// Joins terms that are 0 on opposite sides of a comparison, the best matches first.
     fn join_sides(&self, fold: &mut Fold, terms: &mut Vec<Term>) {
         for join in [Join::Complements, Join::Opposites] {
             let mut i = 0;
@@ -177,15 +177,15 @@ impl Factoring {
         }
     }
 
-    /// The sum of two terms but for the sign of the first.
+    /// Returns the sum of two terms, up to the sign of the first.
     fn joined(&self, fold: &mut Fold, (negative, a): Term, (other_negative, b): Term, join: Join) -> Option<Scalar> {
-        // A product that is needed elsewhere stays.
+        // A product that is used elsewhere is kept.
         let is_kept = |s| !self.uses.once(s) && matches!(fold.g.scalar_node(s), ScalarNode::Op(Op::Mul(..)));
         let join = if is_kept(a) || is_kept(b) { Join::Alike } else { join };
         fold.sum_of_sides(a, b, negative != other_negative, join)
     }
 
-    /// The sum with common factors taken out; of their cofactors, too, to a depth.
+    /// Builds the sum with common factors taken out, recursively in the cofactors up to a depth limit.
     fn sum(&self, rebuild: &mut Rebuild<'_>, mut terms: Vec<Term>, depth: usize) -> Result<Scalar, Missing> {
         let mut products = Vec::new();
         while depth < DEEPEST
@@ -216,7 +216,7 @@ impl Factoring {
     }
 }
 
-/// Makes multiples of one number one term, which is none where they cancel; whether there were such.
+/// Joins multiples of the same number into one term, or none if they cancel. Returns `true` if there were any.
 fn join_like(fold: &mut Fold, terms: &mut Vec<Term>) -> bool {
     let before = terms.len();
     let mut i = 0;
@@ -239,7 +239,7 @@ fn join_like(fold: &mut Fold, terms: &mut Vec<Term>) -> bool {
     terms.len() < before
 }
 
-/// The sum, in one order whatever the terms' was, so that equal sums are one.
+/// Builds the sum in a canonical order of terms, so that equal sums become one node.
 fn plain_sum(fold: &mut Fold, mut terms: Vec<Term>) -> Scalar {
     terms.sort_unstable_by_key(|&(_, term)| term);
     let (subtracted, added): (Vec<Term>, Vec<Term>) = terms.into_iter().partition(|&(negative, _)| negative);

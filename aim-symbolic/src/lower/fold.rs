@@ -1,19 +1,20 @@
-//! Scalar constructors that fold: 0, ±1 and constants leave, negations move outward, operands stand in a fixed order.
+//! Folding constructors of scalars: drop 0, ±1 and constants, move negations outward, and put operands in a fixed
+//! order.
 //!
-//! Folds of 0, ±1 and signs are exact for finite operands (only the sign of a zero may differ); constants are computed in
-//! f64 and rounded once, to the type that the program runs in.
+//! Folds of 0, ±1 and signs are exact for finite operands, except that the sign of a zero may differ. Constants are
+//! computed in f64 and rounded once, to the type in which the program runs.
 
 use crate::lower::sides::Join;
 use crate::rewrite::rules::{CONSTANTS, NEGATIONS, ORDER, Rules};
 use crate::{Function, Graph, Number, Op, Scalar, ScalarNode};
 
-/// Sums are looked into so deep for what is subtracted from them.
+/// Limit on the depth to which sums are searched for terms to cancel.
 const DEEPEST_SUM: u32 = 6;
 
 /// A graph whose scalars are folded as they are built.
 #[derive(Clone, Debug)]
 pub struct Fold {
-    /// The graph itself.
+    /// The graph.
     pub g: Graph,
     constants: bool,
     negations: bool,
@@ -21,7 +22,7 @@ pub struct Fold {
 }
 
 impl Fold {
-    /// A graph and the rules to fold by, of which [`CONSTANTS`], [`NEGATIONS`] and [`ORDER`] count.
+    /// Wraps a graph. Of the rules only [`CONSTANTS`], [`NEGATIONS`] and [`ORDER`] are considered.
     #[must_use]
     pub fn new(g: Graph, rules: &Rules<'_>) -> Self {
         Self { g, constants: rules.has(&CONSTANTS), negations: rules.has(&NEGATIONS), order: rules.has(&ORDER) }
@@ -31,13 +32,13 @@ impl Fold {
         if self.order && b < a { (b, a) } else { (a, b) }
     }
 
-    /// The value of a constant, where constants are folded.
+    /// Returns the value of a constant, or `None` if constants are not folded.
     #[must_use]
     pub fn constant_of(&self, a: Scalar) -> Option<f64> {
         if self.constants { self.g.constant_of(a) } else { None }
     }
 
-    /// The result of an operation.
+    /// Builds the folded result of an operation.
     pub(crate) fn op(&mut self, op: Op<Scalar>) -> Scalar {
         match op {
             Op::Add(a, b) => self.add(a, b),
@@ -62,7 +63,7 @@ impl Fold {
         }
     }
 
-    /// A function, odd and even ones without the sign of their argument.
+    /// A function of `a`. A sign of the argument is dropped for even functions and moved out of odd ones.
     pub fn call(&mut self, function: Function, a: Scalar) -> Scalar {
         let value = self.constant_of(a).map(|x| x.call(function));
         match (value, self.negated(a), function) {
@@ -157,7 +158,7 @@ impl Fold {
                 self.neg(sum)
             }
             (None, Some(b)) => self.add(a, b),
-            // One of a − b and b − a is the negation of the other.
+            // a − b and b − a share one node; the other is its negation.
             (None, None) if self.order && self.negations && b < a => {
                 let difference = self.g.sub(b, a);
                 self.neg(difference)
@@ -166,7 +167,7 @@ impl Fold {
         }
     }
 
-    /// c a + d a = (c + d) a, with the second term's sign.
+    /// c a ± d a = (c ± d) a, with `sign` the sign of the second term.
     fn multiples(&mut self, a: Scalar, b: Scalar, sign: f64) -> Option<Scalar> {
         let ((c, x), (d, y)) = (self.multiple(a), self.multiple(b));
         let factor = c + sign * d;
@@ -176,7 +177,8 @@ impl Fold {
         })
     }
 
-    /// (a + b + c) − (b + c) = a, of sums that are this deep. Of (1 + x) − 1 the rounding may be what is wanted.
+    /// (a + b + c) − (b + c) = a, for sums up to this depth. Constants are not cancelled: (1 + x) − 1 may be meant to
+    /// round.
     fn left(&mut self, a: Scalar, b: Scalar, depth: u32) -> Option<Scalar> {
         if cfg!(aim_small) || !self.constants || self.g.constant_of(b).is_some() {
             return None;
@@ -201,7 +203,7 @@ impl Fold {
         self.left(left, y, depth)
     }
 
-    /// The constant that something is multiplied by, and what.
+    /// Returns the constant factor of a product, 1 if there is none, and the other factor.
     pub(super) fn multiple(&self, a: Scalar) -> (f64, Scalar) {
         match self.g.scalar_node(a) {
             ScalarNode::Op(Op::Add(x, y)) if x == y && self.constants => (2.0, x),
@@ -214,7 +216,7 @@ impl Fold {
         }
     }
 
-    /// c (d a) = a where c d = 1
+    /// c (d a) = a if c d = 1
     fn cancelled(&self, factor: Scalar, multiple: Scalar) -> Option<Scalar> {
         let (c, (d, a)) = (self.constant_of(factor)?, self.multiple(multiple));
         (c * d == 1.0).then_some(a)
@@ -228,7 +230,7 @@ impl Fold {
         }
     }
 
-    /// `a` without its sign, and whether it had one.
+    /// Returns `true` if `a` has a sign, and `a` without it.
     fn unsigned(&mut self, a: Scalar) -> (bool, Scalar) {
         match (self.negated(a), self.constant_of(a)) {
             (Some(inner), _) => (true, inner),

@@ -1,8 +1,9 @@
-//! Functions that are smooth where their closed form is 0 / 0, as a series there and the closed form elsewhere.
+//! Functions that are smooth where their closed form is 0 / 0: lowered to a series there and to the closed form
+//! elsewhere.
 //!
-//! Both are computed, and a select takes one: `Tiny < margin ? closed : series`. A number type without an order takes the
-//! closed form wherever the margin is not 0. Only the highest order that is needed is a series; lower ones follow from it by
-//! recurrences that lose no digits.
+//! Both are computed, and a select chooses: `Tiny < margin ? closed : series`. Number types without an order use the
+//! closed form wherever the margin is not 0. Only the highest required order is computed as a series; lower orders
+//! follow from it by recurrences that do not lose digits.
 
 use rustc_hash::FxHashMap;
 
@@ -11,22 +12,23 @@ use crate::ir::smooth::factorial;
 use crate::lower::fold::Fold;
 use crate::{Op, Scalar, ScalarNode, Stumpff};
 
-/// The series of Stumpff functions have so many terms: s < 1, and the next one is below 1/18!.
+/// The number of terms in the series of Stumpff functions. They are used for s < 1, so the first omitted term is below
+/// 1/18!.
 const STUMPFF_TERMS: u8 = 9;
 
-/// Those of arcs have so many: s/q < 1/8, and the next one is below 2⁻⁵⁴.
+/// The degree of the series of arc functions. They are used for s/q < 1/8, so the first omitted term is below 2⁻⁵⁴.
 const ARC_TERMS: u8 = 18;
 
-/// The highest orders that are needed, by argument.
+/// The highest required orders, by argument.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Highest {
-    /// Of even and of odd Stumpff functions.
+    /// The highest even and the highest odd order of Stumpff functions.
     stumpff: FxHashMap<(bool, Scalar), [u8; 2]>,
     arc: FxHashMap<(Scalar, Scalar), u8>,
 }
 
 impl Highest {
-    /// Looks through more nodes.
+    /// Notes the orders that occur among the nodes.
     pub(crate) fn note(&mut self, g: &crate::Graph, nodes: &[Node]) {
         for node in nodes {
             let Node::Scalar(s) = *node else { continue };
@@ -45,21 +47,21 @@ impl Highest {
         }
     }
 
-    /// The highest order of the same parity.
+    /// Returns the highest required order of the same parity.
     pub(crate) fn of_stumpff(&self, Stumpff { hyperbolic, order }: Stumpff, s: Scalar) -> u8 {
         self.stumpff.get(&(hyperbolic, s)).map_or(order, |highest| highest[usize::from(order % 2)].max(order))
     }
 
-    /// The highest order.
+    /// Returns the highest required order.
     pub(crate) fn of_arc(&self, order: u8, s: Scalar, w: Scalar) -> u8 {
         self.arc.get(&(s, w)).map_or(order, |&highest| highest.max(order))
     }
 }
 
 impl Fold {
-    /// 1 / a, and 0 where a is not above [`Op::Tiny`].
+    /// 1 / a, or 0 unless a > [`Op::Tiny`].
     pub(crate) fn guarded_reciprocal(&mut self, a: Scalar) -> Scalar {
-        // Far above the smallest length of any number type, the guard is a constant, too.
+        // A constant far above `Tiny` of every number type needs no guard.
         if let Some(length) = self.constant_of(a)
             && length > 1e-18
         {
@@ -75,7 +77,7 @@ impl Fold {
         self.g.intern_scalar(ScalarNode::Op(Op::SelectLess(tiny, margin, then, otherwise)))
     }
 
-    /// `a x + b`, of constants a and b.
+    /// `a x + b` with constants a and b.
     fn linear(&mut self, a: f64, x: Scalar, b: f64) -> Scalar {
         let [a, b] = [a, b].map(|c| self.g.constant(c));
         let product = self.mul(a, x);
@@ -91,7 +93,7 @@ impl Fold {
         })
     }
 
-    /// A Stumpff function, of which `highest` is needed, too.
+    /// A Stumpff function whose series starts from order `highest`, which is required, too.
     pub(crate) fn stumpff(&mut self, function: Stumpff, highest: u8, s: Scalar) -> Scalar {
         let closed = self.stumpff_closed(function, s);
         if function.order == 0 {
@@ -102,7 +104,7 @@ impl Fold {
         self.where_above_tiny(margin, closed, series)
     }
 
-    /// c₀ and c₁ by functions, the others by cₖ₊₂ = (1/k! − cₖ)/s.
+    /// The closed form: c₀ and c₁ by functions, the others by cₖ₊₂ = (1/k! − cₖ)/s.
     fn stumpff_closed(&mut self, function: Stumpff, s: Scalar) -> Scalar {
         use crate::Function::{Cos, Cosh, Sin, Sinh};
         let [even, odd] = if function.hyperbolic { [Cosh, Sinh] } else { [Cos, Sin] };
@@ -125,7 +127,7 @@ impl Fold {
         }
     }
 
-    /// By the series of the highest order, and cₖ = 1/k! − s cₖ₊₂.
+    /// The series of the highest order, and from there down cₖ = 1/k! − s cₖ₊₂.
     fn stumpff_series(&mut self, function: Stumpff, highest: u8, s: Scalar) -> Scalar {
         let sign: f64 = if function.hyperbolic { 1.0 } else { -1.0 };
         if function.order >= highest {
@@ -138,7 +140,7 @@ impl Fold {
         self.linear(sign, product, 1.0 / factorial(function.order))
     }
 
-    /// The derivative of this order of atan2(√s, w)/√s, of which `highest` is needed, too.
+    /// The derivative of this order of atan2(√s, w)/√s; its series starts from order `highest`, which is required, too.
     pub(crate) fn arc(&mut self, order: u8, highest: u8, s: Scalar, w: Scalar) -> Scalar {
         let square = self.mul(w, w);
         let q = self.add(s, square);
@@ -153,7 +155,7 @@ impl Fold {
         let closed = self.arc_closed(order, s, w, &terms);
         let ratio = self.mul(s, reciprocal);
         let series = self.arc_series(order, s, ratio, &terms);
-        // s/q < 1/8 is 7 s < w²; of negative w the closed form is taken.
+        // s/q < 1/8 is 7 s < w². For negative w the closed form is always used.
         let (zero, minus_one) = (self.g.constant(0.0), self.g.constant(-1.0));
         let bound = self.select_less(zero, w, square, minus_one);
         let seven = self.g.constant(7.0);
@@ -162,7 +164,7 @@ impl Fold {
         self.where_above_tiny(margin, closed, series)
     }
 
-    /// a₀ by the function, the others by s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ.
+    /// The closed form: a₀ by the function, the others by s aⱼ₊₁ = w tⱼ − (2j + 1) aⱼ.
     fn arc_closed(&mut self, order: u8, s: Scalar, w: Scalar, terms: &[Scalar]) -> Scalar {
         let Some(below) = order.checked_sub(1) else {
             let r = self.sqrt(s);
@@ -178,7 +180,8 @@ impl Fold {
         self.mul(difference, reciprocal)
     }
 
-    /// By the series of the highest order, w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q), and aⱼ = (w tⱼ − s aⱼ₊₁)/(2j + 1).
+    /// The series of the highest order, w tⱼ/(2j + 1) F(1, j + 1; j + 3/2; s/q), and from there down
+    /// aⱼ = (w tⱼ − s aⱼ₊₁)/(2j + 1).
     fn arc_series(&mut self, order: u8, s: Scalar, ratio: Scalar, terms: &[Scalar]) -> Scalar {
         let odd = 2.0 * f64::from(order) + 1.0;
         let term = terms[usize::from(order)];

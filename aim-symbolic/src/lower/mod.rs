@@ -1,4 +1,5 @@
-//! From typed expressions to few operations on numbers: components, folded, their products shared and their sums factored.
+//! Lowering: typed expressions become few operations on numbers. They are split into components and folded, their
+//! products are shared and their sums factored.
 
 pub(crate) mod components;
 pub(crate) mod factor;
@@ -18,35 +19,35 @@ pub(crate) use self::scales::scaled;
 use crate::rewrite::rules::{FACTOR, JOIN, Rules, SHARE};
 use crate::{Graph, Scalar};
 
-/// How much is tried.
+/// The amount of search for a short program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Effort {
-    /// Enough to compare a program with others of its kind.
+    /// Enough to compare a program with its alternatives.
     Compare,
-    /// The ways that mostly do it.
+    /// The arrangements that usually suffice.
     Finish,
-    /// All there is.
+    /// All arrangements.
     Polish,
-    /// The same, and numbers made of others as far as that may lead to fewer operations than a rival has.
+    /// All arrangements, and resubstitution as far as it may lead to fewer operations than a rival has.
     Last {
-        /// The rival's operations.
+        /// The rival's number of operations; `None` without a rival.
         rival: Option<usize>,
     },
 }
 
-/// So many of the ways to arrange sums and products mostly do it.
+/// The number of arrangements of sums and products that usually suffice.
 const USUAL_TRIES: usize = 6;
 
-/// Longer programs are not polished.
+/// Largest number of operations for which more than the usual arrangements are tried.
 const MOST_OPERATIONS: usize = 400;
 
-/// Of the last arrangements those are kept that need hardly more than the best, by so many operations, and as many as have so many
-/// together.
+/// Limit on the operations that an arrangement may need beyond the best to be kept in a last effort.
 const MOST_ABOVE: usize = 8;
+/// Limit on the total number of operations of all arrangements that are kept in a last effort.
 const MOST_IN_LAST: usize = 300;
 
-/// Sums and products in the arrangement that needs the fewest operations, of the few that are tried; for a last effort the next best
-/// after it.
+/// Returns the arrangement of sums and products that needs the fewest operations among those tried; for a last effort
+/// also the next best, in order.
 pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Vec<Scalar>> {
     let is_last = matches!(effort, Effort::Last { .. });
     let mut all = tried(fold, &outputs, rules, effort, false);
@@ -65,7 +66,7 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
     near
 }
 
-/// Arrangements, each with how many operations it needs, where there is another.
+/// Returns the arrangements that were tried, each with its number of operations, or with 0 if it is the only one.
 fn tried(
     fold: &mut Fold,
     outputs: &[Scalar],
@@ -73,7 +74,8 @@ fn tried(
     effort: Effort,
     joins: bool,
 ) -> Vec<(usize, Vec<Scalar>)> {
-    // Whether it starts from the best so far, and what of products and of factors is opened.
+    // For each try: whether it starts from the best result so far, and which products to open for sharing and for
+    // factoring.
     let tries = [
         (false, Open::Private, Open::Private),
         (false, Open::Shared, Open::Private),

@@ -1,4 +1,4 @@
-//! Shared products on components: of `(a b) c` and `(b c) d` the product `b c` is made once.
+//! Sharing of products of components: in `(a b) c` and `(b c) d` the product `b c` is computed once.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -7,10 +7,10 @@ use crate::lower::fold::Fold;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses, operands};
 use crate::{Op, Scalar, ScalarNode};
 
-/// A factor of a product and whether it is divided by.
+/// A factor of a product, `true` if it is a divisor.
 type Factor = (bool, Scalar);
 
-/// A product or quotient of more than one factor.
+/// A product or quotient, flattened into its factors.
 struct Chain {
     root: Scalar,
     factors: Vec<Factor>,
@@ -18,7 +18,7 @@ struct Chain {
 }
 
 impl Chain {
-    /// The same with several constants made one, which is none where it is 1; of what is added to itself the 2 is one.
+    /// Combines several constants into one, which is dropped if it is 1. A factor a + a counts as 2 a.
     fn with_one_constant(mut self, fold: &mut Fold) -> Self {
         let (mut constant, mut count, mut factors) = (1.0, 0, Vec::new());
         for &(below, s) in &self.factors {
@@ -38,7 +38,7 @@ impl Chain {
         self
     }
 
-    /// `k (a b + c d) = (k a) b + (k c) d`, where `k a` and `k c` are there.
+    /// `k (a b + c d) = (k a) b + (k c) d`, if `k a` and `k c` exist already.
     fn by_known(mut self, fold: &mut Fold, uses: &Uses, known: &FxHashSet<[Scalar; 2]>) -> Self {
         let found = self.factors.iter().enumerate().find_map(|(place, &(below, sum))| {
             let terms = if below || !uses.once(sum) { None } else { products_of_sum(fold, uses, sum) }?;
@@ -67,7 +67,8 @@ impl Chain {
     }
 }
 
-/// The terms of a sum of several that are all products of two, which nothing else needs.
+/// Returns the terms of a sum if there are several, all are products of two, and neither the sum nor a term has another
+/// use.
 fn products_of_sum(fold: &Fold, uses: &Uses, sum: Scalar) -> Option<Vec<[Scalar; 2]>> {
     let (mut all, mut open) = (Vec::new(), vec![sum]);
     while let Some(s) = open.pop() {
@@ -80,26 +81,26 @@ fn products_of_sum(fold: &Fold, uses: &Uses, sum: Scalar) -> Option<Vec<[Scalar;
     (all.len() > 1).then_some(all)
 }
 
-/// Which products are taken apart: to take more of them apart may lose or gain.
+/// Which products are taken apart. Taking apart more of them may save or cost operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Open {
-    /// Those that are a factor of one other product and nothing else.
+    /// Products that are a factor of exactly one other product and have no other use.
     Private,
-    /// Those that others need too.
+    /// Also products that have other uses.
     Shared,
-    /// Those and quotients.
+    /// Also products that have other uses, and quotients.
     Quotients,
-    /// Those and products with sums.
+    /// Also products that have other uses, and products with sums.
     Sums,
 }
 
-/// How many pairs of factors are joined: of a long program those that most products have.
+/// Limit on the number of pairs of factors that are multiplied first, the most shared ones first.
 const MOST_ROUNDS: usize = 48;
 
-/// Products of more factors stay as they are: a high power is better squared than taken apart.
+/// Limit on the number of factors of a product that is rearranged: a high power is better computed by squaring.
 const MOST_FACTORS: usize = 12;
 
-/// `outputs`, which are lowered, with products in the order in which they share most.
+/// Returns `outputs`, which must be lowered, with the factors of products in the order in which they share most.
 pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
     let mut chains = chains(fold, &uses, outputs, open, joins);
@@ -131,7 +132,7 @@ impl Exchange for Table<Scalar, Vec<Factor>> {
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing> {
         let Some(factors) = self.copied(s) else { return Ok(None) };
         let mut made: Option<Scalar> = None;
-        // What is divided by comes last.
+        // Divisors come last.
         let (below, above): (Vec<Factor>, Vec<Factor>) = factors.into_iter().partition(|&(below, _)| below);
         for (below, factor) in above.into_iter().chain(below) {
             let factor = rebuild.scalar(factor)?;
@@ -142,7 +143,7 @@ impl Exchange for Table<Scalar, Vec<Factor>> {
     }
 }
 
-/// The products that something else than a product needs, each with its factors.
+/// Returns the products that are used by anything but products, flattened into their factors.
 fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Chain> {
     let is_product = |s: Scalar| match fold.g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(..)) => true,
@@ -179,7 +180,7 @@ fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: Open, joins: b
     short.into_iter().map(|chain| chain.with_one_constant(fold).by_known(fold, uses, &known)).collect()
 }
 
-/// The products that are there, by their factors in order.
+/// Returns the existing products, by their sorted factors.
 fn known_products(fold: &Fold, uses: &Uses) -> FxHashSet<[Scalar; 2]> {
     let factors = |&s: &Scalar| match fold.g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(a, b)) => Some([a.min(b), a.max(b)]),
@@ -203,7 +204,7 @@ fn collect(fold: &Fold, inner: &Table<Scalar, ()>, (below, s): Factor, factors: 
     }
 }
 
-/// The pair in the order in which it is counted: both multiplied, where they stand on one side, or the second divided by.
+/// Returns the pair in canonical order: two factors on the same side sorted, else the divisor second.
 fn ordered([a, b]: [Factor; 2]) -> [Factor; 2] {
     match (a.0, b.0) {
         (false, true) => [a, b],
@@ -212,9 +213,11 @@ fn ordered([a, b]: [Factor; 2]) -> [Factor; 2] {
     }
 }
 
-/// The pair of factors that most chains have, the first of several; only pairs that save something.
+/// Returns the pair of factors that occurs in the most chains, the first of several; `None` if no pair saves an
+/// operation.
 fn most_shared(chains: &[Chain]) -> Option<[Factor; 2]> {
-    // How many chains have the pair, and which pair came first. Only chains of more than two factors gain by one.
+    // For each pair the number of chains with it, and its order of appearance. A pair saves an operation only if it
+    // occurs in a chain of more than two factors.
     let mut found: FxHashMap<[Factor; 2], (usize, usize)> = FxHashMap::default();
     for chain in chains.iter().filter(|chain| chain.factors.len() > 2) {
         let mut seen: Vec<[Factor; 2]> = Vec::new();
@@ -243,7 +246,7 @@ fn most_shared(chains: &[Chain]) -> Option<[Factor; 2]> {
     shared.max_by_key(|(_, (count, place))| (*count, usize::MAX - place)).map(|(pair, _)| pair)
 }
 
-/// Removes both factors; whether they stood below.
+/// Removes both factors. Returns `true` if both were divisors.
 fn remove_pair(factors: &mut Vec<Factor>, pair: [Factor; 2]) -> Option<bool> {
     let places = (0..factors.len()).flat_map(|i| (i + 1..factors.len()).map(move |j| (i, j)));
     let (i, j) = places.into_iter().find(|&(i, j)| ordered([factors[i], factors[j]]) == pair)?;

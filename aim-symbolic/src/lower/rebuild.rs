@@ -1,10 +1,10 @@
-//! Lowered expressions made anew, with some of their nodes exchanged.
+//! Rebuilds lowered expressions with some of their nodes replaced.
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
-/// How often each scalar is used, by others and as an output.
+/// The number of uses of each scalar, as an operand and as an output.
 pub(crate) struct Uses {
     counts: Table<Scalar, usize>,
     order: Vec<Scalar>,
@@ -25,18 +25,18 @@ impl Uses {
         uses
     }
 
-    /// Everything used, in an order that depends on the expression alone.
+    /// Returns everything used, in an order that depends only on the expression.
     pub(crate) fn order(&self) -> &[Scalar] {
         &self.order
     }
 
-    /// How many operations there are.
+    /// Returns the number of operations.
     pub(crate) fn operations(&self, g: &Graph) -> usize {
         let is_operation = |s: &&Scalar| g.scalar_node(**s).op().is_some_and(|op| op.is_step());
         self.order.iter().filter(is_operation).count()
     }
 
-    /// Whether `s` is used in one place only.
+    /// Returns `true` if `s` is used in only one place.
     pub(crate) fn once(&self, s: Scalar) -> bool {
         self.counts.copied(s).is_none_or(|count| count == 1)
     }
@@ -46,24 +46,24 @@ pub(crate) fn operands(node: ScalarNode) -> impl Iterator<Item = Scalar> {
     node.op().into_iter().flat_map(Op::operands)
 }
 
-/// Makes expressions anew, each once.
+/// Rebuilds expressions, each once.
 pub(crate) struct Rebuild<'f> {
     pub(crate) fold: &'f mut Fold,
     done: Table<Scalar, Scalar>,
 }
 
-/// What has to be made anew first.
+/// A scalar that has to be rebuilt first.
 pub(crate) struct Missing(Scalar);
 
-/// Offers something else in the place of a node.
+/// Supplies replacements of nodes.
 pub(crate) trait Exchange: Sized {
-    /// What takes the place of `s`, its own parts made anew by `rebuild`; `None` to keep `s`. Where a part is missing, it is
-    /// asked again once that was made.
+    /// Returns the replacement of `s`, built from operands that `rebuild` has rebuilt, or `None` to keep `s`. On
+    /// `Err(Missing)` it is called again after the missing operand is rebuilt.
     fn exchange(&mut self, rebuild: &mut Rebuild<'_>, s: Scalar) -> Result<Option<Scalar>, Missing>;
 }
 
 impl<'f> Rebuild<'f> {
-    /// `outputs` made anew.
+    /// Returns `outputs` rebuilt.
     pub(crate) fn outputs(fold: &'f mut Fold, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
         let mut rebuild = Self { fold, done: Table::default() };
         let mut made = Vec::new();
@@ -94,12 +94,12 @@ impl<'f> Rebuild<'f> {
         Ok(made)
     }
 
-    /// The scalar made anew.
+    /// Returns the rebuilt scalar, or the error that it is missing.
     pub(crate) fn scalar(&self, s: Scalar) -> Result<Scalar, Missing> {
         self.done.copied(s).ok_or(Missing(s))
     }
 
-    /// The scalar with its operands made anew.
+    /// Rebuilds the scalar with rebuilt operands and the same operation.
     fn kept(&mut self, s: Scalar) -> Result<Scalar, Missing> {
         let Some(op) = self.fold.g.scalar_node(s).op() else { return Ok(s) };
         let mut missing = None;

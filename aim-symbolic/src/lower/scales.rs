@@ -1,26 +1,27 @@
-//! Constant factors on components, moved to where they cost least: a number may be computed some constant times too large, as
-//! long as whatever uses it knows.
+//! Moves constant factors on components to where they cost least. A number may be computed too large by a constant
+//! factor, as long as every use of it compensates.
 //!
-//! Of `v = c a + d b` only `v/c = a + (d/c) b` is computed, one product less, where the factor c vanishes in other constants.
-//! Each number has a scale. Terms of a sum have that of the sum, a product has the product of its factors' scales; inputs,
-//! outputs and arguments of functions have 1: linear equations between logarithms. A product with a constant is free where
-//! the scale of the result makes up for the constant: one more equation, added where it contradicts no other.
+//! Of `v = c a + d b` only `v/c = a + (d/c) b` is computed, one product less, if the factor c can be merged into other
+//! constants. Each number has a scale. Terms of a sum have the scale of the sum, and a product has the product of its
+//! factors' scales; inputs, outputs and arguments of functions have scale 1. In logarithms these are linear equations.
+//! A product with a constant is free if the scale of the result compensates for the constant. This is one more
+//! equation, which is added if it contradicts no other.
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, operands};
 use crate::{Graph, Op, Scalar, ScalarNode};
 
-/// The logarithm of a scale: parameters that are still free and logarithms of constants, each with its factor.
+/// The logarithm of a scale: a linear combination of free parameters and of logarithms of constants.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Scale {
-    /// By number, in order.
+    /// Index and coefficient of each free parameter, sorted by index.
     free: Vec<(usize, f64)>,
-    /// By the constant's place among all of them, in order.
+    /// Index into [`Scales::constants`] and coefficient of each constant, sorted by index.
     constants: Vec<(usize, f64)>,
 }
 
-/// `a + k b` of sums of terms in order.
+/// Returns `a + k b`, for linear combinations sorted by index.
 fn combined(a: &[(usize, f64)], k: f64, b: &[(usize, f64)]) -> Vec<(usize, f64)> {
     let (mut a, mut b) = (a.iter().copied().peekable(), b.iter().copied().peekable());
     let mut all = Vec::new();
@@ -48,7 +49,7 @@ fn combined(a: &[(usize, f64)], k: f64, b: &[(usize, f64)]) -> Vec<(usize, f64)>
 }
 
 impl Scale {
-    /// The same without a whole factor of all terms: it is 0 where this is.
+    /// Divides by a common factor of all coefficients. As an equation with right side 0 the result is equivalent.
     fn divided(mut self) -> Self {
         let least = self.free.iter().map(|(_, k)| k.abs()).fold(f64::INFINITY, f64::min);
         if least.is_finite() && self.free.iter().chain(&self.constants).all(|(_, k)| (k / least).fract() == 0.0) {
@@ -62,23 +63,23 @@ impl Scale {
     }
 }
 
-/// The scales of a program's numbers.
+/// The scales of a program's numbers, and the system of equations between them.
 #[derive(Default)]
 struct Scales {
     of: Table<Scalar, Scale>,
-    /// By parameter: what it is in terms of those that are free, unless it is free itself.
+    /// For each parameter its solution in terms of free parameters; `None` if it is free itself.
     solved: Vec<Option<Scale>>,
-    /// 2, and the significands of the constants.
+    /// The number 2 and the significands of the constants.
     constants: Vec<f64>,
 }
 
-/// A constant that is larger, or smaller than one over it, keeps its place: no number may leave the range of floats.
+/// Limit on constants that may move, and on their reciprocals, so that no number leaves the range of floats.
 const LARGEST: f64 = 1024.0;
 
-/// Longer programs are left as they are.
+/// Limit on the number of products with constants; longer programs are left as they are.
 const MOST_PRODUCTS: usize = 400;
 
-/// `outputs`, which are lowered, with constants where they cost least; `None` if they are there already.
+/// Returns `outputs`, which must be lowered, with constants where they cost least; `None` if nothing can be saved.
 pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>> {
     let order = parts_first(&fold.g, outputs);
     let products: Vec<Scalar> = order.iter().copied().filter(|&s| by_constant(&fold.g, s).is_some()).collect();
@@ -92,7 +93,8 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
     for &output in outputs {
         scales.equate(&fold.g, output, &Scale::default());
     }
-    // What frees most first; then what changes least, as the larger of two components does.
+    // First the equations that free the most products, then those with the smallest change of scale, as by the larger
+    // of two components.
     let mut equations: Vec<(Scale, usize, f64)> = Vec::new();
     for s in products {
         let (change, Some((.., left))) = (change(&fold.g, s), scales.left(&fold.g, s)) else { continue };
@@ -103,7 +105,7 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
         }
     }
     let mut freed = false;
-    // There are few: a sort would be more code than they are worth.
+    // There are only a few equations, and a sort would add more code than it is worth.
     while let Some((next, _)) =
         equations.iter().enumerate().min_by(|(_, a), (_, b)| b.1.cmp(&a.1).then(a.2.total_cmp(&b.2)))
     {
@@ -113,7 +115,7 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
     freed.then(|| Rebuild::outputs(fold, outputs, &mut scales))
 }
 
-/// All that the outputs are made of, parts first.
+/// Returns everything on which `outputs` depend, operands first.
 fn parts_first(g: &Graph, outputs: &[Scalar]) -> Vec<Scalar> {
     let (mut order, mut done) = (Vec::new(), Table::default());
     let mut open: Vec<(Scalar, bool)> = outputs.iter().rev().map(|&s| (s, false)).collect();
@@ -128,7 +130,7 @@ fn parts_first(g: &Graph, outputs: &[Scalar]) -> Vec<Scalar> {
     order
 }
 
-/// Of a product with a constant: the constant, the other factor, and whether it is divided by instead.
+/// Splits a product with a constant into the constant, the other operand, and `true` if the constant is a divisor.
 fn by_constant(g: &Graph, s: Scalar) -> Option<(f64, Scalar, bool)> {
     let (c, a, over) = match g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
@@ -142,7 +144,8 @@ fn by_constant(g: &Graph, s: Scalar) -> Option<(f64, Scalar, bool)> {
     (c != 0.0 && c.is_finite() && g.constant_of(a).is_none()).then_some((c, a, over))
 }
 
-/// The ratio of a product with a constant to its other factor.
+/// Returns the ratio of a product with a constant to its other factor, or the reciprocal ratio, whichever is at least
+/// 1.
 fn change(g: &Graph, s: Scalar) -> f64 {
     by_constant(g, s).map_or(1.0, |(c, ..)| c.abs().max(1.0 / c.abs()))
 }
@@ -153,7 +156,7 @@ impl Scales {
         Scale { free: vec![(self.solved.len() - 1, 1.0)], constants: Vec::new() }
     }
 
-    /// The scale of `s`, in terms of parameters that are free.
+    /// Returns the scale of `s` in terms of free parameters.
     fn of(&self, s: Scalar) -> Scale {
         self.reduced(self.of.copied(s).unwrap_or_default())
     }
@@ -166,7 +169,7 @@ impl Scales {
         })
     }
 
-    /// The logarithm of a constant's size.
+    /// Returns the logarithm of |c|.
     fn log(&mut self, c: f64) -> Scale {
         let (mut significand, mut exponent) = (c.abs(), 0);
         while significand >= 2.0 {
@@ -184,7 +187,7 @@ impl Scales {
         Scale { free: Vec::new(), constants: combined(&constants, 1.0, &of_two) }
     }
 
-    /// The scale that `s` has by its parts', and what it demands of theirs.
+    /// Computes the scale of `s` from those of its operands, and adds the equations that the operation requires.
     fn state(&mut self, g: &Graph, s: Scalar) {
         let ScalarNode::Op(op) = g.scalar_node(s) else { return };
         let one = Scale::default();
@@ -192,7 +195,7 @@ impl Scales {
             Op::Input(_) | Op::Tiny | Op::Constant(_) => one,
             _ if by_constant(g, s).is_some() => self.parameter(),
             Op::Neg(a) => self.of(a),
-            // A constant in a sum keeps its digits: 1 − x may be small.
+            // Sums with a constant have scale 1, so that the constant keeps its digits: 1 − x may be small.
             Op::Add(a, b) | Op::Sub(a, b) if [a, b].iter().any(|&part| g.constant_of(part).is_some()) => {
                 [a, b].into_iter().for_each(|part| self.equate(g, part, &one));
                 one
@@ -213,7 +216,7 @@ impl Scales {
         self.of.insert(s, scale);
     }
 
-    /// The scale that two numbers have in common; constants have any.
+    /// Equates the scales of two numbers and returns their common scale. Constants may have any scale.
     fn common(&mut self, g: &Graph, a: Scalar, b: Scalar) -> Scale {
         if g.constant_of(a).is_none() {
             let scale = self.of(a);
@@ -222,18 +225,18 @@ impl Scales {
         self.of(if g.constant_of(a).is_none() { a } else { b })
     }
 
-    /// Makes the scale of `s` that one, where no constant contradicts yet.
+    /// Equates the scale of `s` with `scale`, unless earlier equations contradict.
     fn equate(&mut self, g: &Graph, s: Scalar, scale: &Scale) {
         if g.constant_of(s).is_none() {
             self.solve(&self.of(s).plus(-1.0, scale));
         }
     }
 
-    /// Makes the sum 0; `false` where it cannot be.
+    /// Adds the equation sum = 0. Returns `false` if it contradicts the others.
     fn solve(&mut self, sum: &Scale) -> bool {
         let sum = self.reduced(sum.clone()).divided();
         let Some(&(place, factor)) = sum.free.iter().rev().find(|(_, k)| k.abs() == 1.0) else {
-            // Each by itself, so that no scale is a root.
+            // Each parameter is set to 0 by itself, so that no scale is a root of constants.
             if sum.constants.is_empty() {
                 sum.free.iter().for_each(|&(place, _)| self.replace(place, &Scale::default()));
             }
@@ -251,7 +254,8 @@ impl Scales {
         self.solved[place] = Some(instead.clone());
     }
 
-    /// The factor that a product with a constant leaves.
+    /// Splits a product with a constant into the other factor, `true` if the constant is negative, and the logarithm of
+    /// the factor that remains.
     fn left(&mut self, g: &Graph, s: Scalar) -> Option<(Scalar, bool, Scale)> {
         let (c, a, over) = by_constant(g, s)?;
         let log = self.log(c);
@@ -259,7 +263,7 @@ impl Scales {
         Some((a, c < 0.0, left))
     }
 
-    /// The number whose logarithm this is; free parameters are 0.
+    /// Returns the number with this logarithm, with free parameters 0.
     fn value(&self, scale: &Scale) -> f64 {
         let [mut above, mut below] = [1.0; 2];
         for &(place, factor) in &scale.constants {
@@ -272,7 +276,7 @@ impl Scales {
         above / below
     }
 
-    /// A constant, as much larger as `scale` says.
+    /// Returns the constant multiplied by `scale`.
     fn constant(&mut self, fold: &mut Fold, c: f64, scale: &Scale) -> Scalar {
         if c == 0.0 || scale.constants.is_empty() {
             return fold.g.constant(c);
@@ -304,7 +308,7 @@ impl Exchange for Scales {
             return Ok(Some(rebuild.fold.mul(k, a)));
         }
         let ScalarNode::Op(op) = rebuild.fold.g.scalar_node(s) else { return Ok(None) };
-        // What constants among the parts are multiplied by.
+        // The factor of constant operands, and the positions of operands that may be constants.
         let (scale, places) = match op {
             Op::Add(..) | Op::Sub(..) => (self.of(s), 0..2),
             Op::Div(_, b) => (self.of(s).plus(1.0, &self.of(b)), 0..1),

@@ -1,4 +1,4 @@
-//! Folding of selects: outcomes that are known, choices of signs, and terms of which always one is 0.
+//! Folding of selects: known results of comparisons, choices of signs, and sums with terms that exclude each other.
 
 use rustc_hash::FxHashMap;
 
@@ -6,11 +6,11 @@ use crate::lower::fold::Fold;
 use crate::lower::sides::{Join, Side};
 use crate::{Op, Scalar, ScalarNode};
 
-/// Choices within choices are looked into so far.
+/// Limit on the depth to which nested selects are searched.
 const DEEPEST_CHOICE: u32 = 2;
 
 impl Fold {
-    /// `then` where `a < b`, else `otherwise`; one of them where both are the same or the comparison is of constants.
+    /// `then` if `a < b`, else `otherwise`. Folds if both branches are equal or the comparison is between constants.
     pub fn select_less(&mut self, a: Scalar, b: Scalar, then: Scalar, otherwise: Scalar) -> Scalar {
         if let (Some(x), Some(y)) = (self.constant_of(a), self.constant_of(b)) {
             return if x < y { then } else { otherwise };
@@ -21,7 +21,7 @@ impl Fold {
             return then;
         }
         match (self.choice(then), self.choice(otherwise)) {
-            // What is the same on one side of another comparison is chosen by that one.
+            // If a second comparison selects the same value in both branches, it becomes the outer one.
             (Some(([c, d], [p, r])), Some((same, [q, s]))) if [c, d] == same && (p == q || r == s) => {
                 let (p, r) = (self.select_less(a, b, p, q), self.select_less(a, b, r, s));
                 self.select_less(c, d, p, r)
@@ -30,7 +30,7 @@ impl Fold {
         }
     }
 
-    /// `s` where the outcome of a comparison is known.
+    /// Simplifies `s`, given the result of a comparison.
     fn where_known(&mut self, compared: [Scalar; 2], holds: bool, s: Scalar, depth: u32) -> Scalar {
         let Some(([a, b], [then, otherwise])) = self.choice(s) else { return s };
         if [a, b] == compared {
@@ -41,7 +41,7 @@ impl Fold {
         if known == [then, otherwise] { s } else { self.select_less(a, b, known[0], known[1]) }
     }
 
-    /// The comparison and the branches of a select.
+    /// Returns the operands of the comparison and the branches of a select.
     fn choice(&self, s: Scalar) -> Option<([Scalar; 2], [Scalar; 2])> {
         match self.g.scalar_node(s) {
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => Some(([a, b], [then, otherwise])),
@@ -49,7 +49,7 @@ impl Fold {
         }
     }
 
-    /// A choice of −1, 0 and 1, times `b`: a choice of −b, 0 and b.
+    /// A select of −1, 0 and 1, times `b`, becomes a select of −b, 0 and b.
     pub(crate) fn chosen(&mut self, choice: Scalar, b: Scalar) -> Option<Scalar> {
         let ([x, y], factors) = self.choice(choice)?;
         if !self.is_sign(choice, DEEPEST_CHOICE) {
@@ -59,7 +59,7 @@ impl Fold {
         Some(self.select_less(x, y, then, otherwise))
     }
 
-    /// Whether it is a choice of −1, 0 and 1.
+    /// Returns `true` if `s` is a select of −1, 0 and 1.
     fn is_sign(&self, s: Scalar, depth: u32) -> bool {
         match (self.constant_of(s), self.choice(s)) {
             (Some(c), _) => c == 0.0 || c.abs() == 1.0,
@@ -68,7 +68,8 @@ impl Fold {
         }
     }
 
-    /// The comparisons on one side of which `s` is 0, the outcome where it is not, and what it is there.
+    /// Collects the comparisons on one side of which `s` is 0, each with the result for which it is not, and the value
+    /// in that case.
     fn masks(&mut self, s: Scalar, depth: u32, found: &mut Vec<Side>) {
         let Some((compared, [then, otherwise])) = self.choice(s) else { return };
         let zero = self.g.constant(0.0);
@@ -87,7 +88,7 @@ impl Fold {
         }
     }
 
-    /// The same of a term, which may be a product.
+    /// Collects the comparisons on one side of which a term is 0; the term may be a product with a select.
     fn sides(&mut self, term: Scalar) -> Vec<Side> {
         let mut found = Vec::new();
         match self.g.scalar_node(term) {
@@ -103,14 +104,14 @@ impl Fold {
         found
     }
 
-    /// Whether some of the terms are 0 on opposite sides of a comparison.
+    /// Returns `true` if two of the terms are 0 on opposite sides of a comparison.
     pub(crate) fn exclude_each_other(&mut self, terms: impl Iterator<Item = Scalar>) -> bool {
         let mut seen: FxHashMap<[Scalar; 2], bool> = FxHashMap::default();
         let mut sides = terms.flat_map(|term| self.sides(term));
         sides.any(|side| *seen.entry(side.compared).or_insert(side.holds) != side.holds)
     }
 
-    /// The sum of two terms that are 0 on opposite sides of a comparison, or their difference: one select.
+    /// Returns the sum or difference of two terms that are 0 on opposite sides of a comparison, as one select.
     pub(crate) fn sum_of_sides(&mut self, a: Scalar, b: Scalar, negative: bool, join: Join) -> Option<Scalar> {
         let (first, second) = (self.sides(a), self.sides(b));
         let (x, y) = join.of(&first, &second)?;

@@ -1,30 +1,30 @@
-//! [`Side`]: terms of sums that are 0 on one side of a comparison, and which of them are [joined](Join).
+//! [`Side`]: terms of sums that are 0 on one side of a comparison, and the rule by which they are [joined](Join).
 
 use crate::Scalar;
 
 /// A term that is 0 on one side of a comparison.
 pub(crate) struct Side {
     pub(crate) compared: [Scalar; 2],
-    /// Whether the comparison holds where the term is not 0.
+    /// `true` if the term is 0 unless the comparison holds, `false` if it is 0 unless it fails.
     pub(crate) holds: bool,
-    /// The term there, but for a factor.
+    /// The value of the term on the other side, without `factor`.
     pub(crate) base: Scalar,
     pub(crate) factor: Option<Scalar>,
 }
 
-/// Which terms are joined.
+/// Which pairs of terms are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Join {
-    /// Those that are not 0 under the same conditions but for one, and need no other product.
+    /// Terms whose other conditions agree, if joining them needs no additional product.
     Alike,
-    /// The same, also products.
+    /// Terms whose other conditions agree, even if joining them needs an additional product.
     Complements,
-    /// Those that are 0 on opposite sides of any comparison.
+    /// Terms that are 0 on opposite sides of any comparison.
     Opposites,
 }
 
 impl Join {
-    /// The sides by which two terms are joined.
+    /// Returns the sides by which the two terms are joined, or `None` if they are not.
     pub(crate) fn of<'s>(self, first: &'s [Side], second: &'s [Side]) -> Option<(&'s Side, &'s Side)> {
         let same = |x: &Side, y: &Side| x.compared == y.compared && x.holds == y.holds;
         let opposite = |x: &Side, y: &Side| x.compared == y.compared && x.holds != y.holds;

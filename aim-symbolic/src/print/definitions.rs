@@ -7,17 +7,17 @@ use super::formula::Formula;
 use crate::ir::node::Node;
 use crate::{Graph, Op, Scalar, ScalarNode, VectorNode};
 
-/// Expressions with names for the parts that are needed more than once.
+/// Expressions in which repeated and long parts have names.
 #[derive(Clone, Debug)]
 pub struct Defined {
-    /// Each part with its symbol, after those that it is made of.
+    /// Each named part with its symbol, after the parts on which it depends.
     pub definitions: Vec<(Node, Formula)>,
-    /// The notation with those symbols.
+    /// The notation, extended by those symbols.
     pub notation: Notation,
 }
 
 impl Defined {
-    /// The equations that say what the symbols stand for.
+    /// Returns the equations that define the symbols.
     #[must_use]
     pub fn equations(&self, g: &Graph) -> Vec<(Formula, Formula)> {
         let equation =
@@ -26,21 +26,20 @@ impl Defined {
     }
 }
 
-/// So short a formula is not worth a name.
+/// Longest formula that is not named although it is used more than once.
 const SHORT: usize = 3;
 
-/// So long a formula is not read in one go.
+/// Longest formula that is not named if it is used once.
 const LONG: usize = 16;
 
-/// Names the parts of `outputs` that are needed more than once or are long: **a**₁, **a**₂, … the vectors, k₁, k₂, … the
-/// numbers.
+/// Names the parts of `outputs` that are used more than once or are long: vectors **a**₁, **a**₂, …, numbers k₁, k₂, …
 #[must_use]
 pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
     let order = g.order(outputs);
     let mut uses: HashMap<Node, usize> = HashMap::new();
     for &node in &order {
         for part in g.parts(node) {
-            // A direction is written with its vector twice.
+            // A direction is written as v/|v|, which contains its vector twice.
             let times = match node {
                 Node::Vector(v) if matches!(g.vector_node(v), VectorNode::Normalize(_)) => 2,
                 _ => 1,
@@ -74,7 +73,7 @@ pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
     defined
 }
 
-/// Whether it is a symbol or a number already.
+/// Returns `true` if the node is a symbol or a number already.
 fn is_given(g: &Graph, node: Node) -> bool {
     match node {
         Node::Scalar(s) => matches!(g.scalar_node(s), ScalarNode::Op(Op::Input(_) | Op::Constant(_) | Op::Tiny)),
@@ -85,9 +84,9 @@ fn is_given(g: &Graph, node: Node) -> bool {
     }
 }
 
-/// Both sides of a rewriting, with letters for what they have in common: the rule as it was applied here.
+/// States an application of a rule: both sides of the rewriting, with letters for their common parts.
 ///
-/// Returns the two sides and what the letters stand for.
+/// Returns the two sides and the meanings of the letters.
 #[must_use]
 pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Formula; 2], Vec<(Formula, Formula)>) {
     let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root]).into_iter().collect() };

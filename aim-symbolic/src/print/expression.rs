@@ -8,10 +8,10 @@ use crate::{
     Stumpff, Vector, VectorNode,
 };
 
-/// What things are called. What is not named here is called as it was declared.
+/// Symbols for the elements of formulas. Anything without an entry appears under its declared name.
 #[derive(Clone, Debug, Default)]
 pub struct Notation {
-    /// Symbols for the stems of inputs' names: `m` for the inputs `m_00` to `m_22`, `p` for `sin_p` and `cos_p`.
+    /// Symbols for the stems of input names: `m` for the inputs `m_00` to `m_22`, `p` for `sin_p` and `cos_p`.
     pub inputs: Vec<(String, Formula)>,
     /// Symbols for constant vectors.
     pub vectors: Vec<([f64; 3], Formula)>,
@@ -21,18 +21,18 @@ pub struct Notation {
     pub planes: Vec<(Plane, Formula)>,
     /// Symbols for parts of expressions.
     pub parts: Vec<(Node, Formula)>,
-    /// Whether parentheses tell what is multiplied first, also where that makes no difference.
+    /// `true` to set parentheses around factors even where the order of multiplication does not matter.
     pub grouped: bool,
 }
 
 impl Notation {
-    /// The symbol of an input, or of a vector of inputs, with this stem.
+    /// Returns the symbol of the input, or vector of inputs, with this stem.
     #[must_use]
     pub fn input(&self, stem: &str) -> Formula {
         self.inputs.iter().find(|(known, _)| known == stem).map_or_else(|| declared(stem), |(_, symbol)| symbol.clone())
     }
 
-    /// The symbol of a single input.
+    /// Returns the symbol of a single input.
     fn scalar_input(&self, name: &str) -> Formula {
         if self.inputs.iter().any(|(known, _)| known == name) {
             return self.input(name);
@@ -51,7 +51,7 @@ impl Notation {
         }
     }
 
-    /// The symbol of an angle.
+    /// Returns the symbol of an angle.
     #[must_use]
     pub fn angle(&self, g: &Graph, angle: Angle) -> Formula {
         match g.radians(angle) {
@@ -60,7 +60,7 @@ impl Notation {
         }
     }
 
-    /// The symbol of the quarter turn of a plane.
+    /// Returns the symbol of the 90° turn in a plane.
     #[must_use]
     pub fn plane(&self, plane: Plane) -> Formula {
         let named = self.planes.iter().find(|(known, _)| *known == plane);
@@ -72,7 +72,7 @@ impl Notation {
     }
 }
 
-/// A component of a vector is a number.
+/// Returns an italic symbol for a component, which is a number, from the symbol of its vector.
 fn plain(symbol: Formula) -> Formula {
     match symbol {
         Formula::Symbol(name, _) if name.chars().count() == 1 => Formula::italic(&name),
@@ -81,7 +81,7 @@ fn plain(symbol: Formula) -> Formula {
     }
 }
 
-/// A name as it was declared: what stands after `_` is an index.
+/// Returns the symbol for a declared name. Parts after `_` become indices.
 fn declared(name: &str) -> Formula {
     let mut parts = name.split('_').filter(|part| !part.is_empty());
     let part = |text: &str| {
@@ -99,7 +99,7 @@ fn group(bound: Bound, above: Binding) -> Formula {
 }
 
 fn sum(a: Bound, b: Bound) -> Bound {
-    // A negation that comes second is a difference.
+    // Adding a negation is written as a difference.
     if let Formula::Row(parts) = &b.0
         && let [Formula::Sign(Sign::Negative), rest @ ..] = parts.as_slice()
     {
@@ -142,7 +142,7 @@ fn quotient(a: Formula, b: Formula) -> Bound {
     (Formula::Fraction(Box::new(a), Box::new(b)), Binding::Atom)
 }
 
-/// An operation as a formula, in which parentheses are left out where they make no difference to a reader.
+/// Writes an operation as a formula, without parentheses that make no difference to a reader.
 fn operation(op: Op<Bound>, input: impl Fn(usize) -> Formula) -> Bound {
     let formula = match op {
         Op::Add(a, b) => return sum(a, b),
@@ -178,25 +178,25 @@ fn operation(op: Op<Bound>, input: impl Fn(usize) -> Formula) -> Bound {
     (formula, Binding::Atom)
 }
 
-/// The expression as a formula.
+/// Returns the scalar expression as a formula.
 #[must_use]
 pub fn scalar(g: &Graph, expression: Scalar, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.scalar(expression).0
 }
 
-/// The expression as a formula.
+/// Returns the vector expression as a formula.
 #[must_use]
 pub fn vector(g: &Graph, expression: Vector, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.vector(expression).0
 }
 
-/// The rotation as a formula.
+/// Returns the rotation as a formula.
 #[must_use]
 pub fn rotation(g: &Graph, expression: Rotation, notation: &Notation) -> Formula {
     Writer { g, notation, whole: None }.rotation(expression).0
 }
 
-/// The expression as a formula.
+/// Returns the expression as a formula.
 #[must_use]
 pub fn node(g: &Graph, expression: Node, notation: &Notation) -> Formula {
     match expression {
@@ -205,7 +205,7 @@ pub fn node(g: &Graph, expression: Node, notation: &Notation) -> Formula {
     }
 }
 
-/// The condition as an equation.
+/// Returns the condition as an equation.
 #[must_use]
 pub fn condition(g: &Graph, condition: Condition, notation: &Notation) -> Formula {
     let writer = Writer { g, notation, whole: None };
@@ -224,7 +224,7 @@ pub fn condition(g: &Graph, condition: Condition, notation: &Notation) -> Formul
     }
 }
 
-/// What a part of an expression is, where it has a symbol itself.
+/// Returns the definition of a part of an expression, even if the part itself has a symbol.
 #[must_use]
 pub fn definition(g: &Graph, part: Node, notation: &Notation) -> Formula {
     let writer = Writer { g, notation, whole: Some(part) };
@@ -237,7 +237,7 @@ pub fn definition(g: &Graph, part: Node, notation: &Notation) -> Formula {
 struct Writer<'a> {
     g: &'a Graph,
     notation: &'a Notation,
-    /// The part that is spelled out although it has a symbol.
+    /// The node that is written out although it has a symbol.
     whole: Option<Node>,
 }
 
@@ -317,7 +317,7 @@ impl Writer<'_> {
                 (Formula::italic("ω").indexed(v(u).0), Binding::Atom)
             }
             VectorNode::Across(a, u) => {
-                // A direction is told by whatever points there.
+                // The index is any vector along the direction.
                 let along = match self.g.vector_node(u.into()) {
                     VectorNode::Normalize(inner) | VectorNode::Scale(_, inner)
                         if self.symbol(Node::Vector(u.into())).is_none() =>
@@ -333,7 +333,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What a factor has to bind more tightly than.
+    /// Returns the binding that the operands of a product must exceed to be written without parentheses.
     fn factors(&self) -> Binding {
         if self.notation.grouped { Binding::Product } else { Binding::Dot }
     }
@@ -361,7 +361,7 @@ impl Writer<'_> {
         Formula::Matrix(components.map(|c| vec![self.scalar(c).0]).to_vec())
     }
 
-    /// The turn by a vector.
+    /// Returns the rotation by a rotation vector, as an exponential.
     fn exponential(&self, v: Vector) -> Formula {
         Formula::Row(vec![Formula::italic("exp"), self.vector(v).0.indexed(Formula::italic("×"))])
     }
@@ -402,8 +402,8 @@ impl Writer<'_> {
     }
 }
 
-/// The name of a vector whose components are the inputs `name_x`, `name_y`, `name_z`, or `name_0`, `name_1`, `name_2` where there are no
-/// more of that name.
+/// Returns the name of the vector whose components are the inputs `name_x`, `name_y`, `name_z`, or `name_0`, `name_1`,
+/// `name_2` if there are no further inputs of that name.
 fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
     let names = components.map(|c| match g.scalar_node(c) {
         ScalarNode::Op(Op::Input(i)) => Some(g.inputs()[i as usize].0.as_str()),
@@ -421,13 +421,13 @@ fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
 /// A program as formulas.
 #[derive(Clone, Debug)]
 pub struct Told {
-    /// Each step's number, its symbol, and what it is.
+    /// The number, symbol and formula of each step.
     pub steps: Vec<(usize, Formula, Formula)>,
-    /// The results.
+    /// The formulas of the outputs.
     pub outputs: Vec<Formula>,
 }
 
-/// The program as formulas, step by step as every back end writes it.
+/// Returns the program as formulas, in the same steps that every back end writes.
 #[must_use]
 pub fn program(program: &Program, notation: &Notation) -> Told {
     let steps = Steps { inputs: program.inputs(), notation };
@@ -438,7 +438,7 @@ pub fn program(program: &Program, notation: &Notation) -> Told {
     }
 }
 
-/// Steps as formulas.
+/// Writes steps as formulas.
 struct Steps<'a> {
     inputs: &'a [String],
     notation: &'a Notation,
@@ -451,7 +451,7 @@ impl Printer for Steps<'_> {
         operation(op, |i| self.notation.scalar_input(&self.inputs[i]))
     }
 
-    /// The operand itself: in a formula, other parentheses are needed than in source.
+    /// Returns the operand unchanged: formulas need other parentheses than source text, which are set elsewhere.
     fn group(&self, operand: Bound) -> Bound {
         operand
     }

@@ -1,42 +1,42 @@
-//! Formulas as people write them: one tree, made of expressions and programs, from which [`latex`](super::latex) and
-//! [`mathml`](super::mathml) are written.
+//! Formulas in mathematical notation: a tree, built from expressions and programs and written by
+//! [`latex`](super::latex), [`mathml`](super::mathml) and [`text`](super::text).
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
-    /// A letter or a word that stands for something.
+    /// A symbol: a letter or a word.
     Symbol(String, Face),
-    /// A number, as it is written.
+    /// A number, as digits.
     Number(String),
     /// A sign between two formulas, or before one.
     Sign(Sign),
-    /// Formulas side by side.
+    /// Formulas in sequence.
     Row(Vec<Self>),
-    /// With an index.
+    /// A formula with an index.
     Index(Box<Self>, Box<Self>),
-    /// Times itself.
+    /// The square of a formula.
     Squared(Box<Self>),
-    /// The way back of a rotation.
+    /// The transpose of a rotation or matrix.
     Transposed(Box<Self>),
     /// The inverse of a matrix.
     Inverse(Box<Self>),
-    /// A fraction.
+    /// A fraction: numerator, denominator.
     Fraction(Box<Self>, Box<Self>),
     /// A square root.
     Root(Box<Self>),
-    /// In parentheses.
+    /// A formula in parentheses.
     Group(Box<Self>),
-    /// Between bars: a length.
+    /// A formula between bars: a length or an absolute value.
     Bars(Box<Self>),
-    /// Under a bar: what the value changes by with this part.
+    /// A formula with a bar over it: the derivative of the value by this part.
     Over(Box<Self>),
-    /// Rows of a matrix; a single column is a vector.
+    /// A matrix, by rows; a single column is a vector.
     Matrix(Vec<Vec<Self>>),
-    /// The first where the condition holds, else the second.
+    /// A case distinction: the first formula if the condition holds, else the second.
     Cases(Box<[Self; 2]>, Box<Self>),
 }
 
-/// How a symbol is set.
+/// The typeface of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
     /// Numbers and matrices.
@@ -47,57 +47,57 @@ pub enum Face {
     Upright,
 }
 
-/// The signs that formulas are joined by.
+/// Signs that join formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sign {
     /// +
     Plus,
     /// − between two terms.
     Minus,
-    /// − before one.
+    /// − before one term.
     Negative,
-    /// The product of two vectors that is a number.
+    /// ·, the dot product of two vectors.
     Dot,
-    /// The product of two vectors that is a vector.
+    /// ×, the cross product of two vectors.
     Cross,
-    /// A product that is not written.
+    /// A product without a visible sign.
     Times,
-    /// A product of two numbers, which has to be written.
+    /// A product of two numbers with a visible sign.
     Point,
     /// =
     Equals,
     /// <
     Less,
-    /// Square to.
+    /// ⊥, perpendicular to.
     Across,
-    /// The sign of a derivative.
+    /// ∂, the sign of a partial derivative.
     Partial,
-    /// Leads to.
+    /// →, the result of a rewriting.
     Becomes,
-    /// Between the parts of a list.
+    /// A comma between the elements of a list.
     Comma,
 }
 
 impl Formula {
-    /// A vector's symbol.
+    /// Creates the symbol of a vector.
     #[must_use]
     pub fn vector(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Bold)
     }
 
-    /// A number's or a matrix's symbol.
+    /// Creates the symbol of a number or a matrix.
     #[must_use]
     pub fn italic(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Italic)
     }
 
-    /// A word.
+    /// Creates an upright word.
     #[must_use]
     pub fn upright(name: &str) -> Self {
         Self::Symbol(name.to_owned(), Face::Upright)
     }
 
-    /// A number to seven digits, a minus sign before it if need be.
+    /// Creates a number, rounded to seven digits, with a minus sign if it is negative.
     #[must_use]
     pub fn number(value: f64) -> Self {
         let rounded: f64 = format!("{:.6e}", value.abs()).parse().unwrap_or(value);
@@ -105,7 +105,7 @@ impl Formula {
         if value < 0.0 { Self::Row(vec![Self::Sign(Sign::Negative), digits]) } else { digits }
     }
 
-    /// With this index, after those that it has.
+    /// Adds an index, after any existing ones.
     #[must_use]
     pub fn indexed(self, index: Self) -> Self {
         match self {
@@ -117,13 +117,13 @@ impl Formula {
         }
     }
 
-    /// The same with a number as index.
+    /// Adds a number as index, after any existing indices.
     #[must_use]
     pub fn numbered(self, index: usize) -> Self {
         self.indexed(Self::Number(index.to_string()))
     }
 
-    /// `left`, the sign, `right`.
+    /// Joins two formulas by a sign.
     #[must_use]
     pub fn infix(left: Self, sign: Sign, right: Self) -> Self {
         let mut row = Vec::new();
@@ -136,7 +136,7 @@ impl Formula {
         Self::Row(row)
     }
 
-    /// The formulas one after the other, with commas between them.
+    /// Joins formulas by commas.
     pub fn list(formulas: impl IntoIterator<Item = Self>) -> Self {
         let mut row = Vec::new();
         for formula in formulas {
@@ -148,26 +148,26 @@ impl Formula {
         Self::Row(row)
     }
 
-    /// `left = right`
+    /// Creates the equation `left = right`.
     #[must_use]
     pub fn equals(left: Self, right: Self) -> Self {
         Self::infix(left, Sign::Equals, right)
     }
 
-    /// The derivative of `of` by `by`, as a fraction.
+    /// Creates the partial derivative of `of` by `by`, as a fraction.
     #[must_use]
     pub fn derivative(of: Self, by: Self) -> Self {
         let d = |what| Box::new(Self::Row(vec![Self::Sign(Sign::Partial), what]));
         Self::Fraction(d(of), d(by))
     }
 
-    /// The way back of a rotation.
+    /// Returns the transpose.
     #[must_use]
     pub fn transposed(self) -> Self {
         Self::Transposed(Box::new(self))
     }
 
-    /// Under a bar.
+    /// Returns the formula with a bar over it; a bar is set over the stem of an indexed symbol.
     #[must_use]
     pub fn barred(self) -> Self {
         match self {
@@ -176,7 +176,7 @@ impl Formula {
         }
     }
 
-    /// Whether it is higher than a line of text.
+    /// Returns `true` if the formula is higher than a line of text.
     pub fn is_high(&self) -> bool {
         match self {
             Self::Symbol(..) | Self::Number(_) | Self::Sign(_) => false,
@@ -192,7 +192,7 @@ impl Formula {
         }
     }
 
-    /// How many symbols, numbers and signs it is written with.
+    /// Returns the number of symbols, numbers and signs in the formula. Indices are not counted.
     pub fn length(&self) -> usize {
         match self {
             Self::Symbol(..) | Self::Number(_) | Self::Sign(_) => 1,

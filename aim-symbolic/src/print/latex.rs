@@ -1,8 +1,8 @@
-//! LaTeX, with amsmath.
+//! LaTeX output; needs the package amsmath.
 
 use super::formula::{Face, Formula, Sign};
 
-/// The formula, for use in an environment of mathematics.
+/// Returns the formula in LaTeX, for use in math mode.
 #[must_use]
 pub fn formula(formula: &Formula) -> String {
     let f = self::formula;
@@ -37,11 +37,11 @@ pub fn formula(formula: &Formula) -> String {
     }
 }
 
-/// What an index or an exponent is put to, in braces if it is more than a symbol.
+/// Returns the base of an index or exponent, in braces if it is more than a symbol.
 fn base(stem: &Formula) -> String {
     match stem {
         Formula::Symbol(..) | Formula::Group(_) => formula(stem),
-        // TeX takes braces off an accent, indices and all: something beside it keeps them.
+        // TeX drops braces around a lone accent together with its index; an empty group beside it keeps them.
         Formula::Index(inner, _) if matches!(**inner, Formula::Over(_)) => format!("{{{}{{}}}}", formula(stem)),
         stem => format!("{{{}}}", formula(stem)),
     }

@@ -1,8 +1,8 @@
-//! `MathML`, of the part that browsers share.
+//! `MathML` output, restricted to the subset that browsers have in common.
 
 use super::formula::{Face, Formula, Sign};
 
-/// The formula as the content of a `math` element.
+/// Returns the formula as the content of a `math` element.
 #[must_use]
 pub fn formula(formula: &Formula) -> String {
     let mut out = String::new();
@@ -58,7 +58,7 @@ fn write(out: &mut String, formula: &Formula) {
 fn symbol(out: &mut String, name: &str, face: Face) {
     let is_letter = name.chars().count() == 1;
     match face {
-        // Longer words are upright anyway.
+        // Words longer than a letter are upright by default.
         Face::Italic => element(out, "mi", name),
         Face::Upright if !is_letter => element(out, "mi", name),
         Face::Upright => *out += &format!("<mi mathvariant=\"normal\">{}</mi>", escaped(name)),
@@ -76,7 +76,7 @@ fn of_parts(out: &mut String, tag: &str, parts: &[&Formula]) {
     *out += &format!("</{tag}>");
 }
 
-/// With a letter that is raised itself: fonts without tables for mathematics put exponents far too high.
+/// Appends a mark that is itself a raised character: fonts without mathematical tables set exponents far too high.
 fn marked(out: &mut String, stem: &Formula, mark: &str) {
     *out += "<mrow>";
     write(out, stem);

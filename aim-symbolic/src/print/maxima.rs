@@ -1,11 +1,11 @@
-//! Maxima: the program as a function that the computer algebra system can run, differentiate and check.
+//! Maxima output: the program as a function that the computer algebra system can run, differentiate and check.
 
 use super::source::{Dialect, steps};
 use crate::{Function, Program};
 
-/// The program as a Maxima function of its inputs, returning the list of its outputs.
+/// Returns the program as a Maxima function of its inputs that returns the list of its outputs.
 ///
-/// Guards become their regular branch: Maxima's numbers are exact.
+/// Guards are replaced by their regular branch, since Maxima computes with exact numbers.
 #[must_use]
 pub fn program(name: &str, program: &Program) -> String {
     let (steps, outputs) = steps(program, &Maxima { inputs: program.inputs() });
@@ -23,7 +23,7 @@ struct Maxima<'a> {
     inputs: &'a [String],
 }
 
-/// The smallest length, which marks a guard: written as no other operand is.
+/// The text of the smallest length, which marks a guard. No other operand is written like this.
 const TINY: &str = "(0)";
 
 impl Dialect for Maxima<'_> {

@@ -1,4 +1,4 @@
-//! Programs and expressions as text and as formulas.
+//! Output of programs and expressions as source text and as formulas.
 
 mod definitions;
 mod expression;

@@ -1,47 +1,47 @@
-//! Programs as infix source text, for all back ends that write strings.
+//! Programs as infix source text, shared by all back ends that write strings.
 
 use super::steps::{Printer, Written};
 use crate::{Function, Op, Program};
 
-/// The parts of a language that differ from other languages.
+/// The syntax in which languages differ.
 pub trait Dialect {
-    /// The input with this index.
+    /// Returns the input with this index.
     fn input(&self, index: usize) -> String;
-    /// A constant.
+    /// Returns a constant.
     fn constant(&self, value: f64) -> String;
-    /// The smallest length that is divided by.
+    /// Returns the smallest length by which a guarded division divides.
     fn tiny(&self) -> String;
-    /// A square root.
+    /// Returns a square root.
     fn sqrt(&self, a: &str) -> String;
-    /// `then` where `a < b`, else `otherwise`.
+    /// Returns `then` if `a < b`, else `otherwise`.
     fn select_less(&self, a: &str, b: &str, then: &str, otherwise: &str) -> String;
-    /// A function of the mathematical library.
+    /// Returns a call of a function of the mathematics library.
     fn call(&self, function: Function, a: &str) -> String {
         format!("{}({a})", function.name())
     }
-    /// The angle of the point (`x`, `y`).
+    /// Returns the angle of the point (`x`, `y`).
     fn atan2(&self, y: &str, x: &str) -> String {
         format!("atan2({y}, {x})")
     }
 
-    /// The power of `a` by `b`.
+    /// Returns `a` to the power `b`.
     fn pow(&self, a: &str, b: &str) -> String {
         format!("pow({a}, {b})")
     }
-    /// `a` with the other sign, as an operand.
+    /// Returns `−a`, as an operand.
     fn neg(&self, a: &str) -> String {
         format!("-{a}")
     }
 }
 
-/// The program's steps as `(name, expression)`, and its outputs.
+/// Returns the program's steps as `(name, expression)`, and its outputs.
 pub fn steps(program: &Program, dialect: &dyn Dialect) -> (Vec<(String, String)>, Vec<String>) {
     let source = Source(dialect);
     let written = Written { program, printer: &source };
     (written.steps().map(|(number, text)| (source.step(number), text)).collect(), written.outputs())
 }
 
-/// A dialect as a notation.
+/// Adapts a dialect to [`Printer`].
 struct Source<'a>(&'a dyn Dialect);
 
 impl Printer for Source<'_> {

@@ -1,8 +1,8 @@
-//! Programs written step by step: which operations stand inside others, and where parentheses are needed.
+//! Programs as a sequence of steps: places operations inside others and sets parentheses where they are needed.
 
 use crate::{Op, Program, Value};
 
-/// Strength that binds a written expression together, the loosest first.
+/// The binding strength of a written expression, weakest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Sum,
@@ -13,17 +13,17 @@ pub(super) enum Binding {
 
 /// A notation for single operations.
 pub trait Printer {
-    /// A piece of what is written.
+    /// A fragment of the output.
     type Text;
-    /// An operation on written operands, which are in parentheses where they need to be.
+    /// Writes an operation. Its operands are written already, with parentheses where needed.
     fn operation(&self, op: Op<Self::Text>) -> Self::Text;
-    /// An operand in parentheses.
+    /// Puts an operand in parentheses.
     fn group(&self, operand: Self::Text) -> Self::Text;
-    /// The name of a step's result.
+    /// Returns the name of a step's result.
     fn step(&self, number: usize) -> Self::Text;
 }
 
-/// A program in a notation. Inputs, constants, negations and what is needed once are written in place.
+/// A program in a notation. Inputs, constants, negations and values that are used once are written in place.
 #[derive(Debug)]
 pub struct Written<'a, P> {
     /// The program.
@@ -33,21 +33,21 @@ pub struct Written<'a, P> {
 }
 
 impl<P: Printer> Written<'_, P> {
-    /// The program's steps, each with its number.
+    /// Returns the program's steps, each with its number.
     pub fn steps(&self) -> impl Iterator<Item = (usize, P::Text)> {
         self.program.steps().map(|(number, op)| (number, self.operation(op)))
     }
 
-    /// The program's outputs.
+    /// Returns the program's outputs.
     #[must_use]
     pub fn outputs(&self) -> Vec<P::Text> {
         self.program.outputs().iter().map(|&v| self.operand(v)).collect()
     }
 
-    /// An operation with everything that stands inside it.
+    /// Writes an operation with everything that is written inside it.
     ///
-    /// Sums and products round, so they are grouped as they are computed: a sum on the right of a sum, or a product on the
-    /// right of a product, is in parentheses.
+    /// Sums and products are grouped as they are computed, since grouping affects rounding: a sum as the right operand
+    /// of a sum, or a product as the right operand of a product, is in parentheses.
     #[must_use]
     pub fn operation(&self, op: Op) -> P::Text {
         let looser = match op {
@@ -60,13 +60,13 @@ impl<P: Printer> Written<'_, P> {
         self.printer.operation(op.map(|v| self.above(v, looser.next().flatten())))
     }
 
-    /// A value where it is used.
+    /// Writes a value where it is used.
     #[must_use]
     pub fn operand(&self, v: Value) -> P::Text {
         self.above(v, None)
     }
 
-    /// A value where it is used, in parentheses unless it binds more tightly than `looser`.
+    /// Writes a value where it is used, in parentheses unless it binds more tightly than `looser`.
     fn above(&self, v: Value, looser: Option<Binding>) -> P::Text {
         let op = self.program.ops()[v.index()];
         if op.is_step() && !self.program.is_inline(v) {

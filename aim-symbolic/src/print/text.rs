@@ -1,8 +1,8 @@
-//! Formulas as a line of text.
+//! Formulas as one line of text.
 
 use super::formula::{Formula, Sign};
 
-/// The formula in one line of Unicode: fractions by a slash, roots by their sign, indices after an underscore.
+/// Returns the formula in one line of Unicode: fractions with a slash, roots with √, indices after an underscore.
 #[must_use]
 pub fn formula(formula: &Formula) -> String {
     let f = self::formula;
@@ -30,7 +30,7 @@ pub fn formula(formula: &Formula) -> String {
     }
 }
 
-/// In parentheses where it has several parts.
+/// Returns the formula, in parentheses if it has several parts.
 fn grouped(part: &Formula) -> String {
     match part {
         Formula::Row(parts) if parts.len() > 1 => format!("({})", formula(part)),

@@ -1,10 +1,10 @@
-//! Operation counts. Sines and cosines are given, so calls of functions are counted apart.
+//! Operation counts. Sines and cosines of angles are inputs, so calls of functions are counted separately.
 
 use std::fmt;
 
 use crate::{Op, Program};
 
-/// How many operations of each kind a program performs. Negations are free.
+/// The number of operations of each kind in a program. Negations are free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Additions and subtractions.
@@ -19,8 +19,8 @@ pub struct Count {
     pub select: usize,
     /// Calls of functions (sines, exponentials, …); not in the total.
     pub call: usize,
-    /// Operations of series and of their margins, which stand beside closed forms that are 0 / 0 somewhere; in no other
-    /// count.
+    /// Operations of series and of their margins, which are computed beside closed forms that are 0 / 0 somewhere. Not
+    /// in any other count.
     pub series: usize,
 }
 
@@ -41,10 +41,10 @@ impl core::ops::Add for Count {
 }
 
 impl Count {
-    /// Powers: programs have no such operation.
+    /// The number of powers in the total: always 0, since [`Op::Pow`] counts as a call.
     pub const POW: usize = 0;
 
-    /// All operations but comparisons, selects and calls.
+    /// Returns the number of operations, except comparisons, selects, calls and series.
     #[must_use]
     pub fn total(&self) -> usize {
         self.add + self.mul + self.div + self.sqrt + Self::POW
@@ -63,7 +63,7 @@ impl fmt::Display for Count {
 }
 
 impl Program {
-    /// The operations of this program.
+    /// Counts the operations of the program.
     #[must_use]
     pub fn count(&self) -> Count {
         let mut count = Count::default();
@@ -87,7 +87,7 @@ impl Program {
         count
     }
 
-    /// For each operation whether something needs it beside margins and what is taken within them.
+    /// Returns for each operation whether it is used outside of series and their margins.
     pub(super) fn without_series(&self) -> Vec<bool> {
         let mut plain = vec![false; self.ops().len()];
         self.outputs().iter().for_each(|v| plain[v.index()] = true);

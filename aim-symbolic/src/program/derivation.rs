@@ -1,5 +1,5 @@
-//! The book-keeping of a derivation: what was rewritten into what, how derivatives were taken, which rules brought the
-//! operation count from what to what, and what each step of the program computes.
+//! The record of a derivation: every rewrite, the derivative sweeps, the rules that lowered the operation count, and
+//! the meaning of each step of the program.
 
 use crate::diff::sweep::Swept;
 use crate::ir::evaluate::Evaluation;
@@ -10,65 +10,65 @@ use crate::rewrite::log::{Log, Rewrite};
 use crate::rewrite::rules::{ARITHMETIC, RESUBSTITUTE, Rule};
 use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Singular, Want};
 
-/// Rules that together brought a program's operation count down.
+/// Rules that together lowered a program's operation count.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// The rules in the order in which they were first applied, and how often each was.
+    /// The rules in order of first application, and the number of applications of each.
     pub rules: Vec<(Rule, usize)>,
-    /// The operations of the program if rewriting had stopped before it.
+    /// The operations of the program if rewriting had stopped before this step.
     pub before: Count,
-    /// The operations of the program if rewriting had stopped after it.
+    /// The operations of the program if rewriting had stopped after this step.
     pub after: Count,
-    /// How many rewrites had been made after it; 0 for the rules of arithmetic, which come first.
+    /// The number of rewrites up to the end of this step; 0 for the rules of arithmetic, which come first.
     pub rewrites: usize,
 }
 
-/// What of a part of an expression is computed.
+/// The aspect of an expression that a step computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aspect {
     /// The number itself.
     Value,
-    /// The number's square, of a length.
+    /// The square of the number, which is a length.
     Square,
     /// A component (0, 1, 2) of the vector.
     Component(u8),
 }
 
-/// What a step of a program computes: a part of the expression that it was made of.
+/// The meaning of a program's step: the part of the original expression that it computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Meaning {
-    /// The part.
+    /// The part of the expression.
     pub node: Node,
-    /// What of it.
+    /// The aspect of the part.
     pub aspect: Aspect,
-    /// Whether the step has the other sign.
+    /// `true` if the step has the opposite sign.
     pub negated: bool,
 }
 
-/// A derivation from the statement to the program, with everything on the way.
+/// A derivation from the statement to the program, with all intermediate results.
 #[derive(Clone, Debug)]
 pub struct Derivation {
-    /// Where all expressions are.
+    /// The graph that holds all expressions.
     pub graph: Graph,
-    /// What was stated.
+    /// The stated expressions.
     pub stated: Vec<Scalar>,
-    /// The same as derivatives were taken of it.
+    /// The stated expressions as rewritten before differentiation.
     pub values: Vec<Scalar>,
-    /// How derivatives were taken.
+    /// The derivative sweeps.
     pub sweeps: Vec<Swept>,
-    /// What was wanted, just after that.
+    /// The wanted expressions immediately after differentiation.
     pub derived: Vec<Scalar>,
-    /// What was wanted, before it is written in components.
+    /// The wanted expressions after all rewriting, before they are lowered to components.
     pub outputs: Vec<Scalar>,
-    /// What was rewritten, in order.
+    /// All rewrites, in order.
     pub rewrites: Vec<Rewrite>,
-    /// How many of those come before derivatives were taken.
+    /// The number of rewrites before differentiation.
     pub before_sweeps: usize,
-    /// What brought the operation count down.
+    /// The steps that lowered the operation count.
     pub steps: Vec<Step>,
-    /// Where what was stated, or its derivatives, have no limit.
+    /// The points at which the stated expressions or their derivatives have no limit.
     pub singular: Vec<Singular>,
-    /// Where it leads.
+    /// The resulting program.
     pub program: Program,
     statement: Graph,
     wanted: Vec<Want>,
@@ -76,11 +76,11 @@ pub struct Derivation {
 }
 
 impl Derivation {
-    /// Derives the program of what is wanted, as [`Program::derive_wanted`] does, and keeps the books.
+    /// Derives the program of what is wanted like [`Program::derive_wanted`] and records the derivation.
     ///
-    /// Each step brings the count down that the program would have if rewriting had stopped there and derivatives had been
-    /// taken of what was there. The first starts from the statement as it stands: every operation of it and of its
-    /// derivatives is done, also those with 0 and 1.
+    /// Each step lowers the operation count of the program that would result if rewriting stopped there and derivatives
+    /// were taken of the expressions at that point. The first step starts from the statement as it stands, where every
+    /// operation of the statement and its derivatives counts, including those with 0 and 1.
     #[must_use]
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
         let (program, choices) = choose(g, wanted, &[]);
@@ -89,10 +89,10 @@ impl Derivation {
         let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
         let least = program.count().total();
         let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
-        // The last rule is for programs that are done.
+        // The last rule applies only to finished programs.
         for on in 1..ARITHMETIC.len() {
             book.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
-            // What did nothing by itself is not part of what comes after it.
+            // A rule without effect of its own is not part of the step that follows.
             book.rules.clear();
         }
         for (before, rewrite) in log.applied.iter().enumerate() {
@@ -122,7 +122,7 @@ impl Derivation {
         }
     }
 
-    /// What is wanted, if rewriting had stopped after so many rewrites.
+    /// Returns the wanted expressions as they would be if rewriting had stopped after this many rewrites.
     #[must_use]
     pub fn stopped_after(&self, rewrites: usize) -> (Graph, Vec<Scalar>) {
         let log = Log::limited(rewrites);
@@ -130,11 +130,11 @@ impl Derivation {
         (way.g, way.outputs)
     }
 
-    /// For each of the program's [`steps`](Program::steps) the part of the [`outputs`](Self::outputs) that it computes;
-    /// `None` for what is on the way to such a part.
+    /// Returns for each of the program's [`steps`](Program::steps) the part of the [`outputs`](Self::outputs) that it
+    /// computes, or `None` for an intermediate result.
     ///
-    /// Parts and steps are matched by their values: what agrees for three random inputs to 1e-11 is the same. Factoring and
-    /// sharing leave no node that both have.
+    /// Parts and steps are matched by value, since factoring and sharing leave no common nodes: they count as equal if
+    /// they agree to 1e-11 for three random inputs.
     #[must_use]
     pub fn meanings(&self) -> Vec<Option<Meaning>> {
         let g = &self.graph;
@@ -166,7 +166,7 @@ impl Derivation {
         (0..self.program.ops().len()).filter(|&place| self.program.is_step(place)).map(meaning).collect()
     }
 
-    /// The values of the program's operations and of these parts for inputs at random.
+    /// Returns the values of the program's operations and of these parts for random inputs.
     fn at_random(&self, parts: &[(Node, Aspect)], random: &mut Random) -> (Vec<f64>, Vec<f64>) {
         let g = &self.graph;
         let mut given = Vec::new();
@@ -191,11 +191,11 @@ impl Derivation {
     }
 }
 
-/// Numbers of no particular kind, the same in every run.
+/// A pseudorandom generator (xorshift) with the same sequence in every run.
 struct Random(u64);
 
 impl Random {
-    /// −1…1
+    /// Returns a number in −1…1.
     fn number(&mut self) -> f64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -206,7 +206,7 @@ impl Random {
 }
 
 impl Program {
-    /// How rules led from the statement to the program: the steps of its [`Derivation`].
+    /// Returns the steps of the program's [`Derivation`]: how rules led from the statement to the program.
     #[must_use]
     pub fn trace(g: &Graph, wanted: &[Want]) -> Vec<Step> {
         Derivation::new(g, wanted).steps
@@ -215,11 +215,12 @@ impl Program {
 
 struct Book {
     steps: Vec<Step>,
-    /// What was applied since the last step.
+    /// The rules applied since the last step.
     rules: Vec<(Rule, usize)>,
-    /// The least count so far.
+    /// The lowest count so far.
     count: Count,
-    /// That of the program: fewer operations on the way, where a later rule led elsewhere, are no step to it.
+    /// The count of the final program. An intermediate count below it is not recorded as a step, as later rules lead
+    /// elsewhere.
     least: usize,
 }
 

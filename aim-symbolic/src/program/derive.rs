@@ -1,4 +1,5 @@
-//! From statements to the smallest program: the passes in their order, and the few choices between them.
+//! Derives the smallest program of a statement: runs the passes in order and compares a bounded number of choices
+//! between them.
 
 use crate::diff::sweep::{Course, Swept};
 use crate::ir::node::Node;
@@ -11,29 +12,29 @@ use crate::rewrite::rules::{
 };
 use crate::{Function, Graph, Op, Placement, Program, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
-/// What a program is asked for: a value, or one of its derivatives.
+/// An output of a program: a value, one of its derivatives, or a term of the normal equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Want {
     /// The expression's value.
     Value(Scalar),
     /// The expression's derivative by a variable.
     Derivative(Scalar, Variable),
-    /// The derivative by the first variable, by the second.
+    /// The second derivative, by the first variable and then by the second.
     Second(Scalar, Variable, Variable),
-    /// Of all values r that are wanted together, the component of `Jᵀr` by the variable.
+    /// The component by this variable of `Jᵀr`, with r all values that are wanted together.
     Projected(Variable),
-    /// The entry of `JᵀJ` by both.
+    /// The entry by both variables of `JᵀJ`.
     Normal(Variable, Variable),
 }
 
 impl Want {
-    /// `values` and, after them, each value's derivatives by `variables`, value by value.
+    /// Lists `values` and after them each value's derivatives by `variables`, value by value.
     pub fn all<V: Copy + Into<Variable>>(values: &[Scalar], variables: &[V]) -> Vec<Self> {
         let derivatives = values.iter().flat_map(|&v| variables.iter().map(move |&x| Self::Derivative(v, x.into())));
         values.iter().map(|&v| Self::Value(v)).chain(derivatives).collect()
     }
 
-    /// What it is of; `None` of what is of all values.
+    /// Returns the expression that is wanted or differentiated; `None` if the output depends on all values.
     pub(crate) fn stated(self) -> Option<Scalar> {
         match self {
             Self::Value(stated) | Self::Derivative(stated, _) | Self::Second(stated, ..) => Some(stated),
@@ -41,7 +42,7 @@ impl Want {
         }
     }
 
-    /// The variables by which first derivatives of all values are taken.
+    /// Returns the variables by which first derivatives of all values are required.
     fn of_all(self) -> impl Iterator<Item = Variable> {
         let variables = match self {
             Self::Projected(x) => [Some(x), None],
@@ -52,7 +53,7 @@ impl Want {
     }
 }
 
-/// How derivatives are taken.
+/// The direction in which derivatives are taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sweep {
     /// From the values to the variables.
@@ -61,17 +62,17 @@ enum Sweep {
     Forward,
 }
 
-/// One way through the choices.
+/// One combination of choices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Choices {
     sweep: Sweep,
-    /// The variables by which derivatives are taken forward nevertheless.
+    /// Variables by which derivatives are taken forward in any case.
     forward: Vec<Variable>,
-    /// The rules that lose against their competitor.
+    /// The rules that are switched off in favour of others.
     without: Vec<Rule>,
-    /// How many rotations go to the other side of a dot.
+    /// Limit on the number of rotations that move to the other side of a dot product.
     turned: Option<usize>,
-    /// The rotations before which the calculation is done, in whose frame fewer vectors need them.
+    /// Rotations whose inner frame the calculation moves to, because fewer vectors are rotated there.
     kept: Vec<Rotation>,
 }
 
@@ -82,49 +83,51 @@ impl Choices {
     }
 }
 
-/// A program of so few operations is worth every rival.
+/// Largest number of operations for which a program is compared with every rival.
 const SMALL: usize = 100;
 
-/// A program that is larger than another by less than one part in so many may become smaller by being arranged, and so may one no
-/// larger than this; by numbers made of others, also one that is [`SMALL`].
+/// A program is near a rival if it has at most 1/`NEAR` more operations: arranging it may then still make it smaller.
 const NEAR: usize = 2;
+/// Largest number of operations for which a program counts as near any rival.
 const MOST_PLAIN: usize = 300;
 
-/// How many ways to share rotations between the sides of dots, and how many frames, are compared.
+/// Limit on the number of variants compared for each choice: rotations moved between sides of dot products, frames,
+/// variables.
 const MOST_SIDES: usize = 8;
 
 impl Program {
-    /// The program of `values` and, after them, of each value's derivatives by `variables`, value by value.
+    /// Derives the program of `values` and, after them, of each value's derivatives by `variables`, value by value.
     pub fn derive<V: Copy + Into<Variable>>(g: &Graph, values: &[Scalar], variables: &[V]) -> Self {
         Self::derive_wanted(g, &Want::all(values, variables))
     }
 
-    /// The program of just what is wanted, in that order.
+    /// Derives the program of exactly what is wanted, in that order.
     ///
-    /// Where rules compete, the program of fewer operations and calls wins; on a tie that of fewer selects, then the
-    /// shallower, then the first.
+    /// Where rules compete, the program with fewer operations and calls wins; on a tie the one with fewer selects, then
+    /// the one with less depth, then the first.
     #[must_use]
     pub fn derive_wanted(g: &Graph, wanted: &[Want]) -> Self {
         Self::derive_without(g, wanted, &[])
     }
 
-    /// The same by the first way that offers itself, which need not be the smallest: a search is left out, all rules apply.
+    /// Derives a program by the default choices, without a search. All rules but the optional ones apply; the program
+    /// need not be the smallest.
     pub fn derive_at_once(g: &Graph, wanted: &[Want]) -> Self {
         Way::taken(g, wanted, Choices::first(), &[], Log::default(), Effort::Compare).program.finished()
     }
 
-    /// The same without these rules, to see what they are good for.
+    /// Derives the smallest program without these rules, to see their effect.
     #[must_use]
     pub fn derive_without(g: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
         choose(g, wanted, without).0
     }
 }
 
-/// The smallest of the bounded number of programs that the choices lead to.
+/// Returns the smallest of a bounded number of programs, and the choices that lead to it.
 ///
-/// Each rival changes the best so far in one respect, and takes its place where its program is smaller. For a small program
-/// every arrangement is compared, and what a choice made worthwhile is tried again. Beside them is the smallest by none but the rules
-/// of arithmetic: rewriting may not lose against doing nothing.
+/// Each rival changes the best program so far in one respect, and replaces it if the result is smaller. For a small
+/// program every arrangement is compared, and all rivals are tried again after an improvement. The result is also
+/// compared with the smallest program by the rules of arithmetic alone, so that rewriting never makes a program larger.
 pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
     let (mut best, is_rewritten) = smallest(g, wanted, without, None);
     if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
@@ -136,8 +139,8 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
     (best.program.finished(), best.choices)
 }
 
-/// The smallest of the programs by the rules that apply, and whether any does; it is arranged as far as it may become smaller than
-/// a `rival` of so many operations.
+/// Returns the smallest program by the rules that apply, and whether any rule was applied. Polishes it unless it is too
+/// large to become smaller than a `rival` with this number of operations.
 fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> (Way, bool) {
     let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
@@ -153,7 +156,7 @@ fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) 
     (best, is_rewritten)
 }
 
-/// The sweeps worth a try; by the way back where nothing speaks for another.
+/// Returns the sweeps worth trying, starting with the reverse sweep, the default.
 fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
     let variables = variables(wanted);
     let values = distinct(wanted.iter().filter_map(|w| w.stated()));
@@ -167,7 +170,7 @@ fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
     sweeps
 }
 
-/// The variables by which first derivatives are wanted.
+/// Returns the variables by which first derivatives are required.
 fn variables(wanted: &[Want]) -> Vec<Variable> {
     let by_one = wanted.iter().filter_map(|w| match *w {
         Want::Derivative(_, x) => Some(x),
@@ -176,8 +179,8 @@ fn variables(wanted: &[Want]) -> Vec<Variable> {
     distinct(by_one.chain(wanted.iter().flat_map(|w| w.of_all())))
 }
 
-/// A way through the choices, and where it leads. Each starts from the statement anew: what a program looks like does not
-/// depend on what else was tried.
+/// A combination of choices and its result. Each starts anew from the statement, so that a program does not depend on
+/// what else was tried.
 #[derive(Clone)]
 pub(crate) struct Way {
     choices: Choices,
@@ -189,7 +192,7 @@ pub(crate) struct Way {
 }
 
 impl Way {
-    /// As far as the log lets rules be applied.
+    /// Rewrites and compiles the statement by these choices, as far as the log's limit permits.
     pub(crate) fn taken(
         stated: &Graph,
         wanted: &[Want],
@@ -208,22 +211,22 @@ impl Way {
         cost(&self.program).0 <= SMALL
     }
 
-    /// True if it has hardly more operations than a rival, or no more than `few`.
+    /// Returns `true` if the program is not much larger than a rival, or has at most `few` operations.
     fn is_near(&self, rival: usize, few: usize) -> bool {
         cost(&self.program).0 <= (rival + rival / NEAR).max(few)
     }
 
-    /// True if a rule was applied, other than those of limits.
+    /// Returns `true` if any rule was applied, other than those of limits.
     fn is_rewritten(&self) -> bool {
         self.log.applied.iter().any(|done| !LIMITS.rules.contains(&done.rule))
     }
 
-    /// The better of two; of equals the first.
+    /// Returns the better of the two, or the first if they are equal.
     fn or_better(self, other: Self) -> Self {
         if cost(&other.program) < cost(&self.program) { other } else { self }
     }
 
-    /// The way after every rival's try.
+    /// Tries every rival in turn and returns the best.
     fn improved(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
         changes.iter().fold(self, |best, change| {
             let mut choices = best.choices.clone();
@@ -235,7 +238,7 @@ impl Way {
         })
     }
 
-    /// The same of a small program, with what a choice made worthwhile tried again.
+    /// Tries every rival of a small program, and if that improves it, all of them once more.
     fn improved_again(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
         let before = cost(&self.program);
         let best = self.improved(changes, stated, wanted, without, Effort::Finish);
@@ -245,7 +248,8 @@ impl Way {
         best.improved(changes, stated, wanted, without, Effort::Finish)
     }
 
-    /// The way arranged as well as can be; or with more derivatives taken forward, where that is smaller then.
+    /// Returns the program with the best arrangement, or a variant with more derivatives taken forward if that is
+    /// smaller.
     fn polished(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> Self {
         if cfg!(aim_small) {
             self.arrange(without, Effort::Polish);
@@ -261,10 +265,10 @@ impl Way {
         self.or_better(other)
     }
 
-    /// Arranges it as far as it may become smaller than a rival.
+    /// Arranges the program, unless it is too large to become smaller than a rival.
     fn settle(&mut self, without: &[Rule], rival: Option<usize>) {
         if let Some(rival) = rival {
-            // What comes of it may not depend on the trial.
+            // The result must not depend on the trial.
             let mut trial = self.clone();
             trial.arrange(without, Effort::Polish);
             if !trial.is_near(rival, SMALL) {
@@ -274,8 +278,8 @@ impl Way {
         self.arrange(without, Effort::Last { rival });
     }
 
-    /// The rivals with a derivative taken forward: by numbers that sines and cosines are of, which are each other's derivatives;
-    /// `others` are those by numbers of which there are none.
+    /// Returns the rivals that take a derivative forward: by the variables on which the arguments of sines and cosines
+    /// depend, since these are each other's derivatives, or with `others` by the remaining numbers.
     fn forward(&self, wanted: &[Want], others: bool) -> Vec<Change> {
         let g = &self.g;
         let is_turn = |node: &Node| match *node {
@@ -300,13 +304,14 @@ impl Way {
         .collect()
     }
 
-    /// The rival by matrices, where quaternions turn several vectors.
+    /// Returns the rival that uses matrices, if quaternions rotate several vectors.
     fn by_matrices(&self) -> Option<Change> {
         (!self.g.busy_quaternions(&self.g.order(&self.outputs)).is_empty()).then(|| optional(MATRIX))
     }
 
-    /// The rivals with products with one vector gathered, where there are cross products: those, also with what is gathered kept
-    /// whole, then dot products, and matrices once more, which may pay only then.
+    /// Returns the rivals that gather products with a common vector, if there are several cross products: first cross
+    /// products, also without [`DROP_RADIAL`], which would take the gathered sums apart; then dot products, and
+    /// matrices again, which may pay only then.
     fn gathered(&self) -> Vec<Change> {
         let is_cross =
             |node: &Node| matches!(*node, Node::Vector(v) if matches!(self.g.vector_node(v), VectorNode::Cross(..)));
@@ -321,24 +326,24 @@ impl Way {
         vec![optional(LINEAR_MAP), with, whole, optional(COMMON_DOT), optional(LINEAR_MAP)]
     }
 
-    /// Tries more arrangements of its sums and products.
+    /// Compiles the program again, with more arrangements of its sums and products.
     fn arrange(&mut self, without: &[Rule], effort: Effort) {
         self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, effort);
     }
 }
 
-/// What a rival does differently.
+/// The choice that a rival changes.
 type Change = Box<dyn Fn(&mut Choices)>;
 
 /// Rules that gather cross products.
 const CROSSES: [Rule; 2] = [CROSS_OF_DOTS, COMMON_CROSS];
 
-/// With a rule that applies only where that is found to pay.
+/// Returns the rival that uses an optional rule.
 fn optional(rule: Rule) -> Change {
     Box::new(move |c| c.without.retain(|&off| off != rule))
 }
 
-/// The rivals worth a try, by what was applied on the first way.
+/// Returns the rivals worth trying, judged by the rules applied by the default choices.
 fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     let Way { g, outputs, log, .. } = first;
     let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
@@ -349,7 +354,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     if cfg!(not(aim_small)) {
         rivals.extend(first.forward(wanted, false));
     }
-    // A rotation that left more than one direction may be dearer on the many sides than on the one.
+    // A rotation that cancelled beside several directions may cost more on the many other sides than it saved.
     let innermost = distinct(g.cancelled().iter().rev().copied());
     if g.cancelled().len() > innermost.len() {
         for kept in (1..=innermost.len()).take(MOST_SIDES) {
@@ -406,7 +411,7 @@ fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[Rul
     Program::compile_with(g, outputs, &Rules { without: &off, turned: choices.turned }, effort)
 }
 
-/// What is wanted, rewritten by one way through the choices.
+/// Returns the wanted expressions, rewritten by these choices.
 fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule], log: &mut Log) -> Vec<Scalar> {
     let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
     let rules = Rules { without: &off, turned: choices.turned };
@@ -416,7 +421,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
     let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
     if !RATIOS.rules.is_empty() {
-        // What is left of lengths may be worded, too.
+        // Dropping lengths may leave expressions that can be restated again.
         let plain = g.rewrite_with(&worded, &RATIOS, &rules, log);
         worded = if plain == worded { worded } else { g.rewrite_with(&plain, &WORDING, &rules, log) };
     }
@@ -472,7 +477,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
                 _ => None,
             })
             .collect();
-        // A module for the web takes first derivatives alone.
+        // Builds with `aim_small` take only first derivatives.
         if cfg!(not(aim_small)) && !by.is_empty() {
             let slope = g.rewrite_with(&[first(s, x)], &LIMITS, &limits, log);
             let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];

@@ -1,4 +1,4 @@
-//! Straight-line programs: what is emitted, interpreted and counted, and the choices that lead to the smallest.
+//! Straight-line programs, which are emitted, interpreted and counted, and the search for the smallest one.
 
 pub(crate) mod count;
 pub(crate) mod derivation;
@@ -14,23 +14,24 @@ use crate::lower::{Effort, arranged, scaled};
 use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
-/// How many operations one written step has at most, for its reader.
+/// Limit on the number of operations that are written as one step, for readability.
 const MOST_IN_A_STEP: usize = 6;
 
-/// Operations in an order in which each comes after what it needs; no branch, no loop.
+/// A list of operations without branches or loops, in which each operation comes after its operands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Program {
     inputs: Vec<String>,
     ops: Vec<Op>,
     outputs: Vec<Value>,
-    /// For each operation the number of steps before it.
+    /// For each operation, the number of steps before it.
     numbers: Vec<usize>,
-    /// For each operation whether it is part of another's expression.
+    /// For each operation, `true` if it is written as part of another's expression.
     inline: Vec<bool>,
 }
 
 impl Program {
-    /// The program of `outputs` as they are stated: lowered, folded and ordered, divisions guarded where they stand.
+    /// Compiles `outputs` as they are stated: lowered, folded and ordered, with divisions guarded where they stand, but
+    /// without rewriting and without sharing of products or factoring of sums.
     pub fn compile(g: &mut Graph, outputs: &[Scalar]) -> Self {
         Self::compile_with(
             g,
@@ -40,7 +41,7 @@ impl Program {
         )
     }
 
-    /// The same by some of the rules, products shared and sums factored unless that is switched off.
+    /// Compiles `outputs` by these rules. Shares products and factors sums unless the rules switch that off.
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(core::mem::take(g), rules);
         let lowered = lowering.outputs(outputs);
@@ -62,7 +63,7 @@ impl Program {
         programs.min_by_key(|program| program.count().total()).expect("there is an arrangement")
     }
 
-    /// The program of outputs that are lowered.
+    /// Orders lowered outputs into a program.
     fn scheduled(g: &Graph, lowered: &[Scalar], rules: &Rules<'_>) -> Self {
         let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
@@ -77,32 +78,32 @@ impl Program {
         program
     }
 
-    /// The names of the inputs, also of those that no operation needs.
+    /// Returns the names of the inputs, including those that no operation uses.
     #[must_use]
     pub fn inputs(&self) -> &[String] {
         &self.inputs
     }
 
-    /// The operations.
+    /// Returns the operations.
     #[must_use]
     pub fn ops(&self) -> &[Op] {
         &self.ops
     }
 
-    /// The outputs, in the order they were asked for.
+    /// Returns the outputs, in the order in which they were requested.
     #[must_use]
     pub fn outputs(&self) -> &[Value] {
         &self.outputs
     }
 
-    /// The operations that are written as steps, numbered from 0: all but inputs, constants and negations, and sums and
-    /// products that are needed once, which stand where they are used.
+    /// Returns the operations that are written as steps, numbered from 0. Inputs, constants and negations are not
+    /// steps, nor are sums and products that are used once and written where they are used.
     pub fn steps(&self) -> impl Iterator<Item = (usize, Op)> {
         let steps = (0..self.ops.len()).filter(|&place| self.is_step(place));
         steps.map(|place| (self.numbers[place], self.ops[place]))
     }
 
-    /// Whether `value` is written where it is used: it is needed once, and small.
+    /// Returns `true` if `value` is written where it is used, because it is used once and is small.
     #[must_use]
     pub fn is_inline(&self, value: Value) -> bool {
         self.inline[value.index()]
@@ -112,13 +113,13 @@ impl Program {
         self.ops[place].is_step() && !self.inline[place]
     }
 
-    /// The number of the step that gives `value`.
+    /// Returns the number of the step that computes `value`.
     #[must_use]
     pub fn step_number(&self, value: Value) -> usize {
         self.numbers[value.index()]
     }
 
-    /// The number of steps after which `value` is known.
+    /// Returns the number of steps after which `value` is available.
     #[must_use]
     pub fn steps_until(&self, value: Value) -> usize {
         self.numbers[value.index()] + usize::from(self.is_step(value.index()))
@@ -134,13 +135,13 @@ impl Program {
         }
     }
 
-    /// Marks the operations that are part of another's expression.
+    /// Marks the operations that are written as part of another's expression.
     fn find_inline(&mut self) {
         let mut uses = vec![0; self.ops.len()];
         for op in self.ops.iter().filter(|op| op.is_step()) {
             op.operands().for_each(|v| uses[self.unsigned(v).index()] += 1);
         }
-        // An output has a name.
+        // Outputs always get a name.
         self.outputs.iter().for_each(|&v| uses[self.unsigned(v).index()] += 2);
         self.inline = vec![false; self.ops.len()];
         let mut sizes = vec![1; self.ops.len()];
@@ -156,7 +157,7 @@ impl Program {
         }
     }
 
-    /// What `value` is a negation of, or itself.
+    /// Returns the value without its negations.
     fn unsigned(&self, value: Value) -> Value {
         match self.ops[value.index()] {
             Op::Neg(a) => self.unsigned(a),
@@ -164,7 +165,7 @@ impl Program {
         }
     }
 
-    /// The longest chain of operations that wait for each other.
+    /// Returns the length of the longest chain of dependent operations.
     #[must_use]
     pub fn depth(&self) -> usize {
         let mut depths: Vec<usize> = Vec::with_capacity(self.ops.len());
@@ -175,8 +176,8 @@ impl Program {
         self.outputs.iter().map(|v| depths[v.index()]).max().unwrap_or(0)
     }
 
-    /// The program with operation `place` added where it subtracted and the other way round: a mistake made on purpose,
-    /// for tests of tests. The same program where there is no such operation.
+    /// Returns the program with the addition at index `place` turned into a subtraction, or the subtraction into an
+    /// addition: a deliberate mistake, to test that tests detect it. Returns an equal program if there is neither.
     #[must_use]
     pub fn with_sign_flipped(&self, place: usize) -> Self {
         let mut flipped = self.clone();
@@ -198,7 +199,7 @@ impl Program {
         uses
     }
 
-    /// The program as it is written down: with as few negations as may be.
+    /// Returns the program as it is written, with as few negations as possible.
     pub(crate) fn finished(mut self) -> Self {
         self.settle_signs();
         self.number();
@@ -209,7 +210,7 @@ impl Program {
         (self.ops, self.outputs) = (ops, outputs);
     }
 
-    /// A guarded reciprocal that only one product needs becomes that product's division.
+    /// Turns a guarded reciprocal that only one product uses into a division in that product.
     fn divide_once(&mut self) {
         let uses = self.uses();
         let mut places = Vec::with_capacity(self.ops.len());
@@ -231,7 +232,8 @@ impl Program {
         self.ops = ops;
     }
 
-    /// For a product with a guarded reciprocal used nowhere else: the other factor, the divisor, and the guard's parts.
+    /// For a product with a guarded reciprocal that has no other use, returns the other factor, the divisor, and the
+    /// operands of the guard.
     fn single_reciprocal(&self, op: Op, uses: &[u32]) -> Option<(Value, Value, [Value; 4])> {
         let Op::Mul(a, b) = op else { return None };
         [(a, b), (b, a)].into_iter().find_map(|(x, guard)| {
@@ -291,7 +293,7 @@ impl Schedule<'_> {
         self.values[scalar]
     }
 
-    /// As one would write it: the longer part first, `x x + y y + z z`.
+    /// Returns the operation. Of the operands of an addition a sum comes first, as in `x x + y y + z z`.
     fn op(&self, scalar: Scalar) -> Op<Scalar> {
         let node = self.g.scalar_node(scalar);
         let Some(op) = node.op() else { unreachable!("nodes are lowered before they are scheduled") };

@@ -1,43 +1,44 @@
-//! Differences turned round so that negations go: `-(a − b)` is `b − a`.
+//! Reverses differences to avoid negations: `-(a − b)` is `b − a`.
 //!
-//! Folding moves every negation outward, in the end to the outputs, where each costs an instruction. Here a program is
-//! written anew with some of its values stored negated: a sum of values of unlike signs is a difference, and of a
-//! difference either sign is to be had. Only signs change, never the rounding or the number of counted operations (of
-//! zeros the sign may differ). Where a = b, −(a − b) is −0, and the angle −π instead of π: so the differences that angles are taken of
-//! are turned first.
+//! Folding moves every negation outward, in the end to the outputs, where each costs an instruction. This pass rewrites
+//! a program with some of its values stored negated: a sum of a plain and a negated value becomes a difference, and a
+//! difference can be stored with either sign. Only signs change, never the rounding or the number of counted
+//! operations; the sign of a zero may differ. If a = b, −(a − b) is −0, and an angle with this ordinate is −π instead
+//! of π. So differences that are ordinates of angles are reversed first.
 
 use std::ops::Range;
 
 use crate::{Constant, Op, Program, Value};
 
-/// How many ways to turn differences are tried.
+/// Limit on the number of trials.
 const MOST_TRIALS: usize = 24;
 
-/// How far behind an output differences are looked for.
+/// Limit on the depth to which differences are searched behind an output.
 const DEEPEST: usize = 2000;
 
-/// Where a value of the old program is in the new one, and whether it is stored negated.
+/// The value in the new program that stands for a value of the old one, and whether it is stored negated.
 #[derive(Clone, Copy, PartialEq)]
 struct Stored {
     value: Value,
     negated: bool,
 }
 
-/// A program written anew.
+/// A rewritten program.
 struct Written {
     ops: Vec<Op>,
     outputs: Vec<Value>,
     stored: Vec<Stored>,
-    /// The angles of a negated ordinate.
+    /// The number of angles with a negated ordinate.
     angles: usize,
     negations: usize,
 }
 
 impl Program {
-    /// Takes out the negations that cost nothing to avoid.
+    /// Removes the negations that can be avoided at no cost.
     ///
-    /// For each negated ordinate of an angle and each negated output the differences behind it are turned, first through left
-    /// operands, then through right ones; what leaves fewer negations is kept. The number of trials is bounded, so is the work.
+    /// For each negated ordinate of an angle and each negated output, the differences behind it are reversed, first
+    /// through left operands, then through right ones. A trial is kept if it leaves fewer negated ordinates, or as many
+    /// and fewer negations. The number of trials is bounded, and so is the work.
     pub(crate) fn settle_signs(&mut self) {
         let mut turned = vec![false; self.ops().len()];
         let mut best = self.written(&turned);
@@ -78,7 +79,7 @@ impl Program {
         }
     }
 
-    /// The program with these differences turned round.
+    /// Rewrites the program with these differences reversed.
     fn written(&self, turned: &[bool]) -> Written {
         let mut new = Written { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), angles: 0, negations: 0 };
         for (&op, &turned) in self.ops().iter().zip(turned) {
@@ -110,18 +111,18 @@ impl Program {
     }
 }
 
-/// A search for the differences to turn, of a bounded number of steps.
+/// A search for differences to reverse, bounded in steps and depth.
 struct Search<'a> {
     program: &'a Program,
     right_first: bool,
     stored: &'a [Stored],
     steps: usize,
-    /// How much deeper it may go.
+    /// The remaining depth.
     depth: usize,
 }
 
 impl Search<'_> {
-    /// Chooses differences so that `value` is stored with the other sign; `None` where there is none to choose.
+    /// Chooses differences to reverse so that `value` is stored with the opposite sign; `None` if there are none.
     fn turn(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
         self.steps = self.steps.checked_sub(1)?;
         self.depth = self.depth.checked_sub(1)?;
@@ -137,13 +138,14 @@ impl Search<'_> {
             }
             Op::Add(a, b) | Op::Sub(a, b) => {
                 if !self.program.is_difference(value, self.stored) {
-                    // All parts alike, rather than one: a compiler finds the same work in each of them.
+                    // Reverse all operands rather than one, so that they stay alike: a compiler then finds the same
+                    // work in each.
                     let mut both = turned.to_vec();
                     if self.turn(a, &mut both).is_some() && self.turn(b, &mut both).is_some() {
                         turned.copy_from_slice(&both);
                         return Some(());
                     }
-                    // With one operand turned it becomes a difference.
+                    // With one operand negated the sum becomes a difference.
                     self.either(a, b, turned)?;
                 }
                 turned[value.index()] ^= true;
@@ -151,7 +153,7 @@ impl Search<'_> {
             }
             Op::Mul(a, b) if a != b => self.either(a, b, turned),
             Op::Mul(..) => None,
-            // A divisor is a length that its guard looks at.
+            // A divisor is a length, which its guard compares, so its sign must not change.
             Op::Div(a, _) | Op::Neg(a) => self.turn(a, turned),
             Op::SelectLess(_, _, then, otherwise) if self.program.is_zero(otherwise) => self.turn(then, turned),
             Op::SelectLess(..) => None,
@@ -170,7 +172,7 @@ impl Written {
         Stored { value: Value::at(self.ops.len() - 1), negated }
     }
 
-    /// a + b of stored values; where it is a difference, of the sign that is asked for.
+    /// Adds stored values. If the result is a difference, `turned` chooses its sign.
     fn sum(&mut self, a: Stored, b: Stored, turned: bool) -> Stored {
         match (a.negated, b.negated) {
             (false, false) => self.push(Op::Add(a.value, b.value), false),
@@ -183,7 +185,7 @@ impl Written {
         }
     }
 
-    /// The value itself, negated anew where it is stored negated.
+    /// Returns the value itself, adding a negation if it is stored negated.
     fn plain(&mut self, stored: Stored) -> Value {
         if !stored.negated {
             return stored.value;

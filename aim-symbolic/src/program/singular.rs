@@ -1,21 +1,22 @@
-//! Singular points of a statement: where it or its derivatives have no limit, and a convention says what they are.
+//! Singular points of a statement: the points where it or its derivatives have no limit and their value is a
+//! convention.
 
 use crate::ir::node::Node;
 use crate::{Function, Graph, Matrix, Op, Scalar, ScalarNode, Stumpff, Variable, Vector, VectorNode};
 
-/// Of lengths and of what is divided by them.
+/// The convention for lengths and for quotients by lengths.
 const NO_LENGTH: &str = "one over the length and the length's derivatives count as 0";
 
-/// A condition on the variables at which derivatives have no limit.
+/// A condition on the variables under which derivatives have no limit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Singular {
-    /// Where it is.
+    /// The condition.
     pub at: Condition,
-    /// The convention there, in words.
+    /// The convention that applies there, in words.
     pub convention: &'static str,
 }
 
-/// An equation that holds at singular points only.
+/// An equation that holds only at singular points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// a = 0
@@ -33,10 +34,11 @@ pub enum Condition {
 }
 
 impl Graph {
-    /// Where these expressions or their derivatives by `variables` have no limit, each condition once.
+    /// Returns the conditions under which these expressions or their derivatives by `variables` have no limit, each
+    /// once.
     ///
-    /// The conditions are those of the parts: where a whole has a limit all the same, it is listed, too. Quotients that are 0 / 0
-    /// are taken as they stand, so they are to be stated by their limits before.
+    /// The conditions are those of the individual nodes, and are listed even if the expression as a whole has a limit.
+    /// Quotients that are 0 / 0 are taken as stated, so those with a limit must be rewritten beforehand.
     pub(crate) fn singular_points(&mut self, expressions: &[Scalar], variables: &[Variable]) -> Vec<Singular> {
         let order = self.order(expressions);
         let active = self.active(&order, variables);
@@ -93,7 +95,7 @@ impl Graph {
         }
     }
 
-    /// Whether a division by it is guarded, or it is a hyperbolic cosine.
+    /// Returns `true` if a division by `b` is guarded, or if `b` is a hyperbolic cosine.
     fn is_guarded_or_positive(&self, b: Scalar) -> bool {
         match self.scalar_node(b) {
             ScalarNode::Norm(_)
@@ -106,7 +108,7 @@ impl Graph {
         }
     }
 
-    /// Whether it is the least length, by which what was stated is guarded already.
+    /// Returns `true` for [`Op::Tiny`], by which stated expressions are guarded already.
     fn is_tiny(&self, a: Scalar) -> bool {
         self.scalar_node(a) == ScalarNode::Op(Op::Tiny)
     }

@@ -1,11 +1,11 @@
-//! Rules for directions: what is along one, what is square to it. Part of [`WORDING`](crate::rewrite::rules::WORDING),
+//! Rules for vectors along a direction or perpendicular to it. Part of [`WORDING`](crate::rewrite::rules::WORDING),
 //! [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
 
 use crate::rewrite::scaling::scaled;
 use crate::rewrite::sums::{is_sum, is_zero, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Unit, Vector, VectorNode};
 
-/// Whether this is `1 / |v|`.
+/// Returns `true` if `k` is `1 / |v|`.
 fn is_reciprocal_norm(g: &Graph, k: Scalar, v: Vector) -> bool {
     let norm = match g.scalar_node(k) {
         ScalarNode::Reciprocal(norm) => norm,
@@ -28,7 +28,7 @@ pub(crate) fn root_of_square(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     (v == w).then(|| g.norm(v))
 }
 
-/// `|v| |v| = v · v`, also as `k |v| |v|`: no root, and derivatives where `v` is 0.
+/// `|v| |v| = v · v`, also as `k |v| |v|`: needs no root, and has derivatives where `v` is 0.
 pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Op(Op::Mul(a, b)) = g.scalar_node(s) else { return None };
     let vector_of = |g: &Graph, s: Scalar| match g.scalar_node(s) {
@@ -47,7 +47,8 @@ pub(crate) fn square_of_norm(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     })
 }
 
-/// `a / |v| = a (1 / |v|)`, guarded as every division by a length is; `v · w / |v|` is a dot with a direction.
+/// `a / |v| = a (1 / |v|)`, guarded like every division by a length; `v · w / |v|` becomes a dot product with a
+/// direction.
 pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Op(Op::Div(a, norm)) = g.scalar_node(s) else { return None };
     let ScalarNode::Norm(v) = g.scalar_node(norm) else { return None };
@@ -61,7 +62,7 @@ pub(crate) fn guard_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(if g.constant_of(a) == Some(1.0) { reciprocal } else { g.mul(a, reciprocal) })
 }
 
-/// A vector known to have length 1.
+/// Returns `v` as a unit vector if it is known to have length 1.
 pub(crate) fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
     let is_unit = match g.vector_node(v) {
         VectorNode::Normalize(_) => true,
@@ -73,8 +74,8 @@ pub(crate) fn as_unit(g: &Graph, v: Vector) -> Option<Unit> {
 
 /// `|v × u| = |v − (v · u) u|`
 ///
-/// Where `u` is the direction of a zero vector, the left side is 0 and the right side `|v|`; both are finite, and a direction
-/// that is none has no cross product to speak of.
+/// If `u` is the direction of a zero vector, and so 0, the left side is 0 and the right side `|v|`. This change of
+/// value is accepted: both are finite, and a missing direction has no meaningful cross product.
 pub(crate) fn norm_of_cross(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Norm(cross) = g.scalar_node(s) else { return None };
     let VectorNode::Cross(a, b) = g.vector_node(cross) else { return None };
@@ -83,7 +84,7 @@ pub(crate) fn norm_of_cross(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(g.norm(across))
 }
 
-/// `|u| = 1`, `u · u = 1`, `(u − v)² = 2 − 2 u · v` of directions, of which one that is none counts 0.
+/// `|u| = 1`, `u · u = 1`, `(u − v)² = 2 − 2 u · v` for directions. A direction that is 0 contributes 0 instead of 1.
 pub(crate) fn length_of_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let v = match g.scalar_node(s) {
         ScalarNode::Dot(v, w) if v == w => v,
@@ -100,7 +101,7 @@ pub(crate) fn length_of_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(if first == second { g.add(squares, twice) } else { g.sub(squares, twice) })
 }
 
-/// How many of these are directions, and `more`.
+/// Returns `more` plus the number of these directions that are not 0.
 fn number_of(g: &mut Graph, directions: &[Unit], more: f64) -> Scalar {
     let Some((&Unit(u), rest)) = directions.split_first() else { return g.constant(more) };
     match g.vector_node(u) {
@@ -117,7 +118,7 @@ fn number_of(g: &mut Graph, directions: &[Unit], more: f64) -> Scalar {
     }
 }
 
-/// Whether `v` is a multiple of `u`, as far as one can see.
+/// Returns `true` if `v` is recognisably a multiple of `u`.
 fn is_along(g: &Graph, v: Vector, u: Vector) -> bool {
     v == u
         || g.vector_node(u) == VectorNode::Normalize(v)
@@ -128,12 +129,12 @@ fn is_along(g: &Graph, v: Vector, u: Vector) -> bool {
         }
 }
 
-/// Whether `v` is square to `u`, as far as one can see.
+/// Returns `true` if `v` is recognisably perpendicular to `u`.
 pub(crate) fn is_across(g: &Graph, v: Vector, u: Vector) -> bool {
     is_across_within(g, v, u, DEEPEST_LOOK)
 }
 
-/// How far into an expression one looks.
+/// Limit on the recursion depth of [`is_across`].
 const DEEPEST_LOOK: u32 = 8;
 
 fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
@@ -153,7 +154,7 @@ fn is_across_within(g: &Graph, v: Vector, u: Vector, depth: u32) -> bool {
     }
 }
 
-/// True of the part of `whole` along `u`, (whole · u)/(u · u) u.
+/// Returns `true` if `v` is the part of `whole` along `u`, (whole · u)/(u · u) u.
 fn is_part_along(g: &Graph, v: Vector, whole: Vector, u: Vector) -> bool {
     let is_dot = |s, a: Vector, b: Vector| g.scalar_node(s) == ScalarNode::Dot(a.min(b), a.max(b));
     scaled(g, v).is_some_and(|(k, along)| {
@@ -162,7 +163,7 @@ fn is_part_along(g: &Graph, v: Vector, whole: Vector, u: Vector) -> bool {
     })
 }
 
-/// `v − (v · u) u` is the part of v across the direction u.
+/// `v − (v · u) u` becomes the part of v perpendicular to the direction u.
 pub(crate) fn recognize_across(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Sub(whole, along) = g.vector_node(v) else { return None };
     let (k, u) = scaled(g, along)?;
@@ -177,13 +178,13 @@ fn as_across(g: &Graph, v: Vector) -> Option<(Vector, Unit)> {
     }
 }
 
-/// `v − (v · u) u = v` where `v · u = 0`
+/// `v − (v · u) u = v` if `v · u = 0`
 pub(crate) fn across_of_across(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (inner, u) = as_across(g, v)?;
     is_across(g, inner, u.into()).then_some(inner)
 }
 
-/// The part across of a sum whose terms are along or across already, but for the rest.
+/// Drops the terms along the direction, keeps the terms perpendicular to it, and takes the part across of the rest.
 pub(crate) fn across_of_sum(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (inner, u) = as_across(g, v)?;
     if !is_sum(g, inner) {
@@ -208,7 +209,7 @@ pub(crate) fn across_of_sum(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &kept))
 }
 
-/// The direction that `v` is a multiple of, written so that others can be compared with it.
+/// Returns `v` without scale factors and signs, for comparison with other directions.
 fn axis(g: &Graph, v: Vector) -> Vector {
     match g.vector_node(v) {
         VectorNode::Scale(_, inner) | VectorNode::Neg(inner) => axis(g, inner),
@@ -216,7 +217,7 @@ fn axis(g: &Graph, v: Vector) -> Vector {
     }
 }
 
-/// `(a + k u) · w = a · w` where `w · u = 0`: terms square to the other side leave.
+/// `(a + k u) · w = a · w` if `w · u = 0`: terms perpendicular to the other side drop out.
 pub(crate) fn dot_along_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return None };
     [(a, b), (b, a)].into_iter().find_map(|(v, w)| {
@@ -233,7 +234,7 @@ pub(crate) fn dot_along_across(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     })
 }
 
-/// `(a × b) × c = (a · c) b − (b · c) a`, of which one term is 0.
+/// `(a × b) × c = (a · c) b − (b · c) a`, if one of the two terms is 0.
 pub(crate) fn cross_of_cross(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Cross(left, right) = g.vector_node(v) else { return None };
     [(left, right, false), (right, left, true)].into_iter().find_map(|(cross, c, is_swapped)| {

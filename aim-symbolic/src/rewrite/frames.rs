@@ -1,13 +1,14 @@
-//! Rules that move a whole calculation into another frame: a rotation that several vectors were turned back by goes the
-//! other way instead, onto the few that they meet. [`rules::FRAMES`](crate::rewrite::rules::FRAMES).
+//! Rules that move a whole calculation into another frame. If several vectors are rotated back by the same rotation,
+//! the few vectors that they meet are rotated forward instead. [`rules::FRAMES`](crate::rewrite::rules::FRAMES).
 //!
-//! They act on the rotations that the pass under way keeps, and only as a rival to leaving everything where it is.
+//! They apply only to the rotations set by [`Graph::keep`], and the result is kept only if it costs less than the
+//! original.
 
 use crate::rewrite::rotations::{leading, operation_before, turned_back};
 use crate::rewrite::sums::{is_sum, terms};
 use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
-/// The way back of a kept rotation, which turned `v` last, and what it turned.
+/// If the outermost rotation of `v` is the inverse of a kept rotation, returns that inverse and the vector inside.
 fn turned(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
     let (back, inner) = leading(g, v)?;
     let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return None };
@@ -24,7 +25,8 @@ pub(crate) fn sum_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.rotate(back, inner))
 }
 
-/// `k Rᵀ v = Rᵀ (k v)`, and the same for directions, parts across one, negations and the turn's own perpendicular.
+/// `k Rᵀ v = Rᵀ (k v)`, and likewise for directions, parts across a direction, negations and the perpendicular of R's
+/// plane.
 pub(crate) fn operation_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
     if let VectorNode::Perp(plane, inner) = g.vector_node(v) {
         let (back, inner) = turned(g, inner)?;
@@ -34,7 +36,7 @@ pub(crate) fn operation_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
     operation_before(g, v, turned)
 }
 
-/// Whether the way back is that of a turn in this plane.
+/// Returns `true` if `back` is the inverse of a turn in this plane.
 fn turns_in(g: &Graph, back: Rotation, plane: Plane) -> bool {
     let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return false };
     matches!(g.rotation_node(rotation), RotationNode::Turn(own, _) if own == plane)

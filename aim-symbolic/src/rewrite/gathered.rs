@@ -1,16 +1,16 @@
-//! Rules that gather what is multiplied by one vector: a product of a sum instead of a sum of products.
+//! Rules that gather products with the same vector: a product of a sum instead of a sum of products.
 
 use crate::rewrite::scaling::joined;
 use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-/// Products are looked into so deep.
+/// Limit on the depth to which products are expanded.
 const DEEPEST: u32 = 8;
 
-/// Sums of numbers are taken apart into so many terms at most.
+/// Limit on the number of terms into which a sum of numbers is expanded.
 const MOST_ADDENDS: usize = 16;
 
-/// A product as a constant and other factors.
+/// A product, as a constant and its other factors.
 #[derive(Clone, Debug)]
 struct Factors {
     constant: f64,
@@ -37,7 +37,7 @@ impl Factors {
         }
     }
 
-    /// The factors that both have, and those that each has besides.
+    /// Returns the common factors of both, and the remaining factors of each.
     fn apart(&self, other: &Self) -> [Self; 3] {
         let [mut common, mut own, mut rest] = [Self::sign(false), Self::sign(false), other.clone()];
         for &factor in &self.others {
@@ -51,7 +51,7 @@ impl Factors {
         [common, own, rest]
     }
 
-    /// The product without one of its factors.
+    /// Returns the product without one of its factors, or `None` if it lacks that factor.
     fn without(&self, factor: Scalar) -> Option<Self> {
         let place = self.others.iter().position(|&f| f == factor)?;
         let mut rest = self.clone();
@@ -59,13 +59,13 @@ impl Factors {
         Some(rest)
     }
 
-    /// True of the product of another and −1.
+    /// Returns `true` if the product is −1 times the other.
     fn is_opposite(&self, other: &Self) -> bool {
         let [common, own, rest] = self.apart(other);
         common.constant != 0.0 && own.others.is_empty() && rest.others.is_empty() && rest.constant == -1.0
     }
 
-    /// The product as a sum of products, where one of its factors is a sum of dot products.
+    /// Expands the product if one of its factors is a sum of dot products; else returns it alone.
     fn spread(self, g: &Graph) -> Vec<Self> {
         let has_dot = |product: &Self| product.others.iter().any(|&s| matches!(g.scalar_node(s), ScalarNode::Dot(..)));
         let is_of_dots = |s: Scalar| Some(addends(g, s)).filter(|all| all.len() > 1 && all.iter().all(has_dot));
@@ -81,7 +81,7 @@ impl Factors {
         addends.into_iter().map(times).collect()
     }
 
-    /// The factors' product but for its sign, `None` where that is 1; and whether it is negative.
+    /// Returns `true` if the product is negative, and its absolute value, `None` for 1.
     fn stated(&self, g: &mut Graph) -> (bool, Option<Scalar>) {
         let mut product = self.others.iter().copied().reduce(|a, b| g.mul(a, b));
         if self.constant.abs() != 1.0 {
@@ -91,14 +91,14 @@ impl Factors {
         (self.constant < 0.0, product)
     }
 
-    /// The product with a vector, as a term of a sum.
+    /// Returns the product times a vector, as a signed term of a sum.
     fn scaled(&self, g: &mut Graph, v: Vector) -> (bool, Vector) {
         let (negative, factor) = self.stated(g);
         (negative, factor.map_or(v, |k| g.scale(k, v)))
     }
 }
 
-/// The terms of a sum of numbers as products.
+/// Returns the terms of a sum of numbers as products.
 fn addends(g: &Graph, s: Scalar) -> Vec<Factors> {
     let (mut all, mut open) = (Vec::new(), vec![(s, false)]);
     while let Some((s, negative)) = open.pop() {
@@ -119,7 +119,7 @@ fn addends(g: &Graph, s: Scalar) -> Vec<Factors> {
     all
 }
 
-/// The terms of a sum of vectors as factors and what they multiply; `None` of what is no sum.
+/// Returns the terms of a sum of vectors, each as factors and a vector; `None` if `v` is not a sum.
 fn products(g: &Graph, v: Vector) -> Option<Vec<(Factors, Vector)>> {
     is_sum(g, v).then(|| {
         let product = |(negative, mut v): (bool, Vector)| {
@@ -142,15 +142,15 @@ fn products(g: &Graph, v: Vector) -> Option<Vec<(Factors, Vector)>> {
     })
 }
 
-/// All pairs of different places.
+/// Returns all pairs i < j of indices.
 fn pairs(count: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..count).flat_map(move |i| (i + 1..count).map(move |j| [i, j]))
 }
 
-/// `k a × c + m b × c = (k a + m b) × c`, with what k and m have in common taken out
+/// `k a × c + m b × c = (k a + m b) × c`, with common factors of k and m taken out
 pub(crate) fn crosses(g: &mut Graph, v: Vector) -> Option<Vector> {
     let all = products(g, v)?;
-    // Of 0 no ratio is taken.
+    // A ratio to a factor of 0 is undefined.
     let sides_of_cross = |(k, v): &(Factors, Vector)| match g.vector_node(*v) {
         VectorNode::Cross(a, b) if k.constant != 0.0 => vec![((a, false), b), ((b, true), a)],
         _ => Vec::new(),
@@ -168,7 +168,7 @@ pub(crate) fn crosses(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(joined(g, v, (i, j), (negative != one.1, together)))
 }
 
-/// `k (u · c) a − k (a · c) u = k (u × a) × c`, where u × a is there already
+/// `k (u · c) a − k (a · c) u = k (u × a) × c`, if u × a exists already
 pub(crate) fn cross_of_dots(g: &mut Graph, v: Vector) -> Option<Vector> {
     let mut all: Vec<(Factors, Vector)> =
         products(g, v)?.into_iter().flat_map(|(k, v)| k.spread(g).into_iter().map(move |k| (k, v))).collect();
@@ -196,7 +196,7 @@ pub(crate) fn cross_of_dots(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &terms))
 }
 
-/// `k v + m (u × v) + n (u · v) u = M v`, with what k, m and n have in common taken out
+/// `k v + m (u × v) + n (u · v) u = M v`, with common factors of k, m and n taken out
 pub(crate) fn linear_map(g: &mut Graph, v: Vector) -> Option<Vector> {
     let all = products(g, v)?;
     let ([kept, aside, along], u, inner, numbers) = (0..all.len()).find_map(|aside| {
@@ -227,7 +227,7 @@ pub(crate) fn linear_map(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &terms))
 }
 
-/// The rows of `k + m u × + n u uᵀ`.
+/// Returns the rows of `k + m [u]× + n u uᵀ`.
 fn rows(g: &mut Graph, u: Vector, [k, m, n]: &[Factors; 3]) -> [Vector; 3] {
     let (is_negative, kept) = k.stated(g);
     let kept = kept.unwrap_or_else(|| g.constant(1.0));
@@ -242,7 +242,7 @@ fn rows(g: &mut Graph, u: Vector, [k, m, n]: &[Factors; 3]) -> [Vector; 3] {
     for (i, (j, k)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
         let square = g.mul(along[i], u[i]);
         rows[i][i] = signed(g, kept, square, draws_back);
-        // u × eₖ has −uᵢ at j, and u × eⱼ has uᵢ at k.
+        // u × eₖ has component −uᵢ at j, and u × eⱼ has component uᵢ at k.
         let both = g.mul(along[j], u[k]);
         let both = if draws_back { g.neg(both) } else { both };
         rows[j][k] = signed(g, both, aside[i], !turns_back);
@@ -251,11 +251,11 @@ fn rows(g: &mut Graph, u: Vector, [k, m, n]: &[Factors; 3]) -> [Vector; 3] {
     rows.map(|row| g.components(row))
 }
 
-/// `k a · c + m b · c = (k a + m b) · c`, with what k and m have in common taken out
+/// `k a · c + m b · c = (k a + m b) · c`, with common factors of k and m taken out
 pub(crate) fn dots(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Op(Op::Add(..) | Op::Sub(..)) = g.scalar_node(s) else { return None };
     let mut all: Vec<Factors> = addends(g, s).into_iter().flat_map(|k| k.spread(g)).collect();
-    // Of 0 no ratio is taken.
+    // A ratio to a factor of 0 is undefined.
     all.retain(|k| k.constant != 0.0);
     let sides: Vec<_> = all.iter().map(|k| k.others.iter().flat_map(|&s| sides_of_dot(g, s)).collect()).collect();
     let ([i, j], [one, other], c) = shared_side(&sides)?;
@@ -279,7 +279,7 @@ pub(crate) fn dots(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(total.unwrap_or_else(|| g.constant(0.0)))
 }
 
-/// The vectors of a dot product, each with the product and the other.
+/// Returns each vector of a dot product, paired with the product, and with the other vector.
 fn sides_of_dot(g: &Graph, s: Scalar) -> Vec<((Vector, Scalar), Vector)> {
     match g.scalar_node(s) {
         ScalarNode::Dot(v, w) => vec![((v, s), w), ((w, s), v)],
@@ -287,7 +287,7 @@ fn sides_of_dot(g: &Graph, s: Scalar) -> Vec<((Vector, Scalar), Vector)> {
     }
 }
 
-/// The first two places that have a vector in common on one of their sides, what they have on the others, and the vector.
+/// Returns the first two indices whose products share a vector, what they have beside it, and the vector.
 fn shared_side<T: Copy>(sides: &[Vec<(T, Vector)>]) -> Option<([usize; 2], [T; 2], Vector)> {
     pairs(sides.len()).find_map(|[i, j]| {
         sides[i].iter().find_map(|&(one, c)| {

@@ -1,14 +1,14 @@
-//! Rules for what depends on ratios alone: an angle, a direction. Part of [`RATIOS`](crate::rewrite::rules::RATIOS).
+//! Rules for angles and directions, which depend only on ratios. Part of [`RATIOS`](crate::rewrite::rules::RATIOS).
 //!
-//! Lengths, and one over them, are taken out of products and, where every term has them, out of sums.
+//! Lengths and their reciprocals are taken out of products, and out of sums in which every term has them.
 
 use super::product::Product;
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-/// Expressions are looked into so deep.
+/// Limit on the depth to which expressions are searched.
 const DEEPEST: u32 = 10;
 
-/// `atan2(k y, k x) = atan2(y, x)` of a length k, or one over it.
+/// `atan2(k y, k x) = atan2(y, x)` if k is a length or the reciprocal of one.
 pub(crate) fn angle_of_scaled(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let ScalarNode::Op(Op::Atan2(y, x)) = g.scalar_node(s) else { return None };
     let (y, x) = (number(g, y, DEEPEST), number(g, x, DEEPEST));
@@ -17,14 +17,14 @@ pub(crate) fn angle_of_scaled(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     if lengths.powers.is_empty() { None } else { Some(g.atan2(y, x)) }
 }
 
-/// `k v / |k v| = v / |v|` of a length k, or one over it.
+/// `k v / |k v| = v / |v|` if k is a length or the reciprocal of one.
 pub(crate) fn direction_of_scaled(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Normalize(inner) = g.vector_node(v) else { return None };
     let (lengths, rest) = vector(g, inner, DEEPEST);
     if lengths.powers.is_empty() { None } else { Some(g.normalize(rest).into()) }
 }
 
-/// A number as lengths and what they multiply.
+/// Splits a number into a product of lengths and the remaining factor.
 fn number(g: &mut Graph, s: Scalar, depth: u32) -> (Product, Scalar) {
     let mut lengths = Product::new();
     let Some(depth) = depth.checked_sub(1) else { return (lengths, s) };
@@ -41,7 +41,7 @@ fn number(g: &mut Graph, s: Scalar, depth: u32) -> (Product, Scalar) {
             let (a, b) = (lengths.with(number(g, a, depth), 1), lengths.with(number(g, b, depth), -1));
             if g.constant_of(b) == Some(1.0) { a } else { g.div(a, b) }
         }
-        // A guarded reciprocal is 0 of what is negative.
+        // A guarded reciprocal of a negative number is 0, so this holds only for lengths.
         ScalarNode::Reciprocal(a) if g.is_length(a) => {
             let a = lengths.with(number(g, a, depth), -1);
             if g.constant_of(a) == Some(1.0) { a } else { g.reciprocal(a) }
@@ -74,7 +74,7 @@ fn number(g: &mut Graph, s: Scalar, depth: u32) -> (Product, Scalar) {
     (lengths, rest)
 }
 
-/// A vector as lengths and what they multiply.
+/// Splits a vector into a product of lengths and the remaining vector.
 fn vector(g: &mut Graph, v: Vector, depth: u32) -> (Product, Vector) {
     let mut lengths = Product::new();
     let Some(depth) = depth.checked_sub(1) else { return (lengths, v) };
@@ -119,7 +119,7 @@ fn vector(g: &mut Graph, v: Vector, depth: u32) -> (Product, Vector) {
     (lengths, rest)
 }
 
-/// A product, of which a factor of 1 is none.
+/// Returns a b, without factors of 1.
 fn product(g: &mut Graph, a: Scalar, b: Scalar) -> Scalar {
     match (g.constant_of(a), g.constant_of(b)) {
         (Some(1.0), _) => b,
@@ -128,13 +128,13 @@ fn product(g: &mut Graph, a: Scalar, b: Scalar) -> Scalar {
     }
 }
 
-/// The same of a number and a vector.
+/// Returns k v, or v if k is 1.
 fn scaled(g: &mut Graph, k: Scalar, v: Vector) -> Vector {
     if g.constant_of(k) == Some(1.0) { v } else { g.scale(k, v) }
 }
 
 impl Product {
-    /// Multiplies by a power of lengths, and gives what those multiply.
+    /// Multiplies by a power of the lengths and returns the remaining factor.
     fn with<T>(&mut self, (lengths, rest): (Self, T), exponent: i32) -> T {
         for (length, halves) in lengths.powers {
             self.power(length, exponent * halves);
@@ -143,7 +143,7 @@ impl Product {
         rest
     }
 
-    /// Multiplies by the lengths that both terms have; what is left of them multiplies the terms again.
+    /// Multiplies by the lengths that both terms share, and multiplies each term by its remaining lengths.
     fn common<T>(&mut self, terms: [(Self, T); 2], mut times: impl FnMut(Self, T) -> T) -> [T; 2] {
         let [a, b] = [0, 1].map(|i: usize| terms[i].0.clone());
         for &(length, halves) in &a.powers {

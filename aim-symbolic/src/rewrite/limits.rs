@@ -1,9 +1,11 @@
-//! Rules for products that are 0 / 0 somewhere and have a limit there. Part of [`LIMITS`](crate::rewrite::rules::LIMITS).
+//! Rules for products that are 0 / 0 somewhere but have a limit there. Part of
+//! [`LIMITS`](crate::rewrite::rules::LIMITS).
 //!
-//! A product is taken apart into powers of its factors, in halves, so that |v| is half a power of v · v. Functions that
-//! vanish like a power of a length r, such as sin r or 1 − cos r, are that power times a [smooth](crate::ir::smooth) function
-//! of r²; so are sums of which every term is. Where powers of one factor above and below the line meet and none is left below,
-//! the product is stated without them: nothing is divided by what could be 0, and its derivatives are right there, too.
+//! A product is split into powers of its factors, counted in halves, so that |v| is a half power of v · v. A function
+//! that vanishes like a power of a length r, such as sin r or 1 − cos r, is that power times a
+//! [smooth](crate::ir::smooth) function of r²; so is a sum in which every term vanishes like that. If powers of a
+//! factor cancel between numerator and denominator and none remains in the denominator, the product is restated without
+//! them: it no longer divides by something that can be 0, and its derivatives are right there, too.
 
 use rustc_hash::FxHashSet;
 
@@ -11,7 +13,7 @@ use super::product::{Product, terms};
 use super::vanishing::Vanishing;
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-/// `a b / a = b`, also where a is 0, and `sin r / r`, a series there.
+/// `a b / a = b`, also where a is 0, and `sin r / r`, which becomes a series near 0.
 pub(crate) fn cancelled_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     if !matches!(g.scalar_node(s), ScalarNode::Op(Op::Mul(..) | Op::Div(..)) | ScalarNode::Dot(..)) {
         return None;
@@ -21,7 +23,7 @@ pub(crate) fn cancelled_division(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(stated.unwrap_or_else(|| g.constant(1.0)))
 }
 
-/// The same of a vector's factors: `|v| (v / |v|) = v`.
+/// Cancels the factors of a vector: `|v| (v / |v|) = v`.
 pub(crate) fn cancelled_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Scale(..) = g.vector_node(v) else { return None };
     let (product, rest) = cancelled(g, |g, product, whole| product.times_vector(g, v, whole))?;
@@ -31,7 +33,7 @@ pub(crate) fn cancelled_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
     })
 }
 
-/// The product that `collect` multiplies together, if something of it cancels, with what `collect` leaves.
+/// Returns the product that `collect` accumulates and the part that it leaves, if anything in the product cancels.
 fn cancelled<R: Copy>(
     g: &mut Graph,
     collect: impl Fn(&mut Graph, &mut Product, &[Scalar]) -> Option<R>,
@@ -47,7 +49,7 @@ fn cancelled<R: Copy>(
         if round > 0 && vanishing.is_empty() {
             break;
         }
-        // The argument of a function may be a product itself.
+        // The argument of a function may itself be a product, which must then not be taken apart.
         let whole: Vec<Scalar> = vanishing.iter().map(|(_, found)| found.base()).collect();
         let (mut product, mut rest) = (all.clone(), rest_of_all);
         if !whole.is_empty() {
@@ -62,7 +64,8 @@ fn cancelled<R: Copy>(
 }
 
 impl Product {
-    /// What is divided by, also within sums, and then what that may vanish with, each once; nothing where nothing is divided by.
+    /// Returns the denominators, also those within sums, followed by the factors with which they may vanish, each once.
+    /// Empty if there are no denominators.
     fn divisors(&self, g: &mut Graph) -> Vec<Scalar> {
         let mut divisors = self.below.clone();
         for &factor in &self.above {
@@ -79,7 +82,7 @@ impl Product {
         divisors
     }
 
-    /// The factors that vanish with a length, or with what is divided by.
+    /// Returns the factors that vanish with a length or with one of the divisors.
     fn vanishing(
         &self,
         g: &mut Graph,
@@ -94,7 +97,8 @@ impl Product {
         all
     }
 
-    /// Takes away what is above and below the line; false where nothing is, `None` where that is too long.
+    /// Cancels powers that appear in both numerator and denominator. Returns `false` if there are none, `None` if the
+    /// product becomes too long.
     fn cancel(&mut self, g: &mut Graph, vanishing: &[(Scalar, Vanishing)]) -> Option<bool> {
         let mut bases: Vec<Scalar> = Vec::new();
         for base in self.powers.iter().map(|&(s, _)| s).chain(vanishing.iter().map(|(_, found)| found.base())) {
@@ -106,7 +110,7 @@ impl Product {
         for base in bases {
             let functions: Vec<&(Scalar, Vanishing)> =
                 vanishing.iter().filter(|(_, found)| found.base() == base).collect();
-            // Where a function is infinite, it is on the other side of the line.
+            // A function of negative order is infinite at 0 and counts for the opposite side.
             let sides = [&self.above, &self.below];
             let functions_in = |side: usize| {
                 functions.iter().any(|(s, found)| sides[if found.halves() < 0 { 1 - side } else { side }].contains(s))

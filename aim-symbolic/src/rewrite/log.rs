@@ -1,4 +1,4 @@
-//! The record of what was rewritten and how derivatives were taken.
+//! The record of applied rules and of derivative sweeps.
 
 use crate::Scalar;
 use crate::diff::sweep::Swept;
@@ -10,24 +10,25 @@ use crate::rewrite::rules::Rule;
 pub struct Rewrite {
     /// The rule.
     pub rule: Rule,
-    /// What it was applied to.
+    /// The node to which it was applied.
     pub from: Node,
-    /// What it made of that.
+    /// The replacement.
     pub to: Node,
 }
 
-/// What was done, in order, and how many more rules may be applied.
+/// The applied rules in order, with a limit on their number, and the derivative sweeps.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Log {
     pub(crate) applied: Vec<Rewrite>,
-    /// How many may be applied in all; `None` for as many as there are.
+    /// Limit on the total number of applications; `None` for no limit.
     pub(crate) limit: Option<usize>,
-    /// How derivatives were taken.
+    /// The derivative sweeps.
     pub(crate) sweeps: Vec<Swept>,
-    /// What they were taken of, and what was wanted as it was just after that.
+    /// The expressions that were differentiated.
     pub(crate) values: Vec<Scalar>,
+    /// All requested expressions as they were immediately after differentiation.
     pub(crate) derived: Vec<Scalar>,
-    /// How many rules had been applied before.
+    /// The number of applications before differentiation.
     pub(crate) before_sweeps: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Rules that move rotations to where they cancel or cost least, and what applies them.
+//! Rewriting rules, which move rotations to where they cancel or cost least, and their driver.
 
 pub(crate) mod bases;
 pub(crate) mod directions;

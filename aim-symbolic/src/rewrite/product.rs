@@ -1,18 +1,18 @@
-//! [`Product`]: an expression as powers of its factors.
+//! [`Product`]: an expression as a product of powers.
 
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
-/// A product of more parts is not looked at.
+/// Limit on the number of parts; longer products are not analysed.
 const MOST_PARTS: usize = 48;
 
-/// Numbers are looked into so deep for whether they may be negative.
+/// Limit on the depth to which numbers are searched for whether they may be negative.
 const DEEPEST_LENGTH: u32 = 6;
 
-/// A product with a higher power is not looked at, in halves.
+/// Limit on powers, in halves; products with higher powers are not analysed.
 const HIGHEST_POWER: i32 = 64;
 
 impl Graph {
-    /// True of what is not negative, as far as one can see.
+    /// Returns `true` if the number is recognisably not negative.
     pub(super) fn is_length(&self, s: Scalar) -> bool {
         self.is_length_within(s, DEEPEST_LENGTH)
     }
@@ -30,21 +30,21 @@ impl Graph {
         }
     }
 
-    /// True of an exponential, or a sum with one, that is never 0. Nothing vanishes with it, and multiplied by it, what is finite may
-    /// be infinite.
+    /// Returns `true` for an exponential, or a sum of non-negative terms with one, which is never 0. Nothing vanishes
+    /// with it, and multiplying by it could make a finite number infinite.
     pub(super) fn is_never_zero(&self, s: Scalar) -> bool {
         let is_exponential = |s: Scalar| matches!(self.scalar_node(s), ScalarNode::Op(Op::Call(Function::Exp, _)));
         self.is_length(s) && terms(self, s).into_iter().any(is_exponential)
     }
 
-    /// (1 − a)(1 + a), which keeps its digits near 1.
+    /// (1 − a)(1 + a) = 1 − a², without loss of digits near |a| = 1.
     pub(crate) fn around_one(&mut self, a: Scalar) -> Scalar {
         let one = self.constant(1.0);
         let (below, above) = (self.sub(one, a), self.add(one, a));
         self.mul(below, above)
     }
 
-    /// The same of 1 − a².
+    /// Returns (1 − a)(1 + a) if `s` is 1 − a².
     fn one_minus_square(&mut self, s: Scalar) -> Option<Scalar> {
         let ScalarNode::Op(Op::Sub(one, square)) = self.scalar_node(s) else { return None };
         let ScalarNode::Op(Op::Mul(a, b)) = self.scalar_node(square) else { return None };
@@ -52,7 +52,7 @@ impl Graph {
     }
 }
 
-/// The two terms of a sum, or what a select takes one of.
+/// Returns the two terms of a sum, or the two branches of a select.
 pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
     match g.scalar_node(s) {
         ScalarNode::Op(Op::Add(a, b) | Op::Sub(a, b) | Op::SelectLess(_, _, a, b)) => Some((a, b)),
@@ -60,7 +60,7 @@ pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
     }
 }
 
-/// The terms of a sum, of which there is no more than one where it is none.
+/// Returns the terms of a sum, or `sum` itself if it is not one. Branches of selects count as terms.
 pub(super) fn terms(g: &Graph, sum: Scalar) -> Vec<Scalar> {
     let (mut terms, mut open) = (Vec::new(), vec![sum]);
     while let Some(s) = open.pop() {
@@ -72,14 +72,15 @@ pub(super) fn terms(g: &Graph, sum: Scalar) -> Vec<Scalar> {
     terms
 }
 
-/// A product as powers of its factors.
+/// A product of a coefficient and powers of factors.
 #[derive(Clone, Debug)]
 pub(super) struct Product {
     pub(super) coefficient: f64,
-    /// Factors and their powers in halves, in the order of their first appearance.
+    /// Factors and their powers in halves, in order of first appearance.
     pub(super) powers: Vec<(Scalar, i32)>,
-    /// The factors that appear above the line, and those that do below.
+    /// The factors that appear in the numerator.
     pub(super) above: Vec<Scalar>,
+    /// The factors that appear in the denominator.
     pub(super) below: Vec<Scalar>,
     parts: usize,
 }
@@ -102,22 +103,22 @@ impl Product {
         self.powers.iter().find(|(known, _)| *known == factor).map_or(0, |(_, power)| *power)
     }
 
-    /// The factors of a scalar; `None` where there are too many.
+    /// Splits a scalar into factors; `None` if there are too many.
     pub(super) fn of(g: &mut Graph, s: Scalar) -> Option<Self> {
         let mut product = Self::new();
         product.times(g, s, 2, &[])?;
         Some(product)
     }
 
-    /// Takes a factor away. Returns its power, in halves.
+    /// Removes a factor. Returns its power, in halves.
     pub(super) fn remove(&mut self, factor: Scalar) -> i32 {
         let power = self.power_of(factor);
         self.powers.retain(|(known, _)| *known != factor);
         power
     }
 
-    /// Multiplies by a power of `s`, in halves, an even number; `None` where that is too long. What is in `whole` is not
-    /// taken apart.
+    /// Multiplies by a power of `s`, in halves, which must be even; `None` if the product becomes too long. Expressions
+    /// in `whole` are not taken apart.
     pub(super) fn times(&mut self, g: &mut Graph, s: Scalar, halves: i32, whole: &[Scalar]) -> Option<()> {
         self.parts += 1;
         if self.parts > MOST_PARTS || halves.abs() > HIGHEST_POWER {
@@ -128,7 +129,7 @@ impl Product {
             return Some(());
         }
         match g.scalar_node(s) {
-            // Over 0 nothing cancels.
+            // Nothing cancels in a quotient with divisor 0.
             ScalarNode::Op(Op::Constant(c)) if c.value() == 0.0 && halves < 0 => return None,
             ScalarNode::Op(Op::Constant(c)) => self.coefficient *= c.value().powi(halves / 2),
             ScalarNode::Op(Op::Neg(a)) => {
@@ -144,7 +145,7 @@ impl Product {
                 self.times(g, a, halves, whole)?;
                 self.times(g, b, -halves, whole)?;
             }
-            // A guarded reciprocal is 0 of what is negative.
+            // A guarded reciprocal of a negative number is 0, so this holds only for lengths.
             ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
             ScalarNode::Op(Op::Sqrt(a)) => {
                 let a = g.one_minus_square(a).unwrap_or(a);
@@ -172,7 +173,7 @@ impl Product {
         Some(())
     }
 
-    /// Multiplies by the factors of `v`, and gives what is left of it.
+    /// Multiplies by the scalar factors of `v` and returns the remaining vector.
     pub(super) fn times_vector(&mut self, g: &mut Graph, v: Vector, whole: &[Scalar]) -> Option<Vector> {
         self.parts += 1;
         if self.parts > MOST_PARTS {
@@ -212,7 +213,7 @@ impl Product {
         })
     }
 
-    /// The product, stated anew; `None` of 1.
+    /// Returns the product as an expression, or `None` if it is 1.
     pub(super) fn stated(self, g: &mut Graph) -> Option<Scalar> {
         let [mut above, mut below]: [Vec<Scalar>; 2] = Default::default();
         for &(factor, halves) in &self.powers {

@@ -1,4 +1,4 @@
-//! Rules that move rotations to where they cancel or cost least; [`ROTATIONS`](crate::rewrite::rules::ROTATIONS).
+//! Rules that move rotations to where they cancel or cost least: [`ROTATIONS`](crate::rewrite::rules::ROTATIONS).
 
 use crate::rewrite::scaling::{factors, scaled};
 use crate::rewrite::sums::{is_sum, sum, terms};
@@ -6,7 +6,7 @@ use crate::{
     Attitude, Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Unit, Vector, VectorNode,
 };
 
-/// The outermost rotation of `v`, and what it rotates.
+/// Returns the outermost rotation of `v` and the vector that it rotates.
 pub(crate) fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
     match g.vector_node(v) {
         VectorNode::Rotate(rotation, inner) => Some((rotation, inner)),
@@ -26,7 +26,8 @@ fn is_basis(g: &Graph, rotation: Rotation) -> bool {
     }
 }
 
-/// Whether `v` is a constant vector after at most one rotation that is not a change of basis: nothing costs less.
+/// Returns `true` if `v` is a constant vector after at most one rotation, not counting changes of basis: nothing costs
+/// less.
 fn is_turned_constant(g: &Graph, v: Vector) -> bool {
     match leading(g, v) {
         Some((rotation, inner)) if is_basis(g, rotation) => is_turned_constant(g, inner),
@@ -35,11 +36,11 @@ fn is_turned_constant(g: &Graph, v: Vector) -> bool {
     }
 }
 
-/// How many changes of basis stand before the rotation that pushed `v` forward and could be turned back instead;
-/// `None` where there is none.
+/// Returns the number of changes of basis outside of the forward rotation of `v` that could be turned back instead, or
+/// `None` if there is no such rotation.
 ///
-/// Only such vectors give up their rotation, and of several the one with the fewest changes of basis does, so that
-/// nothing is turned back and forth.
+/// Only such vectors lose their rotation, and among several the one with the fewest changes of basis does, so that
+/// rewriting does not rotate a vector back and forth.
 fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
     let (rotation, inner) = leading(g, v)?;
     if is_basis(g, rotation) {
@@ -49,8 +50,8 @@ fn pushed_below(g: &Graph, v: Vector) -> Option<usize> {
     is_forward(g, rotation).then_some(0)
 }
 
-/// `p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r²` with r = |u|, also as `p + (u × p) sin r / r + u × (u × p)(1 − cos
-/// r)/r²`, which turns p about u by r.
+/// Rodrigues' formula: `p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r²` with r = |u|, also as
+/// `p + (u × p) sin r / r + u × (u × p)(1 − cos r)/r²`, becomes the rotation of p about u by r.
 pub(crate) fn recognize_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
     if !is_sum(g, v) {
         return None;
@@ -95,7 +96,7 @@ pub(crate) fn recognize_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &together))
 }
 
-/// `(x cos θ − y sin θ, x sin θ + y cos θ, z)` is (x, y, z) turned by θ, and so in the other planes.
+/// `(x cos θ − y sin θ, x sin θ + y cos θ, z)` becomes (x, y, z) turned by θ; likewise in the other planes.
 pub(crate) fn recognize_plane_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
     let VectorNode::Components(c) = g.vector_node(v) else { return None };
     let (plane, radians, parts) = [(0, 1), (1, 0), (1, 2), (2, 1), (2, 0), (0, 2)].into_iter().find_map(|(i, k)| {
@@ -138,7 +139,7 @@ pub(crate) fn recognize_plane_turn(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.rotate(turn, inner))
 }
 
-/// The terms of a sum of two products, each with its sign and its factors.
+/// Returns the terms of a sum of two products, each with its sign and its factors.
 fn two_products(g: &Graph, s: Scalar) -> Option<[(bool, [Scalar; 2]); 2]> {
     let (a, b, negative) = match g.scalar_node(s) {
         ScalarNode::Op(Op::Add(a, b)) => (a, b, false),
@@ -158,7 +159,7 @@ fn two_products(g: &Graph, s: Scalar) -> Option<[(bool, [Scalar; 2]); 2]> {
     Some([product(a, false)?, product(b, negative)?])
 }
 
-/// Whether `s` is cos r, sin r / r or (1 − cos r)/r² of the length r of `u`.
+/// Returns `true` if `s` is cos r, sin r / r or (1 − cos r)/r², by `order` 0, 1 or 2, with r the length of `u`.
 fn is_turn_factor(g: &Graph, s: Scalar, order: u8, u: Vector) -> bool {
     match g.scalar_node(s) {
         ScalarNode::Stumpff(Stumpff { hyperbolic: false, order: own }, square) => {
@@ -210,14 +211,14 @@ pub(crate) fn common_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &terms))
 }
 
-/// `R v / |R v| = R (v / |v|)`, and the same for multiples, negations and parts across a direction.
+/// `R v / |R v| = R (v / |v|)`, and likewise for multiples, negations and parts across a direction.
 pub(crate) fn operation_on_rotated(g: &mut Graph, v: Vector) -> Option<Vector> {
-    // A constant costs less turned first, and once.
+    // A rotated constant costs less if it is rotated before it is scaled, once.
     let last = |g: &Graph, v| leading(g, v).filter(|_| !is_turned_constant(g, v));
     operation_before(g, v, if matches!(g.vector_node(v), VectorNode::Scale(..)) { last } else { leading })
 }
 
-/// The same of the rotations that `last` finds.
+/// Moves an operation on a rotated vector inside the rotation, for the rotations that `last` finds.
 pub(crate) fn operation_before(
     g: &mut Graph,
     v: Vector,
@@ -246,7 +247,7 @@ pub(crate) fn operation_before(
     Some(g.rotate(rotation, moved))
 }
 
-/// `Rᵀ (a + R b) = Rᵀ a + b`
+/// Returns Rᵀ v, term by term: `Rᵀ (a + R b) = Rᵀ a + b`
 pub(crate) fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vector {
     let (cores, rest): (Vec<_>, Vec<_>) =
         terms(g, v).into_iter().partition(|&(_, term)| leading(g, term).is_some_and(|(r, _)| r == rotation));
@@ -259,7 +260,7 @@ pub(crate) fn turned_back(g: &mut Graph, rotation: Rotation, v: Vector) -> Vecto
     sum(g, &all)
 }
 
-/// A rotation that a sum's norm does not see: `a + R b` is as long as `Rᵀ a + b`.
+/// Rotates a sum back by the rotation of one of its terms, which keeps its length: `|a + R b| = |Rᵀ a + b|`.
 fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     if !is_sum(g, v) {
         return None;
@@ -270,7 +271,8 @@ fn pulled(g: &mut Graph, v: Vector) -> Option<(Rotation, Vector)> {
     Some((rotation, turned_back(g, rotation, v)))
 }
 
-/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`, and the same of the length of a part across that direction.
+/// `(a + R b) / |a + R b| · R w = (Rᵀ a + b) / |Rᵀ a + b| · w`, and likewise for the length of the part across that
+/// direction.
 pub(crate) fn dot_direction(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     let (sides, is_dot) = match g.scalar_node(s) {
         ScalarNode::Dot(a, b) => (vec![(a, b), (b, a)], true),
@@ -321,7 +323,8 @@ pub(crate) fn square_pulls(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(g.dot(turned_back, turned_back))
 }
 
-/// The sides of a dot that a rotation pushed forward, the one with the fewest changes of basis before it first.
+/// Returns the sides of a dot product that have a forward rotation, as (other, side), the one with the fewest changes
+/// of basis outside of it first.
 fn pushed_sides(g: &Graph, s: Scalar) -> Vec<(Vector, Vector)> {
     let ScalarNode::Dot(a, b) = g.scalar_node(s) else { return Vec::new() };
     let mut sides: Vec<_> =

@@ -1,9 +1,10 @@
-//! The rules that rewrite a statement: each keeps the value, none is keyed to a particular objective.
+//! Rewriting rules. Each keeps the value, and none is specific to an objective.
 //!
-//! One exception is stated where it is: the length of a cross product with a direction, where that is 0.
+//! One rule, [`ACROSS_FOR_CROSS`], changes a degenerate value: the length of a cross product with a direction that is
+//! 0.
 //!
-//! A rule looks at one node whose parts are already rewritten and offers a replacement. [`Graph::rewrite`] applies
-//! them in the order of their set, bottom up, until none applies.
+//! A rule looks at one node whose operands are already rewritten and offers a replacement. [`Graph::rewrite`] applies
+//! the rules of a set in order, bottom up, until none applies.
 
 use core::fmt;
 
@@ -14,19 +15,19 @@ use crate::{Graph, Scalar, Vector};
 /// A rewriting of expressions that keeps their value. Rules are compared by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Rule {
-    /// The name that derivations list it by; its constant's in programs that are compiled to be small.
+    /// The name under which derivations list the rule. In builds with `aim_small` it is the name of the constant.
     pub name: &'static str,
-    /// The reason why it holds and what it is good for, in a sentence or two; empty in programs that are compiled to be small.
+    /// Why the rule holds and what it is good for, in a sentence or two. Empty in builds with `aim_small`.
     pub why: &'static str,
     rewriting: Rewriting,
 }
 
-/// The expressions that a rule rewrites.
+/// The kind of expression that a rule rewrites, and its function.
 #[derive(Clone, Copy, Debug)]
 enum Rewriting {
     Vector(fn(&mut Graph, Vector) -> Option<Vector>),
     Scalar(fn(&mut Graph, Scalar) -> Option<Scalar>),
-    /// Components: part of folding and arranging them, not applied node by node.
+    /// Components: the rule is part of folding and arranging them, and is not applied node by node.
     Components,
 }
 
@@ -45,7 +46,7 @@ impl fmt::Display for Rule {
 }
 
 impl Rule {
-    /// The replacement of `node`, if the rule has one for it.
+    /// Returns the replacement of `node`, or `None` if the rule does not apply.
     pub(crate) fn apply(&self, g: &mut Graph, node: Node) -> Option<Node> {
         match (self.rewriting, node) {
             (Rewriting::Vector(rewrite), Node::Vector(v)) => rewrite(g, v).map(Node::Vector),
@@ -55,42 +56,43 @@ impl Rule {
     }
 }
 
-/// Rules applied together, the first that fits first.
+/// Rules that are applied together; the first that applies is used.
 #[derive(Clone, Copy, Debug)]
 pub struct RuleSet {
-    /// The rules in order.
+    /// The rules in order of preference.
     pub rules: &'static [Rule],
-    /// The terms that they see in a sum.
+    /// Which terms of a sum the rules may take apart.
     pub sums: Sums,
 }
 
-/// The terms of a sum as the rules see them.
+/// Which terms of a sum the rules may take apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sums {
-    /// Also the terms of its partial sums.
+    /// All terms, including those of partial sums.
     Open,
-    /// A partial sum that is needed elsewhere too is one term, so that it stays shared.
+    /// A partial sum that is used elsewhere is kept as one term, so that it stays shared.
     Shared,
 }
 
-/// The rules that apply: all of them but a few.
+/// A selection of rules: all except some.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Rules<'a> {
-    /// Those switched off.
+    /// The rules that are switched off.
     pub without: &'a [Rule],
-    /// How often a rotation may go to the other side of a dot or norm without cancelling there; `None` for wherever it can.
+    /// Limit on how often a rotation may move to the other side of a dot product or norm without cancelling there;
+    /// `None` for no limit.
     pub turned: Option<usize>,
 }
 
 impl Rules<'_> {
-    /// Whether the rule applies.
+    /// Returns `true` if the rule is not switched off.
     #[must_use]
     pub fn has(&self, rule: &Rule) -> bool {
         !self.without.contains(rule)
     }
 }
 
-/// The rules of all sets but [`LIMITS`], each once, in the order of the passes that they belong to.
+/// Returns the rules of all sets but [`LIMITS`], each once, in the order of the passes to which they belong.
 pub(crate) fn of_sets() -> Vec<Rule> {
     let mut all: Vec<Rule> = Vec::new();
     for rule in
@@ -103,18 +105,19 @@ pub(crate) fn of_sets() -> Vec<Rule> {
     all
 }
 
-/// All rules, those of arithmetic last.
+/// Returns all rules, those of arithmetic last.
 #[must_use]
 pub fn all() -> Vec<Rule> {
     LIMITS.rules.iter().copied().chain(of_sets()).chain(ARITHMETIC).collect()
 }
 
-/// Quotients that are 0 / 0 somewhere, stated by their limits. They come first and are never left out for the count: without
-/// them derivatives are wrong there. A module for the web derives rigs alone, of which nothing cancels.
+/// Quotients that are 0 / 0 somewhere, replaced by expressions with the right limit there. They apply first and are
+/// never switched off to save operations: without them derivatives are wrong at these points. Builds with `aim_small`
+/// derive only rigs, in which nothing cancels.
 pub const LIMITS: RuleSet =
     RuleSet { rules: if cfg!(aim_small) { &[] } else { &[CANCELLED_DIVISION, CANCELLED_SCALE] }, sums: Sums::Open };
 
-/// Statement in other words: norms and directions spelled out.
+/// Restatements that make norms and directions explicit.
 pub const WORDING: RuleSet = RuleSet {
     rules: &[
         RECOGNIZE_DIRECTION,
@@ -130,12 +133,12 @@ pub const WORDING: RuleSet = RuleSet {
     sums: Sums::Open,
 };
 
-/// Angles and directions, which depend on ratios alone, without the lengths that cancel. A module for the web derives rigs alone, of
-/// which nothing is scaled.
+/// Angles and directions depend only on ratios: lengths that cancel are dropped. Builds with `aim_small` derive only
+/// rigs, in which nothing is scaled.
 pub const RATIOS: RuleSet =
     RuleSet { rules: if cfg!(aim_small) { &[] } else { &[ANGLE_OF_SCALED, DIRECTION_OF_SCALED] }, sums: Sums::Open };
 
-/// Rotations to where they cancel, or to the side where they cost least.
+/// Rotations, moved to where they cancel or to the side where they cost least.
 pub const ROTATIONS: RuleSet = RuleSet {
     rules: &[
         FOLD_ZERO,
@@ -154,17 +157,17 @@ pub const ROTATIONS: RuleSet = RuleSet {
     sums: Sums::Open,
 };
 
-/// Compositions into the rotations that they are made of, as both sweeps need them.
+/// Compositions, split into the rotations that they consist of, as both sweeps require.
 pub(crate) const COMPOSITIONS: RuleSet = RuleSet { rules: &[SPLIT_COMPOSITION], sums: Sums::Open };
 
-/// Constant turns into the angles of turns that they stand beside.
+/// Constant rotations, merged into the angles of adjacent turns.
 pub const BASES: RuleSet = RuleSet { rules: &[TURN_INTO_ANGLE], sums: Sums::Open };
 
-/// A calculation in the frame before a turn that many vectors were turned back by.
+/// A calculation moved to the frame before a turn, if many vectors were rotated back by it.
 pub const FRAMES: RuleSet =
     RuleSet { rules: &[FOLD_ZERO, UNDO_ROTATION, SUM_IN_FRAME, OPERATION_IN_FRAME, NUMBER_IN_FRAME], sums: Sums::Open };
 
-/// Parts along a direction or square to it, and what follows for sums and dots.
+/// Parts along a direction or perpendicular to it, and the consequences for sums and dot products.
 pub const DIRECTIONS: RuleSet = RuleSet {
     rules: &[
         FOLD_ZERO,
@@ -180,7 +183,7 @@ pub const DIRECTIONS: RuleSet = RuleSet {
     sums: Sums::Open,
 };
 
-/// Scale factors out of the vector operations that they pass through unchanged.
+/// Scale factors, moved out of the vector operations that commute with them.
 pub const SCALES: RuleSet = RuleSet {
     rules: &[
         FOLD_ZERO,
@@ -198,30 +201,30 @@ pub const SCALES: RuleSet = RuleSet {
     sums: Sums::Shared,
 };
 
-/// Products with one vector out of the sums that they are in. A module for the web derives rigs alone, which have none.
+/// Products with a common vector, gathered out of sums. Builds with `aim_small` derive only rigs, which have none.
 pub const PRODUCTS: RuleSet = RuleSet {
     rules: if cfg!(aim_small) { &[] } else { &[LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT] },
     sums: Sums::Shared,
 };
 
-/// Rules of components: what any compiler of formulas does, all at once.
+/// Rules on components, common to all compilers of formulas, which are applied together.
 pub const ARITHMETIC: [Rule; 10] =
     [CONSTANTS, NEGATIONS, ORDER, SHARE, FACTOR, JOIN, MOVE_CONSTANTS, DIVIDE_ONCE, MATRIX, RESUBSTITUTE];
 
-/// Rules that apply only where that is found to pay.
+/// Rules that apply only where they are found to save operations.
 pub(crate) const OPTIONAL: &[Rule] = if cfg!(aim_small) {
     &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, MATRIX]
 } else {
     &[TURN_INTO_ANGLE, SPREAD, CONSTANT_SCALE, LINEAR_MAP, CROSS_OF_DOTS, COMMON_CROSS, COMMON_DOT, MATRIX]
 };
 
-/// Rules that turn something else than before by as much: how far to go is a choice.
+/// Rules that replace one rotation by another at the same cost; how often to apply them is a choice.
 pub(crate) const OTHER_SIDES: [Rule; 3] = [OTHER_SIDE_OF_DOT, PULL_OUT_OF_NORM, PULL_OUT_OF_SQUARE];
 
-/// Rules by which rotations vanish.
+/// Rules that cancel rotations.
 pub(crate) const CANCELLING: [Rule; 2] = [CANCEL_BESIDE_DIRECTION, CANCEL_ACROSS_DOT];
 
-/// Defines rules; a rule's comment is its [`why`](Rule::why), for the readers of code and of derivations alike.
+/// Defines rules. A rule's comment is also its [`why`](Rule::why), for readers of the code and of derivations alike.
 macro_rules! rules {
     ($( $(#[doc = $why:literal])+ $rule:ident = $name:literal: $kind:ident $(($rewrite:path))?; )+) => { $(
         $(#[doc = $why])+
@@ -234,12 +237,14 @@ macro_rules! rules {
 }
 
 rules! {
-    /// What is multiplied and divided by the same cancels, also where that is 0: a length that is divided by itself is 1. Of
-    /// sin r = r (1 − r²/6 + …) and its like the power of r cancels, and a series in r² is left where r is small.
+    /// A factor in both numerator and denominator cancels, also where it is 0: a length divided by itself is 1. From
+    /// sin r = r (1 − r²/6 + …) and similar functions the power of r cancels, which leaves a series in r² where r is
+    /// small.
     CANCELLED_DIVISION = "what is divided by itself is one": Scalar(limits::cancelled_division);
-    /// A vector's direction times a multiple of its length is a multiple of the vector: |v| (v / |v|) = v, also where v is 0.
+    /// A vector's direction times a multiple of its length is a multiple of the vector: |v| (v / |v|) = v, also where v
+    /// is 0.
     CANCELLED_SCALE = "a length times a direction is a vector": Vector(limits::cancelled_scale);
-    /// A vector times one over its own length is its direction: one thing, with one derivative.
+    /// A vector divided by its own length is its direction: a single expression with a single derivative.
     RECOGNIZE_DIRECTION = "a vector over its length is a direction": Vector(directions::recognize_direction);
     /// The square of a vector is the dot product with itself, so its root is the vector's length.
     ROOT_OF_SQUARE = "the root of a square is a norm": Scalar(directions::root_of_square);
@@ -248,82 +253,87 @@ rules! {
     /// A length can be 0. The division becomes a product with a reciprocal that is 0 there, so that every result is
     /// finite.
     GUARD_DIVISION = "a division by a norm is guarded": Scalar(directions::guard_division);
-    /// Both have the length |v| sin of the angle between them. The part across has the simpler derivative.
+    /// The cross product of v with a direction and the part of v across that direction both have the length |v| sin φ,
+    /// with φ the angle between the two. The part across has the simpler derivative.
     ACROSS_FOR_CROSS = "the part across is as long as the cross product": Scalar(directions::norm_of_cross);
-    /// What is left of a vector without its part along a direction is the part across it: one thing, square to the direction.
+    /// A vector minus its part along a direction is its part across the direction: a single expression, perpendicular
+    /// to the direction.
     RECOGNIZE_ACROSS = "a difference is a part across": Vector(directions::recognize_across);
-    /// The length of a direction is 1. So the square of the difference of two is 2 − 2 u · v: the cosine between them is all
-    /// that is needed.
+    /// The length of a direction is 1. So the square of the difference of two directions is 2 − 2 u · v, which needs
+    /// only the cosine between them.
     LENGTH_OF_DIRECTION = "a direction has length 1": Scalar(directions::length_of_direction);
-    /// An angle depends on the ratio of its sine and cosine: lengths that both are multiplied with, or divided by, do not matter.
+    /// An angle depends only on the ratio of its sine and cosine, so a length by which both are multiplied or divided
+    /// can be dropped.
     ANGLE_OF_SCALED = "an angle whatever the lengths": Scalar(homogeneous::angle_of_scaled);
-    /// A direction is the same whatever length the vector is multiplied with, or divided by.
+    /// The direction of a vector does not change when the vector is multiplied or divided by a length.
     DIRECTION_OF_SCALED = "a direction whatever the lengths": Vector(homogeneous::direction_of_scaled);
-    /// Rodrigues' formula turns a point p about a vector u by its length r: p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r².
-    /// As a rotation it cancels with others, and its derivative is the perpendicular of the result.
+    /// Rodrigues' formula rotates a point p about a vector u by its length r:
+    /// p cos r + (u × p) sin r / r + u (u · p)(1 − cos r)/r². As a rotation it can cancel with others, and its
+    /// derivative is the perpendicular of the result.
     RECOGNIZE_TURN = "Rodrigues' formula is a rotation": Vector(rotations::recognize_turn);
-    /// (x cos θ − y sin θ, x sin θ + y cos θ, z) is the vector (x, y, z) after a turn by θ: a rotation, however it is written.
+    /// (x cos θ − y sin θ, x sin θ + y cos θ, z) is the vector (x, y, z) after a turn by θ: a rotation, however it is
+    /// written.
     RECOGNIZE_PLANE_TURN = "a turn in components is a rotation": Vector(rotations::recognize_plane_turn);
     /// Adding 0 and multiplying by 1 change nothing, and 0 stays 0 when it is scaled or turned.
     FOLD_ZERO = "fold zero and one": Vector(sums::fold_zero);
-    /// Turning by a product of rotations is turning by one after the other, the right one first. Apart, they can meet
-    /// what they cancel with.
+    /// Rotating by a product of rotations is rotating by one after the other, the right one first. Split, each can meet
+    /// what it cancels with.
     SPLIT_COMPOSITION = "split composition": Vector(rotations::split_composition);
     /// A rotation is undone by its transpose: R Rᵀ = 1.
     UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);
-    /// What is added and subtracted leaves the sum.
+    /// A term that is both added and subtracted drops out of the sum.
     CANCEL_TERMS = "cancel terms": Vector(sums::cancel_terms);
-    /// A rotation is linear, so two vectors that are turned alike can be added first and turned once.
+    /// A rotation is linear, so two vectors with the same rotation can be added first and rotated once.
     COMMON_ROTATION = "common rotation": Vector(rotations::common_rotation);
-    /// A rotation keeps lengths and angles, so it can come after the division by a length, a product with a number, and the
-    /// part across a direction. Outermost, it can meet what it cancels with.
+    /// A rotation keeps lengths and angles, so it can be applied after a division by a length, a product with a number,
+    /// and taking the part across a direction. Outermost, it can meet what it cancels with.
     OPERATION_ON_ROTATED = "an operation on what was rotated": Vector(rotations::operation_on_rotated);
-    /// A rotation keeps lengths, so it does not matter for the length whether there is one.
+    /// A rotation keeps lengths, so the length of a rotated vector is the length of the vector.
     NORM_OF_ROTATED = "norm of what was rotated": Scalar(rotations::norm_rotated);
-    /// Turning a whole sum back keeps its length. One term loses its rotation, which then acts on what does not
-    /// depend on the joints within.
+    /// Rotating a whole sum back keeps its length. One term loses its rotation, whose inverse then acts on terms that
+    /// do not depend on the joints within.
     PULL_OUT_OF_NORM = "pull a rotation out of a sum's norm": Scalar(rotations::norm_pulls);
-    /// Turning a whole sum back keeps its square. One term loses its rotation.
+    /// Rotating a whole sum back keeps its square. One term loses its rotation.
     PULL_OUT_OF_SQUARE = "pull a rotation out of a sum's square": Scalar(rotations::square_pulls);
-    /// A dot product does not change when both sides are turned back alike. The right side loses its rotation; on the
-    /// left the effector comes to rest and the target is turned back into its frame instead. This is where aiming
+    /// A dot product does not change when both sides are rotated back alike. The right side loses its rotation; on the
+    /// left the effector comes to rest and the target is rotated back into its frame instead. This is where aiming
     /// becomes cheap: one point is carried inward rather than two outward.
     CANCEL_BESIDE_DIRECTION = "same rotation in a direction and beside it": Scalar(rotations::dot_direction);
-    /// A dot product does not change when both sides are turned back alike, and on the other side that rotation is
-    /// already there to cancel.
+    /// A dot product does not change when both sides are rotated back alike, and on the other side the same rotation is
+    /// present and cancels.
     CANCEL_ACROSS_DOT = "rotation cancels on the other side of a dot": Scalar(rotations::dot_cancels);
-    /// v · R w = Rᵀ v · w: a dot product does not change when both sides are turned back alike. The rotation goes to
+    /// v · R w = Rᵀ v · w: a dot product does not change when both sides are rotated back alike. The rotation moves to
     /// the side where it costs less.
     OTHER_SIDE_OF_DOT = "rotation to the other side of a dot": Scalar(rotations::dot_other_side);
-    /// A constant rotation before or after a turn is another turn of the same plane and a rotation with fewer numbers. The two
-    /// turns are one, by the sum of their angles.
+    /// A constant rotation before or after a turn is another turn in the same plane times a rotation whose matrix has
+    /// more zeros. The two turns become one, by the sum of their angles.
     TURN_INTO_ANGLE = "a constant turn into the angle": Vector(bases::turn_into_angle);
     /// A number times a number times a vector: the numbers are multiplied first, once instead of three times.
     MERGE_SCALES = "merge scales": Vector(scaling::merge);
-    /// Turning, taking the part across and multiplying by a number can change places. Last, the number meets fewer
-    /// components.
+    /// Scaling can be exchanged with rotating and with taking the part across a direction. Done last, it can apply to
+    /// fewer components.
     SCALE_AFTER_OPERATION = "scale after the operation": Vector(scaling::out_of_operation);
-    /// What is square to a direction already is its own part across it.
+    /// A vector that is perpendicular to a direction is its own part across that direction.
     ALL_ACROSS = "all of what is across is across": Vector(directions::across_of_across);
-    /// The part across of a sum is the sum of the parts across, of which those along the direction are 0 and those
-    /// square to it stay.
+    /// The part across of a sum is the sum of the parts across. Terms along the direction drop out, and terms
+    /// perpendicular to it stay as they are.
     ACROSS_OF_SUM = "the parts across of a sum": Vector(directions::across_of_sum);
-    /// A number in a dot product can be multiplied afterwards, once instead of three times.
+    /// A factor in a dot product can be multiplied afterwards, once instead of three times.
     SCALE_AFTER_DOT = "dot, then scale": Scalar(scaling::out_of_dot);
-    /// A sign in a dot product or a length can come afterwards, where it costs nothing.
+    /// A sign in a dot product or a length can be applied afterwards, where it costs nothing.
     SIGN_AFTER_DOT = "dot, then sign": Scalar(scaling::sign_out_of_number);
-    /// What is square to the other side of a dot product adds nothing to it. A turn moves a point square to its way
-    /// from the pivot, so whatever points along that way drops out of the derivative.
+    /// A vector that is perpendicular to the other side of a dot product adds nothing to it. A turn moves a point
+    /// perpendicularly to its offset from the pivot, so everything along that offset drops out of the derivative.
     DROP_RADIAL = "drop the radial part": Scalar(directions::dot_along_across);
-    /// A cross product with a cross product is a difference of multiples of its two vectors: (a × b) × c = (a · c) b − (b · c) a.
-    /// Where c is square to one of them, it is a multiple of that one.
+    /// A cross product of a cross product is a difference of multiples of its two vectors:
+    /// (a × b) × c = (a · c) b − (b · c) a. If c is perpendicular to one of them, the result is a multiple of that one.
     CROSS_OF_CROSS = "a cross product of a cross product": Vector(directions::cross_of_cross);
-    /// Two vectors that are turned back alike are added first and turned back once.
+    /// Two vectors that are rotated back alike are added first and rotated back once.
     SUM_IN_FRAME = "a sum in another frame": Vector(frames::sum_in_frame);
-    /// What is done to a vector alike in every frame can be done before it is turned back.
+    /// An operation that is the same in every frame can be applied before the vector is rotated back.
     OPERATION_IN_FRAME = "an operation in another frame": Vector(frames::operation_in_frame);
-    /// Lengths and dot products are the same in every frame; the calculation stays in the one in which fewer vectors
-    /// have to be turned.
+    /// Lengths and dot products are the same in every frame. They are computed in the frame in which fewer vectors have
+    /// to be rotated.
     NUMBER_IN_FRAME = "a number in another frame": Scalar(frames::number_in_frame);
     /// A direction is the vector times one over its length. That number is computed once, for the value and for its
     /// derivatives.
@@ -331,47 +341,51 @@ rules! {
     /// A number times a number times a vector: the numbers are multiplied first, even where the scaled vector is
     /// needed elsewhere, too.
     MERGE_SHARED = "merge scales of shared vectors": Vector(scaling::merge_shared);
-    /// What is across a direction is what is left without the part along it: v − (v · u) u.
+    /// The part of a vector across a direction is the vector minus its part along it: v − (v · u) u.
     EXPAND_ACROSS = "a part across is a difference": Vector(directions::expand_across);
-    /// A scaled difference in a sum with the same vector is taken apart, so that this vector is multiplied once.
+    /// If a sum contains a scaled difference and another multiple of the subtracted vector, the difference is taken
+    /// apart, so that this vector is multiplied once.
     SPREAD = "spread a scaled difference over its sum": Vector(scaling::spread);
-    /// A constant vector is divided by its largest component, which is multiplied afterwards: a factor of 1 is free.
+    /// A constant vector is divided by its largest component, by which the product is multiplied afterwards: a factor
+    /// of 1 is free.
     CONSTANT_SCALE = "a constant direction by its largest component": Vector(scaling::constant_scale);
-    /// A rotation, and its derivative, make k v + m u × v + n (u · v) u of a vector. For several vectors the matrix is made once, by which
-    /// each is multiplied with half the operations.
+    /// A rotation and its derivative map a vector v to k v + m u × v + n (u · v) u. For several vectors the matrix of
+    /// this map is computed once, and multiplying by it takes half the operations.
     LINEAR_MAP = "a linear map as a matrix": Vector(gathered::linear_map);
-    /// The difference of the multiples of two vectors by each other's products with a third is a cross product with their own:
-    /// (u · c) a − (a · c) u = (u × a) × c.
+    /// A difference of two vectors, each multiplied by the dot product of the other with a third vector, is a cross
+    /// product with their cross product: (u · c) a − (a · c) u = (u × a) × c.
     CROSS_OF_DOTS = "a difference of multiples is a cross product": Vector(gathered::cross_of_dots);
-    /// Vectors that are all multiplied by one, by a cross product, are added first and multiplied once: a × c + b × c = (a + b) × c.
+    /// For cross products with a common vector, the other vectors are added first and multiplied once:
+    /// a × c + b × c = (a + b) × c.
     COMMON_CROSS = "a cross product of a sum": Vector(gathered::crosses);
-    /// The same of dot products, where the sum of the vectors serves something else, too: a · c + b · c = (a + b) · c.
+    /// For dot products with a common vector, the other vectors are added first if their sum is also used elsewhere:
+    /// a · c + b · c = (a + b) · c.
     COMMON_DOT = "a dot product of a sum": Scalar(gathered::dots);
-    /// In components: a product with 0 is 0 and leaves its sum, a product with 1 is its other factor. The axes of the
+    /// In components: a product with 0 drops out of its sum, and a product with 1 is its other factor. The axes of the
     /// bones are such zeros and ones.
     CONSTANTS = "fold constants": Components;
-    /// In components: signs are moved outward through products and sums, where a sum becomes a difference and the
-    /// sign is free.
+    /// In components: signs are moved outward through products and sums. In a sum a sign turns addition into
+    /// subtraction and is free.
     NEGATIONS = "negations outward": Components;
-    /// In components: a + b and b + a, a b and b a are computed once, being the same.
+    /// In components: operands are put in order, so that a + b and b + a, or a b and b a, are computed once.
     ORDER = "operands in order": Components;
-    /// In components: a product of several factors is multiplied in the order in which parts of it serve other
-    /// products, too.
+    /// In components: the factors of a product are multiplied in an order whose partial products serve other products,
+    /// too.
     SHARE = "share products": Components;
     /// In components: a b + a c = a (b + c), one multiplication less.
     FACTOR = "common factor of products": Components;
-    /// In components: a + b + a = 2 a + b, so that the 2 can meet a ½; constants of a product are one; and of k (a b + c d), where
-    /// k a and k c are there already, one multiplication less is left, (k a) b + (k c) d.
+    /// In components: a + b + a = 2 a + b, so that the 2 can meet a ½; the constants of a product become one; and
+    /// k (a b + c d) becomes (k a) b + (k c) d, one multiplication less, if k a and k c are computed anyway.
     JOIN = "like terms and constants as one": Components;
-    /// In components: of c a + d b a multiple, a + (d/c) b, is made, one multiplication less, where whatever needs the sum can make
-    /// up for it in constants of its own.
+    /// In components: instead of c a + d b its multiple a + (d/c) b is computed, one multiplication less, if every use
+    /// of the sum can make up for it in constants of its own.
     MOVE_CONSTANTS = "constants where they cost least": Components;
-    /// In components: one over a length that is needed for a single product becomes that product's division.
+    /// In components: one over a length that only a single product needs becomes a division in that product.
     DIVIDE_ONCE = "a reciprocal used once is a division": Components;
-    /// In components: a quaternion that turns several vectors is made a matrix once, by which each is turned with half the
-    /// operations.
+    /// In components: a quaternion that rotates several vectors is converted to a matrix once, which rotates each of
+    /// them with half the operations.
     MATRIX = "a quaternion as a matrix": Components;
-    /// In components: a number that is the sum, the difference or the product of others that are there anyway is made
-    /// of them, and what it was made of goes.
+    /// In components: a number that is the sum, difference or product of others that are computed anyway is computed
+    /// from these, and the operations that gave it before are dropped.
     RESUBSTITUTE = "numbers made of others": Components;
 }

@@ -1,4 +1,5 @@
-//! Rules for scale factors and signs; part of [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and [`SCALES`](crate::rewrite::rules::SCALES).
+//! Rules for scale factors and signs. Part of [`DIRECTIONS`](crate::rewrite::rules::DIRECTIONS) and
+//! [`SCALES`](crate::rewrite::rules::SCALES).
 
 use crate::rewrite::sums::{is_sum, sum, terms};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
@@ -18,13 +19,13 @@ pub(crate) fn expand_normalize(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.scale(reciprocal, inner))
 }
 
-/// `k (m v) = (k m) v`, where `m v` is needed nowhere else.
+/// `k (m v) = (k m) v`, if `m v` is used nowhere else.
 pub(crate) fn merge(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (_, inner) = scaled(g, v)?;
     if g.is_closed(inner) { None } else { merged(g, v) }
 }
 
-/// `k (m v) = (k m) v`, where `m v` is needed elsewhere too.
+/// `k (m v) = (k m) v`, if `m v` is also used elsewhere.
 pub(crate) fn merge_shared(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (_, inner) = scaled(g, v)?;
     if g.is_closed(inner) { merged(g, v) } else { None }
@@ -69,7 +70,7 @@ pub(crate) fn sign_out_of_number(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     }
 }
 
-/// `R (k v) = k (R v)`, and the same for perpendiculars, parts across a direction and cross products.
+/// `R (k v) = k (R v)`, and likewise for perpendiculars, parts across a direction, cross products and solutions.
 pub(crate) fn out_of_operation(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (k, moved) = match g.vector_node(v) {
         VectorNode::Rotate(rotation, inner) => {
@@ -110,7 +111,7 @@ pub(crate) fn out_of_dot(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     Some(g.mul(k, dot))
 }
 
-/// The terms of a sum as factor and vector.
+/// Returns the terms of a sum, each as sign, factor (`None` for 1) and vector.
 fn weighted(g: &mut Graph, v: Vector) -> Vec<(bool, Option<Scalar>, Vector)> {
     terms(g, v)
         .into_iter()
@@ -126,7 +127,7 @@ fn signed(g: &mut Graph, negative: bool, k: Option<Scalar>) -> Scalar {
     if negative { g.neg(k) } else { k }
 }
 
-/// Two terms become one.
+/// Returns the sum `v` with its terms i and j replaced by `together`.
 pub(crate) fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together: (bool, Vector)) -> Vector {
     let mut all = terms(g, v);
     all.remove(j);
@@ -134,7 +135,8 @@ pub(crate) fn joined(g: &mut Graph, v: Vector, (i, j): (usize, usize), together:
     sum(g, &all)
 }
 
-/// `c = c_k (c / c_k)` with the largest component of a constant: one product less wherever it is multiplied.
+/// `c = cₖ (c / cₖ)` with cₖ the largest component of a constant vector: saves a multiplication in each of its
+/// products.
 pub(crate) fn constant_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
     let c = g.constant_vector_of(v)?;
     let largest = c.into_iter().fold(0.0, |largest: f64, c| if c.abs() > largest.abs() { c } else { largest });
@@ -146,7 +148,7 @@ pub(crate) fn constant_scale(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.scale(factor, unit))
 }
 
-/// `k (v − m w) + n w = k v + (n − k m) w`, with what `n` and `m` have in common taken out
+/// `k (v − m w) + n w = k v + (n − k m) w`, with a common factor of `n` and `m` taken out
 pub(crate) fn spread(g: &mut Graph, v: Vector) -> Option<Vector> {
     if !is_sum(g, v) {
         return None;
@@ -181,7 +183,7 @@ pub(crate) fn spread(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(sum(g, &kept))
 }
 
-/// A factor that both products have, and what else they have.
+/// Returns a common factor of both products, and the remaining factors of each.
 fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, Scalar)> {
     let factors = factors(g, a);
     let (common, rest_of_b) = factors.into_iter().find_map(|f| Some((f, without(g, b, f)?)))?;
@@ -189,7 +191,7 @@ fn common_part(g: &mut Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Scalar, S
     Some((common, rest_of_a, rest_of_b))
 }
 
-/// The factors of a product of a few; a deeper one is a factor as a whole.
+/// Returns the factors of a product, expanded to a limited depth. Signs are ignored.
 pub(crate) fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
     fn collect(g: &Graph, product: Scalar, depth: u32, out: &mut Vec<Scalar>) {
         match g.scalar_node(product) {
@@ -206,10 +208,10 @@ pub(crate) fn factors(g: &Graph, product: Scalar) -> Vec<Scalar> {
     out
 }
 
-/// How far products are looked into.
+/// Limit on the depth to which products are expanded.
 const DEEPEST_PRODUCT: u32 = 5;
 
-/// `product` without one of its factors.
+/// Returns `product` without one of its factors, or `None` if it lacks that factor.
 fn without(g: &mut Graph, product: Scalar, factor: Scalar) -> Option<Scalar> {
     without_within(g, product, factor, DEEPEST_PRODUCT)
 }

@@ -1,17 +1,19 @@
-//! Power series of expressions in one length or number: what tells that a sum vanishes with it though no term does.
+//! Power series of expressions in one length or number. They reveal that a sum vanishes at 0 even if none of its terms
+//! does.
 
 use rustc_hash::FxHashMap;
 
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
-/// So many coefficients are known of a series.
+/// The number of coefficients of a series.
 const TERMS: usize = 30;
 
-/// Expressions of more nodes are not looked at.
+/// Limit on the number of nodes; larger expressions are not expanded.
 const MOST_NODES: usize = 200;
 
-/// A coefficient with the size of what it is a sum of, which tells a 0 from what rounding leaves.
+/// A coefficient, and as `size` the sum of the absolute values that it was computed from, which tells 0 from a rounding
+/// residue.
 #[derive(Clone, Copy, Debug, Default)]
 struct Coefficient {
     value: f64,
@@ -40,7 +42,7 @@ impl Coefficient {
     }
 }
 
-/// A power series.
+/// A power series in u, truncated after [`TERMS`] coefficients.
 #[derive(Clone, Copy, Debug)]
 struct Series([Coefficient; TERMS]);
 
@@ -80,7 +82,8 @@ impl Series {
         Self(core::array::from_fn(|k| sum(0..k + 1, |j| self.0[j].times(other.0[k - j]))))
     }
 
-    /// The series whose coefficients follow from those before them, the first one being this.
+    /// Returns the series with this first coefficient in which every other coefficient is computed from those before
+    /// it.
     fn following(first: f64, next: impl Fn(usize, &[Coefficient; TERMS]) -> Coefficient) -> Option<Self> {
         let mut all = [Coefficient::default(); TERMS];
         all[0] = Coefficient::new(first);
@@ -90,7 +93,7 @@ impl Series {
         all.iter().all(|c| c.size.is_finite()).then_some(Self(all))
     }
 
-    /// aᵖ, by k a₀ bₖ = Σ (p j − k + j) aⱼ bₖ₋ⱼ.
+    /// Returns aᵖ, by the recurrence k a₀ bₖ = Σ (p j − k + j) aⱼ bₖ₋ⱼ.
     fn raised(&self, p: f64) -> Option<Self> {
         let (a, first) = (&self.0, self.at_zero());
         if first == 0.0 || (first < 0.0 && p.fract() != 0.0) {
@@ -109,19 +112,19 @@ impl Series {
         Self(core::array::from_fn(|k| self.0.get(k + 1).map_or(Coefficient::default(), |c| c.scaled(real(k + 1)))))
     }
 
-    /// The antiderivative that is this at 0.
+    /// Returns the antiderivative with this value at 0.
     fn integral(&self, at_zero: f64) -> Option<Self> {
         Self::following(at_zero, |k, _| self.0[k - 1].scaled(1.0 / real(k)))
     }
 
-    /// eᵃ, by k bₖ = Σ j aⱼ bₖ₋ⱼ.
+    /// Returns eᵃ, by the recurrence k bₖ = Σ j aⱼ bₖ₋ⱼ.
     fn exp(&self) -> Option<Self> {
         Self::following(self.at_zero().exp(), |k, b| {
             sum(1..k + 1, |j| self.0[j].times(b[k - j]).scaled(real(j) / real(k)))
         })
     }
 
-    /// sin a and cos a, or those of hyperbolas.
+    /// Returns sin a and cos a, or their hyperbolic counterparts.
     fn sine_and_cosine(&self, hyperbolic: bool) -> Option<[Self; 2]> {
         let first = self.at_zero();
         let (sine, cosine) = if hyperbolic { (first.sinh(), first.cosh()) } else { first.sin_cos() };
@@ -171,7 +174,7 @@ impl Series {
         turn.over(&square)?.integral(first[0].atan2(first[1]))
     }
 
-    /// cₖ(s) = Σ (−s)ʲ/(k + 2j)!
+    /// Returns cₖ(s) = Σ (−s)ʲ/(k + 2j)!, or cₖ(−s) if hyperbolic.
     fn stumpff(&self, function: Stumpff) -> Option<Self> {
         if self.at_zero() != 0.0 {
             return None;
@@ -185,13 +188,13 @@ impl Series {
         Some(result)
     }
 
-    /// The lowest power; `None` of 0, as far as the series goes.
+    /// Returns the lowest power with a nonzero coefficient; `None` if all coefficients are 0.
     fn order(&self) -> Option<usize> {
         self.0.iter().position(|c| !c.is_zero())
     }
 
-    /// The coefficients from the lowest power on, as many as count, and up to which number they do for all digits of a double; at
-    /// most 1.
+    /// Returns the coefficients from the lowest power on, up to the last that matters, and the radius, at most 1,
+    /// within which they suffice for full f64 precision.
     fn near_zero(&self) -> (Vec<f64>, f64) {
         let mut coefficients: Vec<f64> = self.0[self.order().unwrap_or(TERMS)..].iter().map(|c| c.value).collect();
         let least = 0.25 * f64::EPSILON * coefficients.first().map_or(0.0, |c| c.abs());
@@ -210,12 +213,12 @@ impl Series {
     }
 }
 
-/// Series of expressions in u, of which u² is `square`.
+/// Computes series of expressions in u = `number`, with u² = `square`.
 pub(super) struct Expansion {
     number: Scalar,
     square: Option<Scalar>,
     known: FxHashMap<Scalar, Option<Series>>,
-    /// Up to which u each select so far takes the branch that it takes at 0.
+    /// Bound on u up to which every select so far takes the same branch as at 0.
     reach: f64,
 }
 
@@ -224,15 +227,16 @@ impl Expansion {
         Self { number, square, known: FxHashMap::default(), reach: f64::INFINITY }
     }
 
-    /// The lowest power of the series of `s`, its coefficients from that on, and up to which number they do for all digits of a
-    /// double; `None` of 0, where something else varies in `s`, or where it has no series.
+    /// Returns the lowest power of the series of `s`, its coefficients from that power on, and the radius within which
+    /// they suffice for full f64 precision. `None` if the series is 0, if `s` depends on another variable, or if it has
+    /// no series.
     pub(super) fn near_zero(&mut self, g: &Graph, s: Scalar) -> Option<(usize, Vec<f64>, f64)> {
         let series = self.of(g, s)?;
         let (coefficients, radius) = series.near_zero();
         Some((series.order()?, coefficients, radius.min(self.reach)))
     }
 
-    /// The series of `s`; `None` where something else varies in it, or where it has none.
+    /// Returns the series of `s`; `None` if `s` depends on another variable or has no series.
     fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
         let mut open = vec![(s, false)];
         while let Some((s, has_parts)) = open.pop() {
@@ -260,7 +264,8 @@ impl Expansion {
         self.known_of(s).copied()
     }
 
-    /// A number up to which a < b is what it is at 0: what varies of a − b is at most half of what does not.
+    /// Returns a bound on u up to which a < b has the same result as at 0: the variable part of a − b is at most half
+    /// of its constant part.
     fn reach_of_branch(&self, a: Scalar, b: Scalar) -> f64 {
         let (Some(a), Some(b)) = (self.known_of(a), self.known_of(b)) else { return f64::INFINITY };
         let margin = a.plus(&b.scaled(-1.0));
@@ -276,7 +281,7 @@ impl Expansion {
         self.known.get(&s)?.as_ref()
     }
 
-    /// The same by what is known of its parts.
+    /// Computes the series of `s` from those of its operands.
     fn find(&self, g: &Graph, s: Scalar) -> Option<Series> {
         if s == self.number {
             return Some(Series::power(1));
@@ -301,7 +306,7 @@ impl Expansion {
                 _ => None,
             },
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
-                // The branch that is taken about 0.
+                // The branch that is taken near 0.
                 let [a, b] = [of(a)?.at_zero(), of(b)?.at_zero()];
                 (a != b).then(|| of(if a < b { then } else { otherwise }))?.copied()
             }

@@ -1,11 +1,12 @@
-//! Sums of vectors as lists of signed terms, and the rules for them that know no rotation.
+//! Sums of vectors as lists of signed terms, and the rules for them that do not involve rotations.
 
 use crate::{Graph, Vector, VectorNode};
 
-/// A sum is taken apart into about so many terms at most: shared partial sums would double them again and again.
+/// Approximate limit on the number of terms into which a sum is expanded. Without it, shared partial sums could double
+/// the number at each level.
 const MOST_TERMS: usize = 64;
 
-/// The terms of a sum with their signs (`true` = subtracted).
+/// Returns the terms of a sum with their signs (`true` = subtracted).
 pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
     fn collect(g: &Graph, v: Vector, negative: bool, root: bool, out: &mut Vec<(bool, Vector)>) {
         match g.vector_node(v) {
@@ -27,7 +28,7 @@ pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
     out
 }
 
-/// The sum of `terms`.
+/// Returns the sum of `terms`.
 pub(crate) fn sum(g: &mut Graph, terms: &[(bool, Vector)]) -> Vector {
     let mut total: Option<Vector> = None;
     for &(_, v) in terms.iter().filter(|(negative, _)| !negative) {
@@ -50,7 +51,7 @@ pub(crate) fn is_sum(g: &Graph, v: Vector) -> bool {
     matches!(g.vector_node(v), VectorNode::Add(..) | VectorNode::Sub(..) | VectorNode::Neg(..))
 }
 
-/// 0 and 1 leave sums, scales and rotations.
+/// Removes zeros and factors of ±1 from sums, scales, rotations and products.
 pub(crate) fn fold_zero(g: &mut Graph, v: Vector) -> Option<Vector> {
     match g.vector_node(v) {
         VectorNode::Add(a, b) if is_zero(g, a) => Some(b),

@@ -1,4 +1,4 @@
-//! The driver of the rules: bottom up, each node once, until no rule applies.
+//! The driver of the rules: rewrites bottom up, each node once, until no rule applies.
 
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::{NodeTable, Table};
@@ -6,21 +6,21 @@ use crate::rewrite::log::{Log, Rewrite};
 use crate::rewrite::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
-/// Rewrites for each node of a statement. The rules end by themselves long before; this is what makes the end certain.
+/// Limit on rewrites per node of a statement. Rewriting normally terminates long before; the limit guarantees it.
 const FUEL_PER_NODE: usize = 64;
 
 impl Graph {
-    /// `scalar` with every rotation moved to where it cancels or costs least. The value stays the same.
+    /// Returns `scalar` with every rotation moved to where it cancels or costs least. The value stays the same.
     pub fn rewrite(&mut self, scalar: Scalar) -> Scalar {
         self.rewrite_by(&[scalar], &ROTATIONS)[0]
     }
 
-    /// `scalars` rewritten by `rules`, sharing what they share.
+    /// Returns `scalars` rewritten by `rules`. Common subexpressions stay shared.
     pub fn rewrite_by(&mut self, scalars: &[Scalar], rules: &RuleSet) -> Vec<Scalar> {
         self.rewrite_with(scalars, rules, &Rules::default(), &mut Log::default())
     }
 
-    /// The same, with some of the rules switched off, and written down.
+    /// Rewrites by the rules of `set` that `rules` does not switch off, and records every application in `log`.
     pub(crate) fn rewrite_with(
         &mut self,
         scalars: &[Scalar],
@@ -52,11 +52,11 @@ impl Graph {
 struct Tidy<'g> {
     g: &'g mut Graph,
     rules: Vec<Rule>,
-    /// How many rotations may go to the other side.
+    /// Limit on the applications of [`OTHER_SIDES`]; `None` for no limit.
     turned: Option<usize>,
     log: &'g mut Log,
     fuel: usize,
-    /// Vectors that are needed in more than one place.
+    /// Vectors that are used in more than one place.
     shared: Table<Vector, ()>,
     nodes: NodeTable<Node>,
     rotations: Table<Rotation, Rotation>,
@@ -68,7 +68,7 @@ impl Tidy<'_> {
         self.turned.is_none_or(|most| !OTHER_SIDES.contains(rule) || within(most))
     }
 
-    /// The first rule that has a replacement for the node, and that.
+    /// Returns the first rule that applies to the node, and the replacement.
     fn replacement(&mut self, node: Node) -> Option<(Rule, Node)> {
         (0..self.rules.len()).find_map(|i| {
             let rule = self.rules[i];
@@ -76,7 +76,7 @@ impl Tidy<'_> {
         })
     }
 
-    /// The node with its parts rewritten.
+    /// Returns the node with its operands rewritten.
     fn with_parts_rewritten(&mut self, node: Node) -> Node {
         match node {
             Node::Scalar(s) => {
@@ -90,7 +90,7 @@ impl Tidy<'_> {
         }
     }
 
-    /// The node rewritten: first its parts, in their order.
+    /// Returns the node rewritten, its operands first.
     fn node(&mut self, node: Node) -> Node {
         if let Some(done) = self.nodes.copied(node) {
             return done;
@@ -109,7 +109,7 @@ impl Tidy<'_> {
         self.nodes.copied(node).unwrap_or(node)
     }
 
-    /// The first part that is not rewritten yet.
+    /// Returns the first operand that is not yet rewritten.
     fn first_part(&self, node: Node) -> Option<Node> {
         let mut missing = Missing { tidy: self, found: None };
         match node {
@@ -123,7 +123,7 @@ impl Tidy<'_> {
         missing.found
     }
 
-    /// Rewrites a node whose parts are.
+    /// Rewrites a node whose operands are rewritten already.
     fn finish(&mut self, node: Node) {
         let mut current = self.with_parts_rewritten(node);
         while self.fuel > 0 && self.log.may_apply() {
@@ -140,7 +140,7 @@ impl Tidy<'_> {
         self.nodes.insert(node, current);
     }
 
-    /// Whether it is a rotation of numbers that nothing is to be done about.
+    /// Returns `true` if the rotation is constant or consists of inputs, so that nothing in it can be rewritten.
     fn is_given(&self, rotation: Rotation) -> bool {
         let is_input = |&s: &Scalar| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Input(_)));
         match self.g.rotation_node(rotation) {
@@ -151,7 +151,7 @@ impl Tidy<'_> {
     }
 }
 
-/// Looks for a part that is not rewritten yet.
+/// Finds the first operand that is not yet rewritten.
 struct Missing<'t, 'g> {
     tidy: &'t Tidy<'g>,
     found: Option<Node>,

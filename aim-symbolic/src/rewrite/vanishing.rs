@@ -1,4 +1,5 @@
-//! Functions that vanish like a power of a length or of a number: that power times a rest that does not.
+//! Functions that vanish like a power of a length or of a number, split into that power and a factor that does not
+//! vanish.
 
 use rustc_hash::FxHashSet;
 
@@ -7,32 +8,32 @@ use super::series::Expansion;
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
-/// Sums are looked into so often at most.
+/// Limit on the number of sums that are visited.
 const MOST_SUMS: usize = 64;
 
-/// So many parts of an expression are searched for a base.
+/// Limit on the number of subexpressions that are searched for a base.
 const MOST_PARTS: usize = 100;
 
-/// 0 vanishes with whatever there is.
+/// The order of 0, which vanishes to any order.
 const ORDER_OF_ZERO: i32 = 1 << 20;
 
-/// Factors times a length, which is a norm, a root, or a number of any sign.
+/// A product of factors and a length. The length is a norm, a root, or a number of any sign.
 struct Length {
     coefficient: f64,
     /// Other factors and their powers in halves.
     others: Vec<(Scalar, i32)>,
     base: Scalar,
-    /// 1 where the length is the root of the base, 2 where it is the base.
+    /// 1 if the length is the root of the base, 2 if it is the base itself.
     halves: i32,
 }
 
 impl Length {
-    /// A base, or its root, by itself.
+    /// Returns the base, or its root, without other factors.
     fn plain(base: Scalar, halves: i32) -> Self {
         Self { coefficient: 1.0, others: Vec::new(), base, halves }
     }
 
-    /// Of one of the `divisors`, if one is a factor of `s`; else a constant times whatever there is.
+    /// Splits off one of the `divisors` if it is a factor of `s`; else splits `s` into a constant and the rest.
     fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
         if let Some(mut product) = Product::of(g, s)
             && let Some(&base) = divisors.iter().find(|&&base| base != s && [1, 2].contains(&product.power_of(base)))
@@ -80,7 +81,7 @@ impl Length {
     }
 }
 
-/// A function as one of a length r: a sign, a power of r, and a rest that is not 0 where r is.
+/// A function of a length r as a sign times a power of r times a rest that is not 0 at r = 0.
 pub(super) struct Vanishing {
     length: Length,
     order: i32,
@@ -91,15 +92,16 @@ pub(super) struct Vanishing {
 enum Rest {
     /// A smooth function of r².
     Stumpff(Stumpff),
-    /// A smooth function of this.
+    /// A smooth function of this argument.
     StumpffOf(Stumpff, Scalar),
     /// The Stumpff function of order 1 over that of order 0.
     Tangent(Stumpff),
     /// atan2(r, w)/r
     Arc(Scalar),
-    /// Each term of a sum over the power.
+    /// A sum, each term of which is divided by the power.
     Sum,
-    /// Factors and their powers in halves, times a function of a number, the length, with its coefficients within the radius.
+    /// Common factors with their powers in halves, times a function `of` a `number`, the length; within the radius its
+    /// quotient by the power is the series with these coefficients.
     Series { common: Vec<(Scalar, i32)>, of: Scalar, number: Scalar, coefficients: Vec<f64>, radius: f64 },
 }
 
@@ -109,27 +111,28 @@ fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
 }
 
 impl Vanishing {
-    /// Of a function, or of a sum of which every term is over a power of a divisor, by each divisor.
+    /// Finds how `s` vanishes: a known function by its argument, or a sum in which every term has a power of a divisor,
+    /// by each such divisor.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
         Self::of_function(g, s, divisors).map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
     }
 
-    /// The same, also of what varies with one of the divisors alone, by its series.
+    /// Finds how `s` vanishes like [`of`](Self::of), and also by power series in one of the divisors.
     pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
         let function = Self::of_function(g, s, divisors);
-        // A function of a function vanishes with what that one vanishes with, too.
+        // A nested function vanishes with the base of the inner function, too.
         let is_new = |series: &Self| function.as_ref().is_none_or(|function| function.base() != series.base());
         let series = Self::of_series(g, s, divisors).filter(is_new);
         let found: Vec<Self> = function.into_iter().chain(series).collect();
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
-    /// A sum of which each term has this power of the base, in halves.
+    /// A sum in which each term has this power of the base, in halves.
     fn sum(base: Scalar, halves: i32) -> Self {
         Self { length: Length::plain(base, 1), order: halves, negative: false, rest: Rest::Sum }
     }
 
-    /// What a function vanishes with.
+    /// Returns the base with which a function vanishes.
     pub(super) fn base_of_function(g: &mut Graph, s: Scalar) -> Option<Scalar> {
         Some(Self::of_function(g, s, &[])?.base())
     }
@@ -139,7 +142,7 @@ impl Vanishing {
             return Vec::new();
         }
         let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
-        // What is infinite where a plain number is 0 stays as it is stated.
+        // A negative power of a plain input stays as stated.
         let is_plain = |g: &Graph, base| matches!(g.scalar_node(base), ScalarNode::Op(Op::Input(_)));
         let by = |(&base, order): (&Scalar, i32)| {
             (is_order(order) && !(order < 0 && is_plain(g, base))).then(|| Self::sum(base, order))
@@ -205,7 +208,7 @@ impl Vanishing {
         }
     }
 
-    /// The length of 1 − cos r, r − sin r, cosh r − 1 or sinh r − r, and the function.
+    /// If a − b is 1 − cos r, r − sin r, cosh r − 1 or sinh r − r, returns r and the corresponding Stumpff function.
     fn difference(g: &Graph, a: Scalar, b: Scalar) -> Option<(Scalar, Stumpff)> {
         let called = |s| match g.scalar_node(s) {
             ScalarNode::Op(Op::Call(function, r)) => Some((function, r)),
@@ -222,7 +225,7 @@ impl Vanishing {
         }
     }
 
-    /// 1/k! − cₖ(s) = s cₖ₊₂(s)
+    /// 1/k! − cₖ(s) = s cₖ₊₂(s), or −s cₖ₊₂(−s) with the hyperbolic function.
     fn limit_of_stumpff(g: &mut Graph, a: Scalar, b: Scalar, divisors: &[Scalar]) -> Option<Self> {
         let (limit, other, negative) = match (g.constant_of(a), g.constant_of(b)) {
             (Some(limit), None) => (limit, b, false),
@@ -240,13 +243,13 @@ impl Vanishing {
         })
     }
 
-    /// The power of the length's base, in halves.
+    /// Returns the power of the length's base, in halves.
     pub(super) fn halves(&self) -> i32 {
         self.order * self.length.halves
     }
 
-    /// True if the power of the length can be taken out of the function in `product`. Of a root of the function that takes factors
-    /// that are not negative: the root of a square is its factor's size.
+    /// Returns `true` if the power of the length can be taken out of the function in `product`. If the product has an
+    /// odd number of halves of it, a root, the factors must not be negative: the root of x² is |x|.
     pub(super) fn is_free_in(&self, g: &Graph, product: &Product, s: Scalar) -> bool {
         if product.power_of(s) % 2 == 0 {
             return true;
@@ -260,18 +263,18 @@ impl Vanishing {
             && (is_root || product.power_of(base) % 2 != 0 || g.is_length(base))
     }
 
-    /// The constant that the power of the length has.
+    /// Returns the constant factor of the power of the length.
     fn coefficient(&self) -> f64 {
         let sign = if self.negative { -1.0 } else { 1.0 };
         sign * self.length.coefficient.powi(self.order)
     }
 
-    /// The base of the length.
+    /// Returns the base of the length.
     pub(super) fn base(&self) -> Scalar {
         self.length.base
     }
 
-    /// Takes the power of the length out of the function `s` in `product`; `None` where that is too long.
+    /// Takes the power of the length out of the function `s` in `product`; `None` if the product becomes too long.
     pub(super) fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) -> Option<()> {
         let halves = product.remove(s);
         product.coefficient *= self.coefficient().powi(halves / 2);
@@ -308,22 +311,22 @@ impl Vanishing {
         Some(())
     }
 
-    /// tanh r / r of the square r²: c₁/c₀, and from r = 20 on, long before cosh r overflows, by its name.
+    /// Returns tanh r / r of r²: c₁/c₀, and from r = 20 on, long before cosh r overflows, the quotient itself.
     fn hyperbolic_tangent(g: &mut Graph, function: Stumpff, square: Scalar) -> Scalar {
         let [odd, even] = [1, 0].map(|order| g.stumpff(function.of_order(order), square));
         let near = g.div(odd, even);
         let (edge, one) = (400.0, g.constant(1.0));
-        // Nothing is divided by 0 where it is not taken.
+        // Avoids a division by 0 in the branch that is not taken.
         let guarded = Self::where_above(g, square, edge, square, one);
         let r = g.sqrt(guarded);
-        // Not r itself, of which this would be a quotient to rewrite again.
+        // Dividing by r itself would be a quotient that the rule rewrites again.
         let divisor = Self::where_above(g, square, edge, r, one);
         let tangent = g.call(Function::Tanh, r);
         let far = g.div(tangent, divisor);
         Self::where_above(g, square, edge, far, near)
     }
 
-    /// `then` where a square is above the edge, else `otherwise`.
+    /// Returns `then` where a square is greater than the edge, else `otherwise`.
     fn where_above(g: &mut Graph, square: Scalar, edge: f64, then: Scalar, otherwise: Scalar) -> Scalar {
         let edge = g.constant(edge);
         let margin = g.sub(square, edge);
@@ -331,7 +334,7 @@ impl Vanishing {
         g.select_less(tiny, margin, then, otherwise)
     }
 
-    /// `s` over the power of the length, and its series within the radius.
+    /// Returns `s` divided by the power of the length, as a series within the radius.
     fn quotient(&self, g: &mut Graph, s: Scalar, number: Scalar, coefficients: &[f64], radius: f64) -> Scalar {
         let square = self.length.square(g);
         let is_even = coefficients.iter().skip(1).step_by(2).all(|&c| c == 0.0);
@@ -341,7 +344,7 @@ impl Vanishing {
             let (product, c) = (g.mul(sum, x), g.constant(c));
             g.add(product, c)
         });
-        // Nothing is divided by 0 where the series is taken.
+        // Avoids a division by 0 where the series is taken.
         let one = g.constant(1.0);
         let power = (0..self.order / 2).fold(one, |power, _| g.mul(power, square));
         let power = if self.order % 2 == 0 { power } else { g.mul(power, number) };
@@ -351,7 +354,8 @@ impl Vanishing {
     }
 }
 
-/// A sum without the factors that all of its terms have, other than divisors, and these with their powers in halves.
+/// Splits off the factors, other than divisors, that all terms of a sum share. Returns the rest, and the factors with
+/// their powers in halves.
 fn common_factors(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> (Scalar, Vec<(Scalar, i32)>) {
     let (mut rest, mut common) = (s, Vec::new());
     let first = terms(g, s).first().and_then(|&term| Product::of(g, term)).filter(|_| parts(g, s).is_some());
@@ -367,7 +371,7 @@ fn common_factors(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> (Scalar, Vec
     (rest, common)
 }
 
-/// Whether a base or its root is a part of `s`.
+/// Returns `true` if `s` depends on `base` or on its root.
 fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
     let (mut known, mut open) = (FxHashSet::default(), vec![s]);
     while let Some(s) = open.pop() {
@@ -390,7 +394,7 @@ fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
     false
 }
 
-/// The argument of a function in `s` that is a product with this factor.
+/// Returns the argument of a function in `s` that is a product with this factor.
 fn argument(g: &mut Graph, s: Scalar, factor: Scalar) -> Option<Scalar> {
     let mut open = vec![s];
     for _ in 0..MOST_SUMS {
@@ -413,17 +417,17 @@ fn root(g: &mut Graph, square: Scalar) -> Scalar {
     }
 }
 
-/// Whether something is to be taken out: not of what has no power of the base, nor of what is 0.
+/// Returns `true` if there is a power to take out: the base occurs, and the expression is not 0.
 fn is_order(order: i32) -> bool {
     order != 0 && order < ORDER_OF_ZERO
 }
 
-/// The least powers of bases among the terms of a sum, in halves; `None` where that is too long.
+/// Returns the lowest power of each base among the terms of a sum, in halves; `None` if the sum is too long.
 fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Option<Vec<i32>> {
     if let Some((a, b)) = parts(g, s) {
         *left = left.checked_sub(1)?;
         let (a, b) = (orders(g, a, bases, left)?, orders(g, b, bases, left)?);
-        // What one branch alone divides by may be no number where the other is taken.
+        // A base that only one branch divides by may be invalid where the other branch is taken.
         let is_choice = matches!(g.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
         let least = |(a, b): (i32, i32)| if is_choice && a.min(b) < 0 && a.max(b) >= 0 { 0 } else { a.min(b) };
         return Some(a.into_iter().zip(b).map(least).collect());
@@ -453,7 +457,7 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     Some(all)
 }
 
-/// Each term of `s` over a power of the base, in halves; `None` where that is too long.
+/// Divides each term of `s` by a power of the base, in halves; `None` if the sum is too long.
 fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -> Option<Scalar> {
     if let Some((a, b)) = parts(g, s) {
         *left = left.checked_sub(1)?;

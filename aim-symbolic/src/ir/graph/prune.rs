@@ -1,26 +1,26 @@
-//! [`Graph::pruned`]: a graph without what nothing needs.
+//! [`Graph::pruned`]: removes unused nodes from a graph.
 
 use super::{AngleEntry, Graph};
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::{Id, Table};
 use crate::{Angle, Op, Rotation, Scalar, ScalarNode, Variable, Vector};
 
-/// The rest of a graph from which parts were dropped.
+/// The result of [`Graph::pruned`].
 #[derive(Debug)]
 pub struct Pruned {
-    /// The rest, in the order in which it was.
+    /// The remaining graph; its nodes keep their order.
     pub graph: Graph,
     places: Places,
 }
 
 impl Pruned {
-    /// A number as it is now; `None` if nothing needed it.
+    /// Returns the new id of a scalar, or `None` if it was dropped.
     #[must_use]
     pub fn scalar(&self, scalar: Scalar) -> Option<Scalar> {
         self.places.scalars.copied(scalar)
     }
 
-    /// The same of a vector.
+    /// Returns the new id of a vector, or `None` if it was dropped.
     #[must_use]
     pub fn vector(&self, vector: Vector) -> Option<Vector> {
         self.places.vectors.copied(vector)
@@ -28,7 +28,7 @@ impl Pruned {
 }
 
 impl Graph {
-    /// Drops all that these are not made of, but for angles, directions, and inputs that are not `optional`.
+    /// Drops all nodes that `needed` does not depend on. Keeps angles, directions, and inputs that are not `optional`.
     #[must_use]
     pub fn pruned(&self, needed: &[Node], optional: &[Scalar]) -> Pruned {
         let mut reached = Reached::default();
@@ -103,7 +103,7 @@ impl Graph {
     }
 }
 
-/// Gives those that are left their new places.
+/// Numbers the remaining ids consecutively.
 fn number<K: Id>(places: &mut Table<K, K>, count: usize, id: fn(u32) -> K) {
     let mut next = 0..;
     for old in (0..).take(count).map(id) {
@@ -113,7 +113,7 @@ fn number<K: Id>(places: &mut Table<K, K>, count: usize, id: fn(u32) -> K) {
     }
 }
 
-/// The places of parts in the other graph.
+/// Old ids mapped to ids in the pruned graph.
 #[derive(Clone, Debug, Default)]
 struct Places {
     scalars: Table<Scalar, Scalar>,
@@ -139,7 +139,7 @@ impl Parts for Places {
     }
 }
 
-/// Parts that are needed, and those of them whose own parts have not been looked at.
+/// Nodes that are needed, and a stack of those among them whose operands have not been visited.
 #[derive(Default)]
 struct Reached {
     places: Places,
@@ -179,7 +179,7 @@ impl Parts for Reached {
     }
 }
 
-/// A variable with its parts exchanged.
+/// Returns a variable with its operand mapped.
 fn exchanged(variable: Variable, parts: &mut impl Parts) -> Variable {
     match variable {
         Variable::Input(input) => Variable::Input(parts.scalar(input)),

@@ -1,4 +1,4 @@
-//! The forms that a step may be given: one of the values there are, of two of them, of a pair and a third, or of two pairs.
+//! Candidate forms of a step: one existing value, two of them, a pair and a third value, or two pairs.
 
 use rustc_hash::FxHashMap;
 
@@ -6,10 +6,10 @@ use super::residue::Residue;
 use super::search::{Form, Search, is_counted};
 use crate::{Constant, Op, Value};
 
-/// Of more values no pairs are made.
+/// Limit on the number of values of which pairs are formed.
 const MOST_IN_PAIRS: usize = 150;
 
-/// An operation that makes a value of two.
+/// An operation on two values.
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
     Sum,
@@ -29,30 +29,31 @@ impl Kind {
 
 pub(super) type Pair = (Kind, Value, Value);
 
-/// The values there are, and pairs of them, by their residues without the sign.
+/// The existing values, and pairs of them, by their residues up to sign.
 #[derive(Default)]
 pub(super) struct Known {
     pub(super) values: FxHashMap<Residue, Value>,
     pub(super) pairs: Pairs,
-    /// Products, and how they are put to what is left without them.
+    /// Residues of signed products, with the operation that adds the product and its two factors.
     products: Vec<(Residue, Kind, Value, Value)>,
 }
 
-/// A step that may be made of others.
+/// A step that may be computed from others.
 pub(super) struct Target<'s> {
     search: &'s Search,
     pub(super) place: Value,
     wanted: Residue,
-    /// The operations that go with it.
+    /// The number of operations that are dropped together with the step.
     pub(super) goes: usize,
-    /// The value that a form has to need.
+    /// The value that a form must use.
     added: Option<Value>,
-    /// True of what may be in its place: it neither needs it nor more than it.
+    /// For each value, `true` if a replacement may use it: it does not depend on the step and needs no sources beyond
+    /// the step's.
     may: Vec<bool>,
 }
 
 impl<'s> Target<'s> {
-    /// `None` of what stays as it is.
+    /// Returns `None` if the step cannot be replaced.
     pub(super) fn of(search: &'s Search, place: Value, known: &Known) -> Option<Self> {
         if search.uses[place.index()] == 0
             || !search.is_counted(place)
@@ -79,7 +80,7 @@ impl<'s> Target<'s> {
         Some(Self { search, place, wanted, goes, added: None, may })
     }
 
-    /// The same for forms that need this value; such a form need not save anything.
+    /// Requires forms to use this value; such a form need not save operations.
     pub(super) fn with(self, added: Option<Value>) -> Self {
         Self { added, ..self }
     }
@@ -92,7 +93,8 @@ impl<'s> Target<'s> {
         known.pairs.get(residue.unsigned()).filter(|(_, a, b)| self.may[a.index()] && self.may[b.index()])
     }
 
-    /// The residue that makes the target together with a value at hand, which comes second.
+    /// For each usable value, the residue that combines with it to the target, the operation, and the value as second
+    /// operand.
     fn others(&self) -> impl Iterator<Item = (Residue, Kind, Value)> {
         let at_hand = |v: &Value| self.may[v.index()] && self.added.is_none_or(|added| *v == added);
         self.search.usable().filter(at_hand).flat_map(move |v| {
@@ -105,7 +107,7 @@ impl<'s> Target<'s> {
         })
     }
 
-    /// The pairs that together with one other value make the target.
+    /// Returns the pairs that combine with one other value to the target.
     pub(super) fn pairs(&self, known: &Known) -> Vec<Residue> {
         let mut pairs: Vec<Residue> =
             self.others().map(|(rest, ..)| rest.unsigned()).filter(|&rest| self.pair(known, rest).is_some()).collect();
@@ -114,7 +116,7 @@ impl<'s> Target<'s> {
         pairs
     }
 
-    /// The forms that may take its place.
+    /// Returns the forms that may replace the target.
     pub(super) fn forms(&self, known: &Known) -> Vec<Form> {
         let Self { search, wanted, goes, .. } = *self;
         let made = || Made { search, ops: Vec::new() };
@@ -162,7 +164,7 @@ impl<'s> Target<'s> {
 }
 
 impl Known {
-    /// The values alone.
+    /// Returns only the values.
     pub(super) fn without_pairs(&self) -> Self {
         Self { values: self.values.clone(), ..Self::default() }
     }
@@ -195,11 +197,12 @@ impl Known {
     }
 }
 
-/// Pairs by their residues, with open addressing: fast without optimisation too, which is how macros run.
+/// Pairs by their residues, with open addressing: fast even without optimisation, and procedural macros are usually
+/// compiled without.
 #[derive(Default)]
 pub(super) struct Pairs {
     slots: Vec<Option<(Residue, Pair)>>,
-    /// A bit for each that there is, so small that it stays in the cache: of most residues there is no pair.
+    /// A bit filter that is small enough to stay in the cache: most residues have no pair.
     bits: Vec<u64>,
 }
 
@@ -219,7 +222,7 @@ impl Pairs {
         self.slots[self.place(residue)].map(|(_, pair)| pair)
     }
 
-    /// Of several pairs with one residue the first stays; there is none for 0.
+    /// Inserts a pair, unless its residue has one already or is 0.
     fn insert(&mut self, residue: Residue, pair: Pair) {
         let (place, word) = (self.place(residue), residue.among(self.bits.len()));
         self.bits[word] |= residue.bit();
@@ -239,7 +242,7 @@ impl Pairs {
     }
 }
 
-/// Operations of a form.
+/// The operations of a form under construction.
 struct Made<'s> {
     search: &'s Search,
     ops: Vec<Op>,
@@ -251,7 +254,7 @@ impl Made<'_> {
         Value::at(self.search.ops.len() + self.ops.len() - 1)
     }
 
-    /// The form, if it is smaller.
+    /// Returns the form if it saves operations.
     fn form(self, target: &Target<'_>, result: Value) -> Option<Form> {
         let added = self.ops.iter().filter(|op| is_counted(op)).count();
         if added >= target.goes + usize::from(target.added.is_some()) {
@@ -267,7 +270,7 @@ impl Made<'_> {
         Some(Form { ops: self.ops, result, gain })
     }
 
-    /// `value` or its negation, whichever has the residue that is wanted.
+    /// Returns `value` or its negation, whichever has the wanted residue.
     fn signed(&mut self, value: Value, residue: Residue, wanted: Residue) -> Value {
         if residue == wanted { value } else { self.push(Op::Neg(value)) }
     }

@@ -1,11 +1,11 @@
-//! Values made of values that are there anyway: a step that is the sum, the difference or the product of two others, or
-//! of such a pair and a third, is made of them where what it was made of goes.
+//! Resubstitution: a step that is the sum, difference or product of two existing values, or of such a pair and a third
+//! value, is computed from them if the operations that computed it before can be dropped.
 //!
-//! In the design of circuits this is called resubstitution (Mishchenko, Brayton, *Scalable logic synthesis using a simple
-//! circuit structure*, 2006). Here a step is the same as another if it is modulo a prime, at a point as good as random, where what is no
-//! rational function is as good as random, too. That keeps the value wherever both have one, so two things are asked for besides: what
-//! takes a step's place needs no root, no function and no divisor that the step itself does not need, and at points of several
-//! scales rounding does no more harm to any result than before, or hardly.
+//! The term is from circuit design (Mishchenko, Brayton, *Scalable logic synthesis using a simple circuit structure*,
+//! 2006). Here two steps are taken for equal if they agree modulo a prime at a pseudorandom point, where everything but
+//! rational functions has pseudorandom values, too. This keeps the value wherever both are defined. Two further
+//! conditions apply: the replacement needs no root, function or divisor that the step itself does not need, and at
+//! points of several scales it does not increase the rounding error of any result by more than a small factor.
 
 mod forms;
 mod residue;
@@ -21,23 +21,24 @@ use self::residue::Residue;
 use self::search::Search;
 use crate::{Program, Value};
 
-/// Longer programs are left as they are.
+/// Limit on the number of steps; longer programs are left as they are.
 const MOST_STEPS: usize = 300;
 
-/// So many pairs are tried before it is believed that none is worth it.
+/// Limit on the number of shared pairs that are tried in a row without success.
 const MOST_SHARED: usize = 20;
 
-/// A program that needs more is left as it is.
+/// Limit on the number of sources; programs with more are left as they are.
 const MOST_SOURCES: usize = 256;
 
-/// So many of the points at least have to be within the domain.
+/// The least number of points with finite rounding errors that is needed to check replacements.
 const LEAST_POINTS: usize = 2;
 
-/// With so many operations more than a rival's, shared pairs will hardly make it smaller than that.
+/// With this many operations more than a rival, sharing pairs is unlikely to make the program smaller than the rival.
 const FAR_BEHIND: usize = 24;
 
 impl Program {
-    /// The program with steps made of others, where that takes fewer operations; it is given up where a rival stays ahead.
+    /// Returns the program with steps computed from others, if that takes fewer operations. Stops early if a rival
+    /// stays far ahead.
     pub(super) fn resubstituted(self, rival: Option<usize>) -> Self {
         if self.ops().iter().filter(|op| op.is_step()).count() > MOST_STEPS {
             return self;
@@ -56,7 +57,7 @@ impl Program {
         self.with(&search)
     }
 
-    /// The same inputs with the operations that the search has left.
+    /// Returns the program with the operations of the search result.
     fn with(mut self, search: &Search) -> Self {
         let mut places = vec![Value::at(0); search.ops.len()];
         let mut ops = Vec::new();
@@ -71,7 +72,7 @@ impl Program {
 }
 
 impl Search {
-    /// Rounds over all steps while one is made of others; what is known then.
+    /// Replaces steps until no replacement saves operations. Returns the values that are known then.
     fn improved(&mut self) -> Known {
         loop {
             let mut known = Known::of(self);
@@ -85,7 +86,8 @@ impl Search {
         }
     }
 
-    /// With `added`, whatever is no worse and needs that.
+    /// Replaces the step at `place` if that saves operations; with `added`, if the replacement uses that value and
+    /// costs no more. Returns `true` if the step was replaced.
     fn improves_at(&mut self, place: Value, known: &mut Known, added: Option<Value>) -> bool {
         let Some(target) = Target::of(self, place, known) else { return false };
         let mut forms = target.with(added).forms(known);
@@ -97,7 +99,8 @@ impl Search {
         made.is_some()
     }
 
-    /// Adds the pair that makes most steps smaller, which alone it would not; true if there is one.
+    /// Adds the pair that makes the most steps smaller, if it pays for several together. Returns `true` if the program
+    /// became smaller.
     fn shares(&mut self, known: &Known) -> bool {
         if known.pairs.is_empty() {
             return false;
@@ -117,7 +120,7 @@ impl Search {
             let before = (self.operations(), self.ops.clone(), self.outputs.clone());
             self.push(kind.op(a, b), true);
             let pair = Value::at(self.ops.len() - 1);
-            // As if it were wanted.
+            // Counts as an output while it is tried.
             self.outputs.push(pair);
             self.put_in_order();
             let mut known = known.without_pairs();

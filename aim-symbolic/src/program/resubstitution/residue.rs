@@ -1,4 +1,4 @@
-//! Numbers modulo a prime, by which expressions are told to be the same.
+//! Numbers modulo a prime, which decide whether two expressions are equal.
 
 use core::hash::{Hash, Hasher};
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,7 +10,7 @@ use crate::{Function, Number};
 /// 2⁶¹ − 1
 const PRIME: u64 = (1 << 61) - 1;
 
-/// A number modulo 2⁶¹ − 1. What is no rational function is as good as random: equal where its operands are.
+/// A number modulo 2⁶¹ − 1. Functions that are not rational have pseudorandom values, equal for equal operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct Residue(u64);
 
@@ -19,24 +19,24 @@ impl Residue {
     const ONE: Self = Self(1);
     const TWO: Self = Self(2);
 
-    /// 2⁶¹ is 1.
+    /// Reduces by 2⁶¹ ≡ 1.
     fn of(x: u128) -> Self {
         let low = |x: u128| Self(u64::try_from(x & u128::from(PRIME)).unwrap_or_default());
         low(x) + low(x >> 61)
     }
 
-    /// As good as random.
+    /// Returns a pseudorandom residue that depends only on `key`.
     pub(super) fn random(key: impl Hash) -> Self {
         let mut hasher = FxHasher::default();
         key.hash(&mut hasher);
-        // The finish of SplitMix64: one changed bit of the key changes half of these.
+        // The finaliser of SplitMix64: changing one bit of the key changes half of the bits.
         let mut x = hasher.finish();
         x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         Self::of(u128::from(x ^ (x >> 31)))
     }
 
-    /// 1 / x = x to the power of 2⁶¹ − 3; 0 of 0.
+    /// Returns 1 / x = x to the power of 2⁶¹ − 3; 0 for 0.
     pub(super) fn inverse(self) -> Self {
         let (mut power, mut square) = (Self::ONE, self);
         for bit in 0..61 {
@@ -48,28 +48,28 @@ impl Residue {
         power
     }
 
-    /// 0…1
+    /// Returns a number in 0…1.
     pub(super) fn unit(self) -> f64 {
         let high = u32::try_from(self.0 >> 29).unwrap_or_default();
         f64::from(high) / f64::from(u32::MAX)
     }
 
-    /// A number below `count`, a power of two.
+    /// Returns a number below `count`, which must be a power of two.
     pub(super) fn among(self, count: usize) -> usize {
         usize::try_from(self.0).unwrap_or_default() & count.wrapping_sub(1)
     }
 
-    /// One bit of 64, by others than [`among`](Self::among) looks at.
+    /// Returns one bit of 64, chosen by bits that [`among`](Self::among) does not use.
     pub(super) fn bit(self) -> u64 {
         1 << ((self.0 >> 54) % 64)
     }
 
-    /// The same for x and −x.
+    /// Returns the same residue for x and −x.
     pub(super) fn unsigned(self) -> Self {
         Self(self.0.min((-self).0))
     }
 
-    /// The sine and the cosine of what is as good as random: a point of the circle.
+    /// Returns sine and cosine as the coordinates of a pseudorandom point on the unit circle.
     fn circle(self) -> (Self, Self) {
         let t = Self::random(("circle", self.unsigned()));
         let over = (Self::ONE + t * t).inverse();
@@ -121,7 +121,7 @@ impl Div for Residue {
 
 impl Number for Residue {
     fn constant(value: f64) -> Self {
-        // value = (1 + fraction / 2⁵²) 2^(exponent − 1023), and without the 1 below that.
+        // value = (1 + fraction / 2⁵²) 2^(exponent − 1023); subnormal numbers lack the leading 1.
         let bits = value.abs().to_bits();
         let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
         let whole = if exponent == 0 { fraction } else { fraction | 1 << 52 };

@@ -1,10 +1,10 @@
-//! Numbers with a bound of what rounding may have added to them.
+//! Numbers with a bound on their accumulated rounding error.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Function, Number};
 
-/// A number and, in units of the last place of 1, how far rounding may have carried it.
+/// A number and a bound on its rounding error, in units of the last place of 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rounded {
     pub(super) value: f64,
@@ -12,12 +12,12 @@ pub(super) struct Rounded {
 }
 
 impl Rounded {
-    /// A number that nothing was rounded for.
+    /// A number without rounding error.
     fn exact(value: f64) -> Self {
         Self { value, bound: 0.0 }
     }
 
-    /// The result of an operation whose operands have brought this with them.
+    /// The result of an operation: the error propagated from its operands, plus its own rounding.
     fn result(value: f64, brought: f64) -> Self {
         Self { value, bound: brought + value.abs() }
     }

@@ -1,24 +1,24 @@
-//! A program while its steps are made of others: what each value is, what needs it, and what rounding does.
+//! The state of a program during resubstitution: the identity of each value, its uses, and its rounding error.
 
 use super::residue::Residue;
 use super::rounding::Rounded;
 use crate::{Function, Number, Op, Program, Value};
 
-/// Rounding is looked at in so many points.
+/// The number of points at which rounding errors are compared.
 const POINTS: u32 = 16;
 
-/// The bound of rounding may grow by this factor.
+/// The factor by which the bound on a rounding error may grow.
 const MOST_ROUNDING: f64 = 1.3;
 
-/// Operations that make a value of others, by places behind those that there are.
+/// Operations that compute a value from others. Their indices follow those of the existing operations.
 pub(super) struct Form {
     pub(super) ops: Vec<Op>,
     pub(super) result: Value,
-    /// The operations that it saves.
+    /// The number of operations that the form saves.
     pub(super) gain: usize,
 }
 
-/// A set of 256 at most; one too many stands for the last.
+/// A set of at most 256 sources. Any source beyond that is represented by the last.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Sources(u128, u128);
 
@@ -39,32 +39,33 @@ impl Sources {
     }
 }
 
-/// A value's properties that stay whatever it is made of.
+/// The properties of a value that do not depend on how it is computed.
 pub(super) struct Facts {
     pub(super) residue: Residue,
-    /// One over it.
+    /// The inverse of the residue.
     pub(super) inverse: Residue,
-    /// Inputs, divisors and what is no rational function: the value needs them to be finite, and what takes its place may need no
-    /// others.
+    /// Inputs, divisors and functions that are not rational. They must be finite for the value to be finite, and a
+    /// replacement may need no others.
     pub(super) sources: Sources,
-    /// False of what only a series needs.
+    /// `false` if only a series uses the value.
     pub(super) counts: bool,
 }
 
 pub(super) struct Search {
-    /// Those that were given, and those that were added.
+    /// The given operations, followed by the added ones.
     pub(super) ops: Vec<Op>,
     pub(super) outputs: Vec<Value>,
-    /// For each of the operations.
+    /// The facts of each operation.
     pub(super) facts: Vec<Facts>,
-    /// All sources; each has a bit of its own.
+    /// All sources; each has a bit in [`Sources`].
     pub(super) all_sources: Vec<Residue>,
-    /// All that is needed, parts first, and how often each is.
+    /// All values that are used, operands first.
     pub(super) order: Vec<Value>,
+    /// The number of uses of each value.
     pub(super) uses: Vec<u32>,
-    /// Inputs, and how much rounding there may be in outputs and in what is compared.
+    /// Inputs, and the limits on the rounding errors of comparisons and outputs.
     pub(super) points: Vec<(Vec<Rounded>, Vec<f64>)>,
-    /// The comparisons of the given program.
+    /// The indices of the comparisons of the given program.
     comparisons: Vec<usize>,
 }
 
@@ -123,14 +124,14 @@ impl Search {
         self.facts.push(Facts { residue, inverse: residue.inverse(), sources, counts });
     }
 
-    /// The factors of what is divided by.
+    /// Returns the factors of a divisor, as sources.
     fn divisors(&self, by: Value) -> Vec<Residue> {
         let (mut all, mut found) = (vec![by], Vec::new());
         let mut next = 0;
         while let Some(&v) = all.get(next) {
             next += 1;
             match self.ops[v.index()] {
-                // A power's factor is looked at once.
+                // A factor of a power is visited once.
                 op @ (Op::Mul(..) | Op::Neg(_)) => op.operands().for_each(|part| {
                     if !all.contains(&part) {
                         all.push(part);
@@ -160,7 +161,7 @@ impl Search {
         }
     }
 
-    /// The bounds of what is compared, 0 where that is gone, and of outputs.
+    /// Returns the error bounds of compared values, 0 for comparisons that were dropped, and of outputs.
     fn rounding(&self, inputs: &[Rounded]) -> Vec<f64> {
         let mut values = vec![Rounded::constant(0.0); self.ops.len()];
         for &v in &self.order {
@@ -174,7 +175,7 @@ impl Search {
         self.order.iter().filter(|&&v| self.is_counted(v)).count()
     }
 
-    /// The values that count and are not 0.
+    /// Returns the values that count and are not 0.
     pub(super) fn usable(&self) -> impl Iterator<Item = Value> {
         let usable = |v: &&Value| self.facts[v.index()].counts && self.facts[v.index()].residue != Residue::ZERO;
         self.order.iter().filter(usable).copied()
@@ -184,7 +185,7 @@ impl Search {
         self.facts[v.index()].counts && is_counted(&self.ops[v.index()])
     }
 
-    /// Of (x + 1) − 1 the rounding may be what is wanted.
+    /// Returns `true` for sums such as (x + 1) − 1, which may be meant to round.
     pub(super) fn is_left_of_constants(&self, v: Value) -> bool {
         let constant = |v: Value| matches!(self.ops[v.index()], Op::Constant(_));
         let beside_constant = |v: Value| match self.ops[v.index()] {
@@ -195,7 +196,7 @@ impl Search {
         beside_constant(v).and_then(beside_constant).is_some()
     }
 
-    /// The operations that go with `target` if these values are needed.
+    /// Returns the number of operations that are dropped with `target` if the `needed` values are kept.
     pub(super) fn freed(&self, target: Value, needed: impl Iterator<Item = Value>) -> usize {
         let mut uses = self.uses.clone();
         needed.for_each(|v| uses[v.index()] += 1);
@@ -212,7 +213,7 @@ impl Search {
         freed
     }
 
-    /// Puts the form in the place of `target`, unless that harms the rounding; what now stands there.
+    /// Replaces `target` by the form and returns the new value; `None` if that increases rounding errors too much.
     pub(super) fn replace(&mut self, target: Value, form: &Form) -> Option<Value> {
         let before = (self.ops.clone(), self.outputs.clone());
         form.ops.iter().for_each(|&op| self.push(op, true));
@@ -243,7 +244,7 @@ pub(super) fn is_counted(op: &Op) -> bool {
     op.is_step() && !matches!(op, Op::SelectLess(..))
 }
 
-/// An input of the point with this number: of two scales, or of many; of all signs, or positive.
+/// Returns an input of the point with this number: of one scale or of many, of either sign or positive.
 fn at_random(number: u32, input: usize) -> Rounded {
     let unit = |what: &str| Residue::random((what, number, input)).unit();
     let size = if number % 4 < 2 { unit("size") } else { 10f64.powf(4.0 * unit("size") - 3.0) };
