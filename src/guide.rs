@@ -1,15 +1,15 @@
-//! The guide: the pages of the folder `docs`, whose examples are run.
+//! The guide: the pages of the folder `docs`. Their examples run as tests.
 //!
-//! - **To begin with**: [`axes`] tells which axis of a bone is forward, [`natural_gaze`] how eyes, head and chest share a gaze,
-//!   [`viewer`] how to see it. [`solvers`] tells when to use which.
-//! - **Animation under the aim**: [`animation`], then [`tracks`], [`playing`], [`blending`], [`root_motion`],
-//!   [`reach`] and [`layers`]; [`animation_coverage`] lists what it answers and what judges it.
+//! - **First steps**: [`axes`] explains how to find which axis of a bone points forward, [`natural_gaze`] how eyes,
+//!   head and chest share a gaze, [`viewer`] how to watch it, and [`solvers`] which solver to choose.
+//! - **Playing animation**: [`animation`], then [`tracks`], [`playing`], [`blending`], [`root_motion`], [`reach`] and
+//!   [`layers`]; [`animation_coverage`] lists the features of the animation library and how each is tested.
 //! - **Other solvers**, in [`ik`](crate::ik): [`two_bone`], [`ccd`], [`one_bone`], [`look_at`], [`aim_poses`].
 //! - **Derivatives**: [`differentiating`] your own functions, [`singularities`], [`operation_counts`].
-//! - **Where it comes from**: [`paper`].
+//! - **Source**: [`paper`].
 
-/// Pages by their files. Links between them are those of the files, led to modules by `guide_links.md`, whose definitions come
-/// first and so count.
+/// Declares one module per page. Links between the Markdown files are redirected to these modules by `guide_links.md`:
+/// it is included first, and the first definition of a link takes precedence.
 macro_rules! pages {
     ($($(#[$condition:meta])? $name:ident $file:literal)*) => {$(
         $(#[$condition])?
@@ -46,7 +46,7 @@ pages! {
     one_bone "one-bone.md"
     look_at "look-at.md"
     aim_poses "aim-poses.md"
-    // Its examples are those of the crate `derivand`, which runs them.
+    // The crate `derivand` includes this page too and runs its examples.
     #[cfg(not(doctest))]
     differentiating "differentiating.md"
     singularities "singularities.md"
@@ -54,7 +54,7 @@ pages! {
     paper "paper.md"
 }
 
-// The figure stands below the page: a file beside it is not part of the documentation.
+// rustdoc does not copy files beside a page, so the figure is embedded below the text.
 #[doc = include_str!("guide_links.md")]
 #[doc = include_str!("../docs/natural-gaze.md")]
 ///

@@ -2,41 +2,42 @@
 //!
 //! # A natural gaze over one second
 //!
-//! Headings as the natural solver turns a standing character to targets at the side; [the guide](guide::natural_gaze) explains
-//! them.
+//! Headings of gaze, head, chest and eye while the natural solver turns a standing character to targets at its side.
+//! [The guide](guide::natural_gaze) explains the curves.
 //!
 #![doc = include_str!("../docs/natural-gaze.svg")]
 //!
 //! # Where to look
 //!
-//! - A character: [`Aim`] of a rig that `#[derive(AimRig)]` declares, [`DynAim`] of one known at run time; each has the calls
-//!   `aim` and `snap`.
-//! - A call: its [`Pose`] and target ([`Targets`]), its [`Settings`], and what comes back, [`Aimed`] with its [`Outcome`].
-//! - Mistakes of the caller, found in debug builds: [`check`].
-//! - Other solvers, a file each: [`ik`]. [`rotation`] has what they multiply by.
-//! - An animation under the aim: the feature `animation`.
+//! - A character: [`Aim`] for a rig declared with `#[derive(AimRig)]`, [`DynAim`] for a rig known only at run time.
+//!   Both have the methods `aim` and `snap`.
+//! - A call: its [`Pose`], its target ([`Targets`]) and its [`Settings`]; it returns [`Aimed`] with an [`Outcome`].
+//! - Setup mistakes, detected in debug builds: [`check`].
+//! - Other solvers: [`ik`]. The rotation arithmetic that they use: [`rotation`].
+//! - Playing the animation that is aimed: the feature `animation`.
 //! - [The guide](guide) has pages on axes, solvers, the natural gaze, animation and derivatives.
-//! - The derived kernels, for a solver of your own: [`Rig`], [`Scalar`] and the section on lanes below.
+//! - The derived kernels, for writing your own solver: [`Rig`], [`Scalar`] and the section on lanes below.
 //!
 //! # Feature flags
 //!
-//! - `std` (default): [`DynAim`]; square roots, and sines for functions that you differentiate, from the standard library.
-//! - `libm`: the same from `libm`, for targets without a standard library.
+//! - `std` (default): [`DynAim`]; square roots, and the sines of functions that you differentiate, from the standard
+//!   library.
+//! - `libm`: the same mathematical functions from the crate `libm`, for targets without a standard library.
 //! - `animation`: skeletons, clips, blending and root motion, in `aim::animation`. Needs an allocator.
 //! - `rigs`: the bundled rigs, in `aim::rigs`.
-//! - `serde`: [`Settings`], a character's [`Aim`] or [`State`], [`Outcome`] and what they are made of can be stored,
-//!   and of animations transforms and where a character is in a clip. A state
-//!   that is read back goes on with the same bits.
-//! - `f64`: glam's types in double precision, for functions that are differentiated.
-//! - `wide`: kernels in lanes, see below. Needs Rust 1.89, as the crate [`wide`](https://docs.rs/wide) does, which is
-//!   re-exported as `aim::wide`.
+//! - `serde`: storage of [`Settings`], of a character's [`Aim`] or [`State`], of [`Outcome`] and of the types of their
+//!   fields; in the animation library, of transforms and playback positions. A restored state continues with
+//!   bit-identical results.
+//! - `f64`: double-precision glam types, for functions that you differentiate.
+//! - `wide`: kernels in SIMD lanes, see below. Needs Rust 1.89, as the crate [`wide`](https://docs.rs/wide) does, which
+//!   is re-exported as `aim::wide`.
 //!
 //! # Eight characters at once
 //!
-//! A rig's kernels are emitted as functions generic over [`Scalar`] where the declaration asks for them
-//! (`kernels(aim_gradient, chain_value_gradient, chain_residual_jacobian)`), and with the feature `wide` its vectors are
-//! scalars too: one call serves as many characters as the vector has lanes. A lane gives the very bits that a call for
-//! its character alone gives, and does not notice the others. That is for crowds with a solver of their own;
+//! If the declaration of a rig asks for them (`kernels(aim_gradient, chain_value_gradient, chain_residual_jacobian)`),
+//! its kernels are emitted as functions generic over [`Scalar`]. With the feature `wide`, the vectors of that crate are
+//! scalars too: one call evaluates as many characters as the vector has lanes. Each lane gives exactly the bits that a
+//! scalar call for its character gives; lanes do not affect each other. This is for crowds with a solver of their own:
 //! [`Aim::aim`] moves one character.
 //!
 //! ```
@@ -94,17 +95,18 @@ pub use aim_runtime::{
 #[cfg(doc)]
 pub mod guide;
 
-/// An affine transform whose maker vouches that it is rigid: a rotation and a translation, without scale, shear or
-/// mirroring. [`macro@differentiate`] relies on it, for this name and for `Affine3A` alike.
+/// An affine transform that the caller guarantees to be rigid: a rotation and a translation, without scale, shear or
+/// mirroring. [`macro@differentiate`] treats both this name and `Affine3A` as rigid.
 pub type Rigid = glam::Affine3A;
 
-/// The same in double precision.
+/// Double-precision counterpart of [`Rigid`]: an affine transform that the caller guarantees to be rigid.
 #[cfg(feature = "f64")]
 pub type DRigid = glam::DAffine3;
 
-/// The rigs that the package's `build.rs` compiled with `aim_codegen::build::rigs`, each a struct under its own name.
+/// Includes the rigs that the package's `build.rs` compiled with `aim_codegen::build::rigs`, each as a struct under its
+/// own name.
 ///
-/// Takes the folder's or the file's name without its extension:
+/// The argument is the name of the folder or file, without extension:
 ///
 /// ```ignore
 /// // build.rs: aim_codegen::build::rigs("rigs");
@@ -125,7 +127,7 @@ pub mod rigs {
     include_rigs!("rigs");
 }
 
-/// The project's front page and the pages of the book that are no pages of the guide, whose examples are run.
+/// The project's front page and the pages of the book outside the guide, so that their examples run as doctests.
 #[cfg(doctest)]
 mod book {
     #[doc = include_str!("../README.md")]
@@ -138,7 +140,7 @@ mod book {
     mod troubleshooting {}
 }
 
-/// What emitted code names; not for hand-written code.
+/// Items that emitted code refers to; not for hand-written code.
 #[doc(hidden)]
 pub mod __private {
     #[doc(hidden)]

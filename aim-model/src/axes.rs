@@ -1,8 +1,8 @@
-//! [`Axes`]: which way a bone points.
+//! [`Axes`]: the orientation of a bone relative to the character.
 
 use crate::Float;
 
-/// Which way a bone points: three unit vectors in the bone's own space, square to each other.
+/// Orientation of a bone relative to the character: three mutually perpendicular unit vectors in the bone's own space.
 ///
 /// `up × forward` is `left` for a right-handed triple and `−left` for a left-handed or mirrored one.
 ///
@@ -16,16 +16,17 @@ use crate::Float;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axes<T = f32> {
-    /// The bone-space direction that points up in the character.
+    /// Bone-space direction that points up in the character.
     pub up: [T; 3],
-    /// The bone-space direction that the character faces.
+    /// Bone-space direction that the character faces.
     pub forward: [T; 3],
-    /// The bone-space direction of the character's left.
+    /// Bone-space direction that points to the character's left.
     pub left: [T; 3],
 }
 
 impl<T: Float> Axes<T> {
-    /// All 48 cardinal conventions: every choice of signed axes for up, forward and left, of either handedness.
+    /// Returns all 48 cardinal conventions: every assignment of signed coordinate axes to up, forward and left, in both
+    /// handednesses.
     pub fn cardinal() -> impl Iterator<Item = Self> {
         let unit = |axis: usize, negative: bool| {
             let length = if negative { -T::ONE } else { T::ONE };
@@ -41,7 +42,8 @@ impl<T: Float> Axes<T> {
         })
     }
 
-    /// +1 where up × forward is left, −1 where it is −left: the sign of the triple product `(up × forward) · left`.
+    /// Returns +1 if `up × forward` is `left` and −1 if it is `−left`: the sign of the triple product
+    /// `(up × forward) · left`.
     #[must_use]
     pub fn handedness(&self) -> T {
         let [u, f, l] = [self.up, self.forward, self.left];

@@ -1,4 +1,4 @@
-//! [`Float`]: `f32` and `f64`, as far as ranges need them.
+//! [`Float`]: the operations on `f32` and `f64` that ranges need.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,7 +10,7 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-/// A floating-point number: `f32` in the runtime, `f64` where declarations are read and reports are written. Sealed.
+/// A floating-point number: `f32` in the runtime, `f64` for parsing declarations and writing reports. Sealed.
 pub trait Float:
     Copy
     + Debug
@@ -33,16 +33,17 @@ pub trait Float:
     /// ∞.
     const INFINITY: Self;
 
-    /// The smaller of two numbers; `other` where either is NaN. A comparison: one instruction, the same on every machine.
+    /// Returns the smaller of two numbers, or `other` if either is NaN. Compiles to one comparison with the same result
+    /// on every machine.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The larger of two numbers; `other` where either is NaN.
+    /// Returns the larger of two numbers, or `other` if either is NaN.
     #[must_use]
     fn max(self, other: Self) -> Self;
-    /// 1 with its sign; NaN of NaN.
+    /// Returns 1 with the sign of the number; NaN for NaN.
     #[must_use]
     fn signum(self) -> Self;
-    /// Whether it is neither infinite nor NaN.
+    /// Returns `true` if the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
 }
 

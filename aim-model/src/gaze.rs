@@ -1,33 +1,33 @@
-//! [`GazeSharing`]: how a gaze is shared between the eyes and the joints that support them; [`Budgets`]: what the parts of
-//! the body can do.
+//! [`GazeSharing`]: how a gaze is shared between the eyes and the joints that support them; [`Budgets`]: the limits of
+//! each part of the body.
 
-/// How a natural gaze is shared between the eyes and the joints that support them.
+/// Parameters for sharing a natural gaze between the eyes and the joints that support them.
 ///
-/// Joint 0 is the eye, the others support it. Where the target appears, the eye leaps there within its rate and range,
-/// and holds it. The supporting joints get a goal: their share of the gaze shift's heading and elevation, each part of the body
-/// by its compliance (1/stiffness) within its [budget](Budgets), and more where the eye could not do the rest. They glide
-/// there in one smooth movement. Meanwhile the eye turns in each frame to exactly what they leave, and so turns back as
-/// they arrive. Ranges hold before rates, rates before accelerations.
+/// Joint 0 is the eye, the other joints support it. When the target appears, the eye jumps to it within its rate and
+/// range and fixates it. Each supporting part of the body receives a share of the gaze shift's heading and elevation by
+/// its compliance (1/stiffness) within its [budget](Budgets), and more if the eye cannot cover the rest. The
+/// supporting joints glide to their shares in one smooth movement. In each frame the eye covers exactly the remaining
+/// turn, and so turns back as they arrive. Ranges take precedence over rates, rates over accelerations.
 ///
-/// Declared per rig, and overridden per call by the runtime's settings. Angles that are negative or NaN count as 0.
-/// The attention of a call lessens `eyes_only`, `engage` and `release` to nothing and brings `head_share`
-/// to 1: then the head alone ends up turned to the target.
+/// A rig declares these values, and the runtime's settings can override them for a call. Negative and NaN angles count
+/// as 0. A call's attention scales `eyes_only`, `engage` and `release` down to 0 and raises `head_share` to 1: at full
+/// attention the head alone ends up turned to the target.
 ///
 /// # What people do
 ///
-/// The defaults are of the size that is measured; people differ widely in how much they move their heads (Fuller, *Head
-/// movement propensity*, Exp. Brain Res. 1992), which is what these numbers are for.
+/// The defaults are of the order of published measurements. People differ widely in how much they move their heads
+/// (Fuller, *Head movement propensity*, Exp. Brain Res. 1992); adjust the values to express that.
 ///
-/// - *Eyes alone.* Within about 15° of their middle the eyes tend to shift the gaze by themselves: the customary
-///   oculomotor range, of some 50° to either side that the eye can mechanically be turned. Monkeys turn their heads
-///   hardly at all for shifts below 20°, and beyond 25° by an amount that grows linearly with the shift, while the eye's
-///   part saturates at about 35° (Freedman and Sparks, J. Neurophysiol. 77, 1997). Hence a zone and a slope.
-/// - *Who is first.* The head follows the saccade by 20 to 40 ms whatever the target's angle (*The reaction time of
-///   eye-head coordination in man*), partly as it is heavy: the neck of the default reaches 1° some 50 ms after the eye where
-///   the gaze shifts by 60°, 80 ms where it shifts by 30°.
-/// - *How fast.* Peak speed and duration of a saccade follow from its size, the main sequence (Bahill, Clark and Stark,
-///   1975): 213, 352 and 455°/s for 5, 15 and 30° in a hundred people (PMC6143243). An eye with a rate of 450°/s comes to 240,
-///   415 and 450°/s here.
+/// - *Eyes alone.* Within about 15° of their middle the eyes tend to shift the gaze by themselves. This customary
+///   oculomotor range compares with a mechanical one of some 50° to either side. Monkeys turn their heads hardly at all
+///   for shifts below 20°, and beyond 25° by an amount that grows linearly with the shift, while the eye's part
+///   saturates at about 35° (Freedman and Sparks, J. Neurophysiol. 77, 1997). Hence a zone and a slope.
+/// - *Order.* The head follows the saccade by 20 to 40 ms whatever the target's angle (*The reaction time of eye-head
+///   coordination in man*), partly because of its inertia: with the defaults, the neck reaches 1° some 50 ms after the
+///   eye for a gaze shift of 60°, and 80 ms after it for one of 30°.
+/// - *Speed.* Peak speed and duration of a saccade follow from its size, the main sequence (Bahill, Clark and Stark,
+///   1975): 213, 352 and 455°/s for 5, 15 and 30° in a hundred people (PMC6143243). Here an eye with a rate of 450°/s
+///   reaches 240, 415 and 450°/s.
 ///
 /// ```
 /// use aim_model::GazeSharing;
@@ -49,21 +49,22 @@
     )
 )]
 pub struct GazeSharing<T = f32> {
-    /// The gaze shift that the eyes make alone, radians: `D` in head shift = `g·max(0, |E| − D)`. `E` is the angle from
-    /// the animated gaze to the target. Default 15°.
+    /// Gaze shift that the eyes make alone, radians: `D` in head shift = `g·max(0, |E| − D)`. `E` is the angle from the
+    /// animated gaze to the target. Default 15°.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub eyes_only: T,
-    /// The part of the gaze shift beyond that which the head makes, 0…1: `g`. Default 0.8.
+    /// Part of the gaze shift beyond [`eyes_only`](Self::eyes_only) that the head makes, 0…1: `g`. Default 0.8.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub head_share: T,
-    /// The supporting joints begin to move when the target is further from the eyes' middle than this, radians, or out
-    /// of the eyes' range. Default 15°.
+    /// Angle of the target from the eyes' middle beyond which the supporting joints begin to move, radians. They also
+    /// begin when the target is out of the eyes' range. Default 15°.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub engage: T,
-    /// They rest again once they have arrived and the target is nearer the eyes' middle than this, radians. Default 8°.
+    /// Angle of the target from the eyes' middle below which the supporting joints rest again once they have arrived,
+    /// radians. Default 8°.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub release: T,
-    /// How long after the eyes the supporting joints begin, seconds: beside what their inertia takes. Default 0.
+    /// Delay of the supporting joints after the eyes, seconds, in addition to the effect of their inertia. Default 0.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub delay: T,
 }
@@ -71,7 +72,7 @@ pub struct GazeSharing<T = f32> {
 macro_rules! human {
     ($float:ident) => {
         impl GazeSharing<$float> {
-            /// The defaults: of the size that is measured of people.
+            /// The defaults, of the order measured in people.
             pub const HUMAN: Self = {
                 const DEG: $float = core::$float::consts::PI / 180.0;
                 Self { eyes_only: 15.0 * DEG, head_share: 0.8, engage: 15.0 * DEG, release: 8.0 * DEG, delay: 0.0 }
@@ -90,21 +91,21 @@ human!(f32);
 human!(f64);
 
 impl<T: Copy> GazeSharing<T> {
-    /// With this [`eyes_only`](Self::eyes_only) zone, radians.
+    /// Sets [`eyes_only`](Self::eyes_only), radians.
     #[must_use]
     pub const fn with_eyes_only(mut self, angle_rad: T) -> Self {
         self.eyes_only = angle_rad;
         self
     }
 
-    /// With this [`head_share`](Self::head_share), 0…1.
+    /// Sets [`head_share`](Self::head_share), 0…1.
     #[must_use]
     pub const fn with_head_share(mut self, share: T) -> Self {
         self.head_share = share;
         self
     }
 
-    /// With supporting joints that [engage](Self::engage) and [release](Self::release) at these angles, radians.
+    /// Sets the angles at which the supporting joints [engage](Self::engage) and [release](Self::release), radians.
     #[must_use]
     pub const fn with_engagement(mut self, engage_rad: T, release_rad: T) -> Self {
         self.engage = engage_rad;
@@ -112,7 +113,7 @@ impl<T: Copy> GazeSharing<T> {
         self
     }
 
-    /// With this [`delay`](Self::delay), seconds.
+    /// Sets [`delay`](Self::delay), seconds.
     #[must_use]
     pub const fn with_delay(mut self, seconds: T) -> Self {
         self.delay = seconds;
@@ -120,10 +121,10 @@ impl<T: Copy> GazeSharing<T> {
     }
 }
 
-/// Bounds of the turn that the joints of one part of the body make together. Angles in radians.
+/// Limits of the combined turn of the joints in one part of the body. Angles in radians.
 ///
-/// A budget bounds the animation's own turn (out of what the part stands on) and the added one together. Where the
-/// animation exceeds it, nothing is added.
+/// A budget limits the sum of the animation's own turn, relative to the part that carries it, and the added turn. If
+/// the animation exceeds the budget, nothing is added.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -134,16 +135,17 @@ impl<T: Copy> GazeSharing<T> {
     ))
 )]
 pub struct Budget<T = f32> {
-    /// Headings, right and left: `[lo, hi]` around 0.
+    /// Range of headings, right and left: `[lo, hi]` around 0.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub heading: [T; 2],
-    /// Elevations, down and up: `[lo, hi]` around 0.
+    /// Range of elevations, down and up: `[lo, hi]` around 0.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub pitch: [T; 2],
-    /// The largest speed of the sum of the part's headings, and of its pitches, rad/s.
+    /// Largest speed of the sum of the part's headings, and of the sum of its pitches, rad/s.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub rate: T,
-    /// The largest change of those speeds, rad/s². It also sets the pace: a turn takes about 2.5/√acceleration seconds.
+    /// Largest rate of change of those sums' speeds, rad/s². It also sets the pace: a turn takes about
+    /// 2.5/√acceleration seconds.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub acceleration: T,
 }
@@ -170,30 +172,31 @@ pub struct Budget<T = f32> {
     )
 )]
 pub struct Budgets<T = f32> {
-    /// Head and neck together: [`Role::Head`](crate::Role::Head) and [`Role::Neck`](crate::Role::Neck).
+    /// Budget of head and neck together: [`Role::Head`](crate::Role::Head) and [`Role::Neck`](crate::Role::Neck).
     pub head: Budget<T>,
-    /// The upper torso: [`Role::Chest`](crate::Role::Chest).
+    /// Budget of the upper torso: [`Role::Chest`](crate::Role::Chest).
     pub chest: Budget<T>,
 }
 
 macro_rules! budgets {
     ($float:ident) => {
         impl Budgets<$float> {
-            /// A human's: the neck turns by 70 to 80° to either side, bends by 50 to 60° forward and back; the thoracic spine
-            /// by about 30° to either side (White and Panjabi, *Clinical Biomechanics of the Spine*, 1990). Rates and
-            /// accelerations are a choice: those at which half a second is enough for any turn.
+            /// Budgets of a human. The neck turns by 70 to 80° to either side and bends by 50 to 60° forward and back;
+            /// the thoracic spine turns by about 30° to either side (White and Panjabi, *Clinical Biomechanics of the
+            /// Spine*, 1990). Rates and accelerations are chosen so that half a second is enough for any turn.
             pub const HUMAN: Self = Self::of([78.0, -50.0, 60.0, 240.0, 1200.0], [30.0, -30.0, 20.0, 100.0, 500.0]);
 
-            /// An animal's on four legs: a long neck that reaches the flank.
+            /// Budgets of a four-legged animal: a long neck that reaches the flank.
             pub const QUADRUPED: Self = Self::of([120.0, -70.0, 60.0, 300.0, 1500.0], [20.0, -20.0, 20.0, 80.0, 400.0]);
 
-            /// A bird's: quick heads that turn far (an owl's up to 270°), bodies that hardly do.
+            /// Budgets of a bird: a fast head that turns far (an owl's up to 270°), a body that hardly turns.
             pub const BIRD: Self = Self::of([125.0, -70.0, 70.0, 420.0, 4000.0], [10.0, -10.0, 10.0, 80.0, 400.0]);
 
-            /// A cartoon figure's: further and snappier than people.
+            /// Budgets of a cartoon figure: larger ranges and snappier movement than a human's.
             pub const TOON: Self = Self::of([95.0, -60.0, 70.0, 300.0, 2400.0], [40.0, -35.0, 30.0, 150.0, 1000.0]);
 
-            /// From a part's largest heading to either side, its pitches down and up, its rate and its acceleration, degrees.
+            /// Builds budgets from `[largest heading to either side, pitch down, pitch up, rate, acceleration]` of head
+            /// and chest, degrees.
             const fn of(head: [$float; 5], chest: [$float; 5]) -> Self {
                 const fn budget([heading, down, up, rate, acceleration]: [$float; 5]) -> Budget<$float> {
                     const DEG: $float = core::$float::consts::PI / 180.0;
@@ -207,7 +210,7 @@ macro_rules! budgets {
                 Self { head: budget(head), chest: budget(chest) }
             }
 
-            /// Nothing but what the joints' own ranges and rates allow, at a human's pace.
+            /// No limits beyond the joints' own ranges and rates, at a human's pace.
             pub const UNBOUNDED: Self = {
                 const FREE: [$float; 2] = [$float::NEG_INFINITY, $float::INFINITY];
                 const fn freed(budget: Budget<$float>) -> Budget<$float> {
@@ -229,7 +232,7 @@ budgets!(f32);
 budgets!(f64);
 
 impl Budgets<f64> {
-    /// The budgets that declarations know by a word.
+    /// The predefined budgets and the keywords that declare them.
     pub const NAMED: [(&str, Self); 4] =
         [("human", Self::HUMAN), ("quadruped", Self::QUADRUPED), ("bird", Self::BIRD), ("toon", Self::TOON)];
 }

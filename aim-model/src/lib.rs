@@ -1,8 +1,8 @@
-//! What several crates of `aim-rig` must agree on, said once: axes, roles, what bone names tell, ranges of
-//! motion, how a gaze is shared, and the numbers that derived code computes with.
+//! Definitions shared by the crates of `aim-rig`: bone axes, joint roles, the classification of bone names, ranges of
+//! motion, gaze sharing, and the number types of derived code.
 //!
-//! No standard library and no dependencies, but for `libm`, `wide` and `serde` where they are asked for: so the runtime, the macro
-//! and the command can all build on it.
+//! The crate needs no standard library and has no dependencies except the optional `libm`, `wide` and `serde`, so that
+//! the runtime, the macro and the command can all build on it.
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]

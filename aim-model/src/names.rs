@@ -1,5 +1,5 @@
-//! [`BoneName`]: a bone's name taken apart into words and a side, and the part of the body it tells. A guess, for
-//! measuring and proposals: how a declared joint moves never depends on a name.
+//! [`BoneName`]: a bone name split into words and a side, and the body part that it suggests. The result is a guess for
+//! measurements and proposals: how a declared joint moves never depends on its name.
 
 use alloc::borrow::ToOwned;
 use alloc::string::String;
@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 
 use crate::Role;
 
-/// Left or right of the character, as a name states it.
+/// The character's left or right, as stated by a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {
     /// The character's left.
@@ -16,10 +16,10 @@ pub enum Side {
     Right,
 }
 
-/// The part of the body that a name tells.
+/// The part of the body that a name suggests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BodyPart {
-    /// An eye, of the side that the name states.
+    /// An eye, with the side that the name states.
     Eye(Option<Side>),
     /// The head.
     Head,
@@ -31,20 +31,20 @@ pub enum BodyPart {
     Hips,
 }
 
-/// A name's lower-case words (numbers are words of their own), its side taken out.
+/// The lower-case words of a bone name, with the side removed. Numbers are separate words.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BoneName {
-    /// The words.
+    /// The words in the order of the name.
     pub words: Vec<String>,
     /// The first side that a word states.
     pub side: Option<Side>,
 }
 
-/// Words of helpers, tips, controls and of what is worn, which only look like the bone they accompany.
+/// Words that mark helpers, tips, controls and worn items, which only resemble the bone that they accompany.
 const HELPERS: &str = "
     end nub tip top target ctrl control ik pole socket helper twist mch tweak aim look master hat hair tail attach
     attachment slot mount locator dummy gear";
-/// Words of the parts around an eye.
+/// Words for the parts around an eye.
 const AROUND_EYES: &str = "
     lid lids brow brows blink lash lashes eyelid eyelids eyebrow eyebrows eyelash eyelashes bottom upper lower
     inner outer corner squint bag socket highlight cheek";
@@ -55,7 +55,7 @@ const SPINES: &str = "spine chest upperchest torso thorax ribcage abdomen belly 
 const HIPS: &str = "hips hip pelvis 下半身";
 
 impl BoneName {
-    /// Takes a name apart, whatever the naming tradition.
+    /// Splits a bone name; accepts the common naming conventions.
     #[must_use]
     pub fn new(name: &str) -> Self {
         let mut words = Vec::new();
@@ -70,38 +70,38 @@ impl BoneName {
         Self { words, side }
     }
 
-    /// True if one of its words is one of these, which have white space between them.
+    /// Returns `true` if one of the words in the name is in `any_of`, a list separated by white space.
     #[must_use]
     pub fn has(&self, any_of: &str) -> bool {
         any_of.split_whitespace().any(|word| self.words.iter().any(|own| own == word))
     }
 
-    /// The name without the words that make it a control's.
+    /// Returns the name without the words that mark a control.
     #[must_use]
     pub fn without_control(mut self) -> Self {
         self.words.retain(|word| !matches!(word.as_str(), "ctrl" | "control"));
         self
     }
 
-    /// The words without numbers, joined: equal for the left and the right of a pair.
+    /// Returns the words without the numbers, joined. The key is the same for the left and right bone of a pair.
     #[must_use]
     pub fn key(&self) -> String {
         self.words.iter().filter(|w| !w.starts_with(|c: char| c.is_ascii_digit())).map(String::as_str).collect()
     }
 
-    /// The last number in the name.
+    /// Returns the last number in the name.
     #[must_use]
     pub fn number(&self) -> Option<u32> {
         self.words.iter().rev().find_map(|word| word.parse().ok())
     }
 
-    /// Whether it names an eyeball. Where a character has eyeballs, its other "eyes" are lids.
+    /// Returns `true` if the name is that of an eyeball. If a character has eyeballs, its other "eyes" are lids.
     #[must_use]
     pub fn is_eyeball(&self) -> bool {
         self.has("eyeball eyeballs") || (self.has("eye") && self.has("ball"))
     }
 
-    /// The part of the body that the name tells, if it tells one. Only eyes have a side.
+    /// Returns the part of the body that the name suggests, if any. Only eyes may have a side.
     #[must_use]
     pub fn body_part(&self) -> Option<BodyPart> {
         let eye = self.has(EYES);
@@ -127,7 +127,7 @@ impl BoneName {
         }
     }
 
-    /// The role that a joint of this name is likely to have, if it tells one.
+    /// Returns the most likely role of a joint with this name, if the name suggests one.
     #[must_use]
     pub fn role(&self) -> Option<Role> {
         match self.body_part()? {
@@ -140,8 +140,9 @@ impl BoneName {
     }
 }
 
-/// Splits at separators, between letters and digits, and where capitals start a word (`LEyeTop` → l, eye, top). Capitals are those of
-/// ASCII, as the words that are known are: tables of all others would be larger than all that downloaded programs do with names.
+/// Splits a name at separators, between letters and digits, and where a capital starts a word (`LEyeTop` → l, eye,
+/// top). Only ASCII capitals are recognised, because the known words are ASCII: full Unicode case tables would be
+/// larger than the rest of a downloaded program's name handling.
 fn split(name: &str) -> Vec<String> {
     let chars: Vec<char> = name.chars().collect();
     let mut words: Vec<String> = Vec::new();
@@ -166,9 +167,9 @@ fn split(name: &str) -> Vec<String> {
     words
 }
 
-/// The side that a word names, and what is left of the word.
+/// Splits the side off a word. Returns the side and the rest of the word.
 fn side_of(word: &str) -> (Option<Side>, &str) {
-    // `headbone`, `neckjoint`: what every bone is tells nothing.
+    // Drop the generic suffix of `headbone`, `neckjoint`.
     let word = ["bone", "joint", "jnt"].iter().find_map(|end| word.strip_suffix(end)).unwrap_or(word);
     match word {
         "l" | "lft" => return (Some(Side::Left), ""),

@@ -1,32 +1,32 @@
-//! [`RangeOfMotion`]: where a joint's added angles may be, evaluated in one place for the solvers (`f32`) and for what
-//! reads declarations and writes reports (`f64`).
+//! [`RangeOfMotion`]: the intervals of a joint's added angles. Evaluated in one place for the solvers (`f32`) and for
+//! the code that parses declarations and writes reports (`f64`).
 
 use crate::Float;
 
-/// The pose from which a joint's ranges are counted.
+/// The pose from which a joint's ranges are measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum LimitsFrom {
-    /// The animated pose of the frame: the ranges bound what is added to the animation.
+    /// The animated pose of the frame: the ranges limit the angles added to the animation.
     #[default]
     Animation,
-    /// The bind pose: the ranges bound the animation's own turn and the added one together. If the animation itself
+    /// The bind pose: the ranges limit the sum of the animation's own turn and the added one. If the animation itself
     /// exceeds a range, the joint is not corrected back, but is never moved further out. Needs a pose with a bind pose;
-    /// without one the ranges are counted from the animation.
+    /// without one the ranges are measured from the animation.
     BindPose,
 }
 
-/// A joint's two angles, radians unless said otherwise.
+/// A joint's heading and pitch, radians unless stated otherwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Angles<T> {
-    /// Positive turns forward towards left.
+    /// Heading; positive turns forward towards left.
     pub heading: T,
-    /// Positive turns forward towards up.
+    /// Pitch; positive turns forward towards up.
     pub pitch: T,
 }
 
-/// An interval of angles, `lo ≤ hi`; both infinite where an angle may turn freely.
+/// An interval of angles, `lo ≤ hi`; both ends infinite if the angle may turn freely.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval<T> {
     lo: T,
@@ -34,18 +34,18 @@ pub struct Interval<T> {
 }
 
 impl<T: Float> Interval<T> {
-    /// The one angle 0.
+    /// The single angle 0.
     pub const REST: Self = Self { lo: T::ZERO, hi: T::ZERO };
 
-    /// Every angle.
+    /// Returns the interval of all angles.
     #[inline]
     #[must_use]
     pub fn everything() -> Self {
         Self { lo: -T::INFINITY, hi: T::INFINITY }
     }
 
-    /// A declared range as it counts: rest where there is none or an end is NaN, its middle where it is inverted, at most
-    /// a full turn to either side unless both ends are infinite.
+    /// Converts a declared range. Returns [`REST`](Self::REST) if none is declared or an end is NaN, and the midpoint
+    /// if the ends are inverted. The ends are clamped to a full turn to either side unless both are infinite.
     #[inline]
     #[must_use]
     pub fn declared(ends: Option<[T; 2]>) -> Self {
@@ -59,49 +59,49 @@ impl<T: Float> Interval<T> {
         }
     }
 
-    /// The lower end.
+    /// Returns the lower end.
     #[inline]
     #[must_use]
     pub const fn lo(self) -> T {
         self.lo
     }
 
-    /// The upper end.
+    /// Returns the upper end.
     #[inline]
     #[must_use]
     pub const fn hi(self) -> T {
         self.hi
     }
 
-    /// Both ends, the lower first.
+    /// Returns both ends, the lower first.
     #[inline]
     #[must_use]
     pub const fn ends(self) -> [T; 2] {
         [self.lo, self.hi]
     }
 
-    /// Whether the angle may turn freely.
+    /// Returns `true` if the angle may turn freely: both ends are infinite.
     #[inline]
     #[must_use]
     pub fn is_free(self) -> bool {
         self.lo == -T::INFINITY && self.hi == T::INFINITY
     }
 
-    /// The one angle.
+    /// Returns the interval that contains only `angle`.
     #[inline]
     #[must_use]
     pub const fn point(angle: T) -> Self {
         Self { lo: angle, hi: angle }
     }
 
-    /// The angles that a change by `step` at most leads to.
+    /// Returns the angles that a change of at most `step` reaches from `from`.
     #[inline]
     #[must_use]
     pub fn around(from: T, step: T) -> Self {
         Self { lo: from - step, hi: from + step }
     }
 
-    /// From `lo` to `hi`; their middle where they are inverted, rest where that is undefined.
+    /// Returns the interval from `lo` to `hi`; their midpoint if they are inverted, rest if that is not finite.
     #[inline]
     #[must_use]
     pub fn from_ends(lo: T, hi: T) -> Self {
@@ -118,35 +118,35 @@ impl<T: Float> Interval<T> {
         }
     }
 
-    /// Whether the angle is in the interval.
+    /// Returns `true` if `angle` is in the interval.
     #[inline]
     #[must_use]
     pub fn contains(self, angle: T) -> bool {
         self.lo <= angle && angle <= self.hi
     }
 
-    /// Whether it is a single angle.
+    /// Returns `true` if the interval is a single angle.
     #[inline]
     #[must_use]
     pub fn is_point(self) -> bool {
         self.lo >= self.hi
     }
 
-    /// The angle of the interval nearest to `angle`.
+    /// Clamps `angle` to the interval.
     #[inline]
     #[must_use]
     pub fn hold(self, angle: T) -> T {
         angle.max(self.lo).min(self.hi)
     }
 
-    /// Whether `angle` cannot move on in the direction of `change`.
+    /// Returns `true` if `angle` is at or past an end and cannot move on in the direction of `change`.
     #[inline]
     #[must_use]
     pub fn blocks(self, angle: T, change: T) -> bool {
         (change > T::ZERO && angle >= self.hi) || (change < T::ZERO && angle <= self.lo)
     }
 
-    /// What is left of the interval within `bounds`. Where that is nothing, the point of `bounds` nearest to it.
+    /// Returns the intersection with `bounds`; if it is empty, the point of `bounds` nearest to this interval.
     #[inline]
     #[must_use]
     pub fn within(self, bounds: Self) -> Self {
@@ -159,42 +159,44 @@ impl<T: Float> Interval<T> {
         }
     }
 
-    /// What both intervals have in common; the middle between them where that is nothing.
+    /// Returns the intersection of both intervals; if it is empty, the midpoint of the gap between them.
     #[inline]
     #[must_use]
     pub fn common(self, other: Self) -> Self {
         Self::between(self.lo.max(other.lo), self.hi.min(other.hi))
     }
 
-    /// The interval without what is above the other's.
+    /// Returns the interval with its upper end lowered to the other's. If the interval lies above it entirely, returns
+    /// the midpoint of the gap.
     #[inline]
     #[must_use]
     pub fn no_further_up_than(self, other: Self) -> Self {
         Self::between(self.lo, self.hi.min(other.hi))
     }
 
-    /// The interval without what is below the other's.
+    /// Returns the interval with its lower end raised to the other's. If the interval lies below it entirely, returns
+    /// the midpoint of the gap.
     #[inline]
     #[must_use]
     pub fn no_further_down_than(self, other: Self) -> Self {
         Self::between(self.lo.max(other.lo), self.hi)
     }
 
-    /// The interval with both ends moved by `by`.
+    /// Returns the interval with both ends moved by `by`.
     #[inline]
     #[must_use]
     pub fn moved(self, by: T) -> Self {
         Self { lo: self.lo + by, hi: self.hi + by }
     }
 
-    /// This part of the interval, 0…1; finite intervals only.
+    /// Returns the interval with both ends multiplied by `part`, 0…1. The interval must be finite.
     #[inline]
     #[must_use]
     pub fn scaled(self, part: T) -> Self {
         Self { lo: part * self.lo, hi: part * self.hi }
     }
 
-    /// The interval of what may be added to an angle that the animation has at `animated` already. It always contains 0:
+    /// Returns the interval of the angle that may be added when the animation is at `animated`. It always contains 0:
     /// an animation outside the range is not corrected back, but is never moved further out.
     #[inline]
     #[must_use]
@@ -203,20 +205,22 @@ impl<T: Float> Interval<T> {
     }
 }
 
-/// How a pitch's range tapers as the heading nears the ends of its own.
+/// Narrowing of a joint's pitch range as its heading approaches the ends of its own range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taper<T> {
-    /// The part of the range that is lost at either end, 0…1.
+    /// Part of the pitch range that is lost at either end of the heading's, 0…1.
     most: T,
-    /// The part that is lost for each radian to the right and to the left.
+    /// Part of the pitch range that is lost for each radian of heading to the right and to the left.
     per_rad: [T; 2],
-    /// The range that tapers, and the angles that it is counted from.
+    /// The pitch range without taper.
     pitch: Interval<T>,
+    /// The animated angles from which the ranges are measured; `None` if that is the animation.
     animated: Option<Angles<T>>,
 }
 
 impl<T: Float> Taper<T> {
-    /// `None` where nothing tapers: not asked for, no pitch, no end of the heading. NaN counts as 0.
+    /// Returns `None` if nothing tapers: `most` is 0, the joint has no limited pitch, or its heading has no finite end.
+    /// `most` is clamped to 0…1; NaN counts as 0.
     fn new(most: T, heading: Interval<T>, pitch: Interval<T>, animated: Option<Angles<T>>) -> Option<Self> {
         let most = most.max(T::ZERO).min(T::ONE);
         let per_rad = [-heading.lo, heading.hi].map(|end| if end > T::ZERO { most / end } else { T::ZERO });
@@ -226,13 +230,13 @@ impl<T: Float> Taper<T> {
         Some(Self { most, per_rad, pitch, animated })
     }
 
-    /// The taper of this part of the range, 0…1.
+    /// Returns the taper of a pitch range scaled by `part`, 0…1.
     #[inline]
     fn shrunk(self, part: T) -> Self {
         Self { pitch: self.pitch.scaled(part), ..self }
     }
 
-    /// The pitch's interval at this added heading: `(1 − min(most, |heading| · most / end)) · range`.
+    /// Returns the pitch interval at this added heading: `(1 − min(most, |heading| · most / end)) · range`.
     #[inline]
     #[must_use]
     pub fn pitch_at(&self, heading: T) -> Interval<T> {
@@ -248,29 +252,30 @@ impl<T: Float> Taper<T> {
     }
 }
 
-/// A joint's ranges of motion in one pose, as intervals of its added angles.
+/// A joint's range of motion in one pose, as intervals of its added angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RangeOfMotion<T> {
-    /// The heading's interval.
+    /// The interval of the heading.
     pub heading: Interval<T>,
-    /// The pitch's interval where the heading takes nothing of it. See [`pitch_at`](Self::pitch_at).
+    /// The interval of the pitch without taper. See [`pitch_at`](Self::pitch_at).
     pub pitch: Interval<T>,
-    /// How the pitch's interval depends on the heading.
+    /// The dependence of the pitch interval on the heading; `None` if it does not depend on it.
     pub taper: Option<Taper<T>>,
 }
 
 impl<T: Float> RangeOfMotion<T> {
-    /// No movement.
+    /// No movement: both angles are fixed at 0.
     pub const REST: Self = Self { heading: Interval::REST, pitch: Interval::REST, taper: None };
 
-    /// The ranges of a joint from its declared ends (`None` for an angle that it does not have) and taper, where the
-    /// animation turns it by `animated` out of the pose that they are counted from; `None` where that is the animation.
+    /// Evaluates the ranges of a joint from its declared ends (`None` for an angle that the joint lacks) and its taper.
+    /// `animated` are the angles by which the animation turns the joint out of the bind pose; `None` if the ranges are
+    /// measured from the animation itself.
     #[inline]
     #[must_use]
     pub fn new(declared: Angles<Option<[T; 2]>>, taper: T, animated: Option<Angles<T>>) -> Self {
         let [heading, pitch] = [declared.heading, declared.pitch].map(Interval::declared);
         let mut range = Self { heading, pitch, taper: Taper::new(taper, heading, pitch, animated) };
-        // An angle that was not declared has no range to be counted from anywhere.
+        // Leave an undeclared angle at rest: it has no range to measure.
         if let Some(animated) = animated {
             if declared.heading.is_some() {
                 range.heading = heading.counted_from(animated.heading);
@@ -282,7 +287,8 @@ impl<T: Float> RangeOfMotion<T> {
         range
     }
 
-    /// With another interval of the heading, and this part of the pitch's, 0…1.
+    /// Returns these ranges with the given heading interval and the pitch interval scaled by `pitch_part`, 0…1. A free
+    /// pitch stays free.
     #[inline]
     #[must_use]
     pub fn shrunk(&self, heading: Interval<T>, pitch_part: T) -> Self {
@@ -293,7 +299,7 @@ impl<T: Float> RangeOfMotion<T> {
         }
     }
 
-    /// The pitch's interval at this added heading.
+    /// Returns the interval of the pitch at this added heading.
     #[inline]
     #[must_use]
     pub fn pitch_at(&self, heading: T) -> Interval<T> {
@@ -337,7 +343,7 @@ mod tests {
         let declared = Angles { heading: Some([-1.0, 1.0]), pitch: None };
         let range = RangeOfMotion::new(declared, 0.0, Some(Angles { heading: 0.25, pitch: 7.0 }));
         assert_eq!((range.heading.ends(), range.pitch.ends()), ([-1.25, 0.75], [0.0, 0.0]));
-        // Beyond the range the joint is let be and not moved further out.
+        // Beyond the range the joint is neither corrected back nor moved further out.
         let beyond = RangeOfMotion::new(declared, 0.0, Some(Angles { heading: 1.5, pitch: 0.0 }));
         assert_eq!(beyond.heading.ends(), [-2.5, 0.0]);
     }

@@ -1,39 +1,39 @@
-//! The functions of the mathematical library that differentiated functions call.
+//! [`Real`]: the mathematical functions that differentiated code calls.
 
 use crate::Scalar;
 
-/// A [`Scalar`] with the functions of a mathematical library, from `std` or `libm`. Sealed, as `Scalar` is; the vectors of
-/// the feature `wide` call them lane by lane.
+/// A [`Scalar`] with the elementary functions of `std` or `libm`. Sealed like `Scalar`. The vectors of the feature
+/// `wide` apply the functions lane by lane.
 ///
-/// Outside its domain a function is NaN; none panics.
+/// Outside its domain a function returns NaN; no function panics.
 pub trait Real: Scalar {
-    /// Sine and cosine of an angle in radians.
+    /// Returns the sine and the cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
-    /// The sine of an angle in radians.
+    /// Returns the sine of an angle in radians.
     fn sin(self) -> Self;
-    /// The cosine of an angle in radians.
+    /// Returns the cosine of an angle in radians.
     fn cos(self) -> Self;
-    /// The tangent of an angle in radians.
+    /// Returns the tangent of an angle in radians.
     fn tan(self) -> Self;
-    /// The angle with this sine, in radians, −π/2…π/2.
+    /// Returns the arcsine in radians, −π/2…π/2.
     fn asin(self) -> Self;
-    /// The angle with this cosine, in radians, 0…π.
+    /// Returns the arccosine in radians, 0…π.
     fn acos(self) -> Self;
-    /// The angle of the point (`x`, `self`), in radians, −π…π.
+    /// Returns the angle of the point (`x`, `self`) in radians, −π…π.
     fn atan2(self, x: Self) -> Self;
-    /// The exponential.
+    /// Returns e raised to the power of `self`.
     fn exp(self) -> Self;
-    /// The natural logarithm.
+    /// Returns the natural logarithm.
     fn ln(self) -> Self;
-    /// The hyperbolic sine.
+    /// Returns the hyperbolic sine.
     fn sinh(self) -> Self;
-    /// The hyperbolic cosine.
+    /// Returns the hyperbolic cosine.
     fn cosh(self) -> Self;
-    /// The hyperbolic tangent.
+    /// Returns the hyperbolic tangent.
     fn tanh(self) -> Self;
-    /// The largest whole number that is not above.
+    /// Returns the largest integer that is not greater than `self`.
     fn floor(self) -> Self;
-    /// The power; NaN of a negative number but for whole exponents.
+    /// Raises `self` to the power `exponent`. A negative base gives NaN unless the exponent is an integer.
     fn powf(self, exponent: Self) -> Self;
 }
 

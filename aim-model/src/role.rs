@@ -1,9 +1,9 @@
-//! [`Role`]: what a joint is in a gaze.
+//! [`Role`]: the part that a joint plays in a gaze.
 
 use core::fmt;
 
-/// What a joint is in a gaze, as declared. It decides what is left to the solver: whether the gaze is a natural
-/// one, which part of the body a joint belongs to, which headings turn about the character's up.
+/// The part that a joint plays in a gaze, as declared. It determines the default solver (natural or exact), the body
+/// region that a joint belongs to, and the joints whose heading turns about the character's up by default.
 ///
 /// ```
 /// use aim_model::Role;
@@ -15,16 +15,16 @@ use core::fmt;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Role {
-    /// None in particular.
+    /// No particular role.
     #[default]
     None,
-    /// An eye: quick, leads, and returns as the others arrive.
+    /// An eye: moves first and fastest, and turns back as the other joints arrive.
     Eye,
     /// A head.
     Head,
     /// A neck.
     Neck,
-    /// A chest: any joint of the upper torso.
+    /// A joint of the upper torso.
     Chest,
 }
 
@@ -32,7 +32,7 @@ impl Role {
     /// Every role, in the order in which messages list them.
     pub const ALL: [Self; 5] = [Self::Eye, Self::Head, Self::Neck, Self::Chest, Self::None];
 
-    /// The word that declares it: `eye`, `head`, `neck`, `chest` or `none`.
+    /// Returns the keyword that declares the role: `eye`, `head`, `neck`, `chest` or `none`.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -44,13 +44,13 @@ impl Role {
         }
     }
 
-    /// Whether a joint of this role turns about the character's up, where its declaration does not say.
+    /// Returns `true` if a joint of this role turns about the character's up unless its declaration says otherwise.
     #[must_use]
     pub const fn is_upright(self) -> bool {
         matches!(self, Self::Head | Self::Neck)
     }
 
-    /// Whether it is a part of the head or neck, as an eye is.
+    /// Returns `true` if the joint belongs to the head or neck, eyes included.
     #[must_use]
     pub const fn is_of_head(self) -> bool {
         matches!(self, Self::Eye | Self::Head | Self::Neck)

@@ -1,4 +1,4 @@
-//! The number type of derived code: `f32`, `f64`, and with the feature `wide` vectors of them.
+//! [`Scalar`]: the number type of derived code, `f32` or `f64`, and with the feature `wide` vectors of them.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -12,12 +12,12 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-/// What an emitted kernel computes with: `f32` and `f64`. Sealed: kernels rely on IEEE 754 arithmetic.
+/// The number type of emitted kernels: `f32` and `f64`. Sealed, because kernels rely on IEEE 754 arithmetic.
 ///
-/// With the feature `wide` also `f32x4`, `f32x8`, `f32x16`, `f64x2`, `f64x4` and `f64x8` of the crate `wide`: then each
-/// lane is a character of its own, and one call of a kernel of a rig serves them all; so does one of a differentiated
-/// function with `lanes`. Guards and branches are selects, so a lane gives the very bits that the scalar function gives for its numbers,
-/// whatever stands in the others. (Of a NaN only that it is one; none arises where the numbers that come in are finite.)
+/// With the feature `wide` also `f32x4`, `f32x8`, `f32x16`, `f64x2`, `f64x4` and `f64x8` of the crate `wide`. Each lane
+/// is then a separate character, and one call of a kernel, or of a differentiated function with `lanes`, computes them
+/// all. Guards and branches are selects, so each lane gives bit for bit the result of the scalar function,
+/// independently of the other lanes. (Only the bits of a NaN may differ; finite inputs produce none.)
 ///
 /// ```
 /// # #[cfg(any(feature = "std", feature = "libm"))] {
@@ -43,11 +43,11 @@ pub trait Scalar:
     const ZERO: Self;
     /// The smallest length that a kernel divides by: its square is still a normal number.
     const TINY: Self;
-    /// The value of this type nearest to `value`.
+    /// Returns the value of this type nearest to `value`.
     fn constant(value: f64) -> Self;
-    /// The square root, correctly rounded; NaN below 0.
+    /// Returns the square root, correctly rounded; NaN below 0.
     fn sqrt(self) -> Self;
-    /// `then` where `a < b`, else `otherwise` (also where either is NaN).
+    /// Returns `then` if `a < b`, else `otherwise`, which is also the result if either is NaN.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self;
 }
 

@@ -1,7 +1,7 @@
-//! Numbers as they are stored with the feature `serde`: `#[serde(with = "aim_model::stored")]`.
+//! Serialised form of numbers with the feature `serde`, for `#[serde(with = "aim_model::stored")]`.
 //!
-//! JSON has no infinity and no NaN. In formats that people read they are the words `inf`, `-inf` and `nan`, as in TOML; other
-//! formats store every number by its bits.
+//! JSON has neither infinity nor NaN. Human-readable formats therefore store them as the words `inf`, `-inf` and `nan`,
+//! as in TOML; binary formats store every number by its bits.
 
 use core::fmt;
 use core::marker::PhantomData;
@@ -10,25 +10,25 @@ use serde::de::{self, SeqAccess, Visitor};
 use serde::ser::SerializeTuple;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Writes numbers.
+/// Serialises a number or an array of numbers.
 pub fn serialize<T: Stored, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
     value.store(serializer)
 }
 
-/// Reads numbers.
+/// Deserialises a number or an array of numbers.
 pub fn deserialize<'de, T: Stored, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {
     T::load(deserializer)
 }
 
 /// A number or an array of numbers.
 pub trait Stored: Copy {
-    /// Writes it.
+    /// Writes the value to `serializer`.
     fn store<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error>;
-    /// Reads it.
+    /// Reads a value from `deserializer`.
     fn load<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error>;
 }
 
-/// An element of an array.
+/// An array element, wrapped to implement serde's own traits.
 struct Element<T>(T);
 
 impl<T: Stored> Serialize for Element<T> {

@@ -1,4 +1,4 @@
-//! [`Aim`]: one character of a derived rig; and [`dyn Rig`](Rig), which drives any rig by slices.
+//! [`Aim`], one character of a derived rig, and the methods of [`dyn Rig`](Rig), which drive any rig through slices.
 
 use core::fmt;
 
@@ -11,7 +11,7 @@ use crate::solve::{self, judge};
 use crate::target::blend;
 use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Target};
 
-/// One character of a rig known at compile time: its state, 64 bytes and 24 for each joint.
+/// One character of a rig known at compile time. Holds the character's state: 64 bytes, plus 24 for each joint.
 ///
 /// ```
 /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
@@ -30,34 +30,35 @@ use crate::{AimRig, Description, Joint, Outcome, Pose, Rig, Settings, State, Tar
 /// assert_eq!(aimed.outcome.status, Status::RateLimited); // 3 rad/s for a sixtieth of a second
 /// ```
 pub struct Aim<R: AimRig> {
-    /// The angles and the memory.
+    /// The joint angles, and the memory kept between frames.
     pub state: State<R::Array<Joint>>,
 }
 
-/// What a call of [`Aim`] gives back.
+/// Result of a call of [`Aim`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use = "the corrections are lost unless the bones are turned by them"]
 #[non_exhaustive]
 pub struct Aimed<A> {
-    /// What became of the call.
+    /// The measured result: status and remaining angle.
     pub outcome: Outcome,
-    /// Each joint's correction, from the effector inward: what the bone's animated local rotation is multiplied by on the
-    /// right. Unit to 1e-6; the exact identity at rest.
+    /// Correction of each joint, from the effector inward: multiply the bone's animated local rotation by it on the
+    /// right. Unit to 1e-6; exactly the identity at rest.
     ///
-    /// A local *rotation* may be multiplied by it where the bone's own scale mirrors no axis, or all three. With scale −1
-    /// along one axis the turn is behind the mirror: about the axis mirrored, the other way round.
+    /// A correction may be multiplied onto the local *rotation* alone if the bone's own scale mirrors no axis or all
+    /// three. If it mirrors one or two, multiply the whole local transform instead; as a local rotation the correction
+    /// is then `S · correction · S⁻¹`, with S the diagonal matrix of the scale's signs.
     pub corrections: A,
 }
 
 impl<R: AimRig> Aim<R> {
-    /// A character at rest.
+    /// Creates a character at rest.
     #[must_use]
     pub fn new() -> Self {
         Self { state: State::new(R::array(Joint::REST)) }
     }
 
-    /// A character with these joints: a stored state put back.
+    /// Creates a character from joint states, for example to restore stored angles.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -72,7 +73,7 @@ impl<R: AimRig> Aim<R> {
         Self { state: State::new(joints) }
     }
 
-    /// The joints by name.
+    /// Returns the joint states by name.
     #[must_use]
     pub fn joints(&self) -> R {
         R::from_joints(self.state.joints)
@@ -80,12 +81,13 @@ impl<R: AimRig> Aim<R> {
 
     /// Turns the character towards the target for one frame of `dt` seconds.
     ///
-    /// `pose` and target are in one common space, global and not local. No angle changes by more than its joint's rate ×
-    /// `dt` (a free heading modulo a full turn), and none leaves its range of motion; one found outside goes back at its
-    /// rate. With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. Where there is nothing to aim
-    /// ([`Status::Degenerate`](crate::Status::Degenerate)) the angles hold.
+    /// `pose` and `target` are in the same space, and the pose holds global transforms, not local ones. The target is a
+    /// point, or several weighted [targets](Targets).
     ///
-    /// The target is a point, or several weighted [targets](Targets).
+    /// - No angle changes by more than its joint's rate × `dt` (a free heading: modulo a full turn).
+    /// - No angle leaves its range of motion. An angle that is already outside returns at its joint's rate.
+    /// - If `dt` is zero, negative or NaN, nothing moves. Values above 0.1 s are clamped to 0.1 s.
+    /// - If the call is [`Status::Degenerate`](crate::Status::Degenerate), the angles stay as they are.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -112,12 +114,12 @@ impl<R: AimRig> Aim<R> {
         self.call(pose, &Call { targets: target.into(), dt: Some(dt), settings })
     }
 
-    /// [`aim`](Self::aim), with the solvers of frames that need no search compiled into the caller for this rig alone: its
-    /// constants folded, its kernel inlined. The same bits.
+    /// Same as [`aim`](Self::aim), but the solvers for frames that need no search are compiled into the caller for this
+    /// rig, with its constants folded and its kernel inlined. The results are bit-identical.
     ///
-    /// For crowds: a frame that follows a target costs a sixth less by [`Solver::Exact`](crate::Solver::Exact) with three
-    /// joints, and nearly a third less with a single joint. The program grows by some 12 kB for each rig. Other frames cost
-    /// what they cost in `aim`.
+    /// Intended for crowds. With [`Solver::Exact`](crate::Solver::Exact), a frame that follows a target costs a sixth
+    /// less with three joints and nearly a third less with a single joint. Other frames cost the same as with `aim`.
+    /// Each rig adds about 12 kB to the program.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -154,11 +156,11 @@ impl<R: AimRig> Aim<R> {
         }
     }
 
-    /// Puts the character on the target at once, whatever the rates, within the ranges of motion: for a spawn, a camera
-    /// cut, scrubbing. The only jump.
+    /// Puts the character on the target at once, within the ranges of motion but regardless of rates: for a spawn, a
+    /// camera cut or scrubbing. The only call that moves joints discontinuously, together with [`reset`](Self::reset).
     ///
-    /// Starts from rest, so that the result does not depend on what came before wherever the target can be reached.
-    /// Never [`RateLimited`](crate::Status::RateLimited).
+    /// The search starts from rest, so the result does not depend on earlier frames if the target can be reached. The
+    /// status is never [`RateLimited`](crate::Status::RateLimited).
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -182,7 +184,7 @@ impl<R: AimRig> Aim<R> {
         self.call(pose, &Call { targets: target.into(), dt: None, settings })
     }
 
-    /// Puts every joint at rest at once and forgets what was seen.
+    /// Returns every joint to rest at once and clears the memory.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -207,7 +209,7 @@ impl<R: AimRig> Aim<R> {
         Aimed { outcome, corrections }
     }
 
-    /// Apart, so that a followed frame that is inlined has its slices and its call in registers.
+    /// Kept out of line so that the inlined path of `aim_inlined` has its slices and its call in registers.
     #[inline(never)]
     fn search(
         &mut self,
@@ -255,7 +257,7 @@ impl<R: AimRig> fmt::Debug for Aim<R> {
     }
 }
 
-/// Stored as its [state](State) is, and read from a stored state of as many joints.
+/// Serialises [`Aim`] as its [state](State). Deserialisation requires exactly the rig's number of joints.
 #[cfg(feature = "serde")]
 mod stored {
     use core::fmt;
@@ -279,7 +281,7 @@ mod stored {
         }
     }
 
-    /// The joints of a rig, read.
+    /// Deserialised joint states of a rig.
     struct JointsOf<R: AimRig>(R::Array<Joint>);
 
     struct Sequence<R>(PhantomData<R>);
@@ -324,14 +326,18 @@ mod stored {
     }
 }
 
-/// What is aimed at: a point, or several weighted ones.
+/// Target of a call: a point, or several weighted points.
 ///
-/// Several targets are blended by their directions as the animated effector sees them (the weighted sum of unit vectors),
-/// and by how near they are; their order does not matter, and where no directions cancel the blend is continuous in
-/// points and weights. Weights that add up to less than 1 fade towards the animation as
-/// [`Settings::weight`] does, which multiplies them. A target that is not finite, or on the effector, is left out. Where
-/// directions cancel the heaviest target is aimed at, and of equals the first. No target at all is weight 0. A single
-/// finite target of weight 1 is its point.
+/// Several targets are blended: the direction is the weighted sum of the unit directions from the animated effector,
+/// and the distance is the weighted harmonic mean. The order of the targets does not matter, and the blend is
+/// continuous in points and weights except where directions cancel. In detail:
+///
+/// - If the weights add up to less than 1, the gaze fades towards the animation; the sum multiplies
+///   [`Settings::weight`].
+/// - A target that is not finite, or at the effector, is ignored.
+/// - If the directions cancel, the heaviest target is aimed at, or the first of several with equal weight.
+/// - Without targets, the weight is 0.
+/// - A single finite target of weight 1 is equivalent to its point.
 ///
 /// ```
 /// use aim_runtime::glam::Vec3;
@@ -345,7 +351,7 @@ mod stored {
 pub enum Targets<'a> {
     /// A point, in the pose's space.
     Point(Vec3),
-    /// Several points.
+    /// Several weighted points, in the pose's space.
     Weighted(&'a [Target]),
 }
 
@@ -367,14 +373,14 @@ impl<'a, const N: usize> From<&'a [Target; N]> for Targets<'a> {
     }
 }
 
-/// A call of [`dyn Rig`](Rig).
+/// Input of a call of [`dyn Rig`](Rig), apart from state and pose.
 #[derive(Clone, Copy, Debug)]
 pub struct Call<'a> {
-    /// What is aimed at.
+    /// The point or points to aim at.
     pub targets: Targets<'a>,
-    /// The frame's length, seconds; `None` puts the character on the target at once, as [`Aim::snap`] does.
+    /// Frame time in seconds. `None` puts the character on the target at once, as [`Aim::snap`] does.
     pub dt: Option<f32>,
-    /// How it is aimed.
+    /// The settings of this call.
     pub settings: &'a Settings,
 }
 
@@ -386,11 +392,11 @@ impl fmt::Debug for dyn Rig + '_ {
 }
 
 impl dyn Rig + '_ {
-    /// Serves a call of [`Aim::aim`] or [`Aim::snap`] for a rig of any number of joints: moves `state` and writes the
-    /// joints' corrections.
+    /// Performs [`Aim::aim`], or [`Aim::snap`] if [`Call::dt`] is `None`, for a rig of any number of joints: updates
+    /// `state` and writes the joints' corrections.
     ///
-    /// `state`, `pose` and `corrections` hold one element for each joint of the rig, from the effector inward; with
-    /// another number the call is [`Degenerate`](crate::Status::Degenerate) and changes nothing.
+    /// `state`, `pose` and `corrections` must hold one element for each joint of the rig, from the effector inward.
+    /// Otherwise the call is [`Degenerate`](crate::Status::Degenerate) and changes nothing.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -416,7 +422,8 @@ impl dyn Rig + '_ {
     }
 }
 
-/// Serves a call. What is aimed at is known to most callers when they are compiled.
+/// Resolves the targets of a call and runs it. Inlined because most callers know the variant of [`Targets`] at compile
+/// time.
 #[inline(always)]
 fn aim_slices(
     rig: &dyn Rig,
@@ -435,7 +442,7 @@ fn aim_slices(
             (point, &faded)
         }
     };
-    // The number of joints is known, too, where the rig is.
+    // For a derived rig the number of joints is a constant, so this lookup is resolved at compile time.
     let aim_point = AIM_POINT.get(description.joints.len()).unwrap_or(&AIM_POINT[0]);
     aim_point(rig, description, state, pose, &solve::Call::new(target_ps, call.dt, settings), corrections)
 }
@@ -443,7 +450,7 @@ fn aim_slices(
 type AimPoint =
     fn(&dyn Rig, &Description<'_>, StateSlices<'_>, &PoseSlices<'_>, &solve::Call<'_>, &mut [Quat]) -> Outcome;
 
-/// [`aim_point`] by the number of joints.
+/// Instances of [`aim_point`], indexed by the number of joints; index 0 serves any other number.
 #[cfg(not(aim_small))]
 const AIM_POINT: [AimPoint; LANE_JOINTS + 1] = [
     aim_point::<0>,
@@ -459,8 +466,8 @@ const AIM_POINT: [AimPoint; LANE_JOINTS + 1] = [
 #[cfg(aim_small)]
 const AIM_POINT: [AimPoint; 1] = [aim_point::<0>];
 
-/// Serves a call for one target; compiled once for all rigs of so many joints, or for all rigs where the program is to be
-/// small. Where it is another number, it is searched.
+/// Runs a call for one target. Compiled once per number of joints `N` and shared by all rigs of that size, or once for
+/// all rigs with `aim_small`. Rigs with another number of joints always take the general search.
 #[inline(never)]
 fn aim_point<const N: usize>(
     rig: &dyn Rig,
@@ -482,7 +489,8 @@ fn aim_point<const N: usize>(
     search(rig, description, &mut state, pose, call, corrections)
 }
 
-/// Serves a call that [`solve::follow`] does not, for three sizes of scratch memory; for one where the program is to be small.
+/// Runs a call that [`solve::follow`] does not handle. Compiled for three sizes of scratch memory, or one with
+/// `aim_small`.
 #[inline(never)]
 fn search(
     kernels: &dyn Rig,

@@ -8,10 +8,11 @@ use glam::{Affine3A, Quat};
 
 use crate::{Call, Joint, Memory, Outcome, Pose, Rig, Settings, State, Targets};
 
-/// One character of a rig known only at run time: its state and its corrections on the heap, allocated once.
+/// One character of a rig known only at run time. State and corrections are on the heap, allocated once by
+/// [`new`](Self::new).
 ///
 /// `R` is a rig or a reference to a shared one: `&dyn Rig`, `Arc<dyn Rig>`, `Arc<InterpretedRig>`. Without a heap,
-/// [`dyn Rig`](Rig) is driven by slices.
+/// drive a [`dyn Rig`](Rig) through slices instead.
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -32,14 +33,14 @@ use crate::{Call, Joint, Memory, Outcome, Pose, Rig, Settings, State, Targets};
 pub struct DynAim<R> {
     /// The rig.
     pub rig: R,
-    /// The angles and the memory.
+    /// The joint angles, and the memory kept between frames.
     pub state: State<Vec<Joint>>,
     corrections: Vec<Quat>,
     other_eye_correction: Option<Quat>,
 }
 
 impl<R: Rig> DynAim<R> {
-    /// A character at rest.
+    /// Creates a character at rest. Allocates one state and one correction for each joint.
     pub fn new(rig: R) -> Self {
         let count = rig.description().joints().len();
         let (state, corrections) = (State::new(std::vec![Joint::REST; count]), std::vec![Quat::IDENTITY; count]);
@@ -80,20 +81,20 @@ impl<R: Rig> DynAim<R> {
         self.call(pose, &Call { targets: target.into(), dt: None, settings })
     }
 
-    /// Each joint's correction as of the last call; see [`Aimed::corrections`](crate::Aimed::corrections).
+    /// Returns each joint's correction from the last call; see [`Aimed::corrections`](crate::Aimed::corrections).
     #[must_use]
     pub fn corrections(&self) -> &[Quat] {
         &self.corrections
     }
 
-    /// The other eye's correction as of the last call, kept where that call had no usable pose; `None` where the pose had
-    /// [no other eye](Pose::with_other_eye).
+    /// Returns the other eye's correction from the last call. If that call had no usable pose, the earlier value is
+    /// kept. `None` if the pose had [no other eye](Pose::with_other_eye).
     #[must_use]
     pub fn other_eye_correction(&self) -> Option<Quat> {
         self.other_eye_correction
     }
 
-    /// Puts every joint at rest at once and forgets what was seen.
+    /// Returns every joint to rest at once and clears the memory.
     pub fn reset(&mut self) {
         self.state.joints.fill(Joint::REST);
         self.state.memory = Memory::NONE;

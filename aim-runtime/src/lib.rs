@@ -1,25 +1,30 @@
-//! The runtime of `aim-rig`: turns eyes, neck and spine to a target on top of any animation, within limits, at
-//! bounded speed.
+//! Runtime of `aim-rig`: turns eyes, neck and spine towards a target on top of any animation, within joint limits and
+//! at bounded speed.
 //!
-//! The derivatives come from the rig's own derived kernels ([`Rig`]); nothing here is tied to a bone convention.
-//! No call allocates or panics, whatever the bits of its input.
+//! Derivatives come from the kernels derived for each rig ([`Rig`]), so nothing here depends on a bone convention. No
+//! solver allocates or panics, for any input, including NaN and infinity.
 //!
 //! # Feature flags
 //!
 //! - `std` (default): square roots and rounding from the standard library, and the functions of [`Real`].
-//! - `libm`: the same from `libm`, for targets without a standard library.
-//! - `serde`: `Serialize` and `Deserialize` for [`Settings`], [`State`], [`Aim`], [`Outcome`], [`Target`], [`Pose`] and what they
-//!   are made of. A state that is read back goes on with the same bits. Formats that people read have the words `inf`,
-//!   `-inf` and `nan` for numbers that are not finite.
-//! - `f64`: glam's types in double precision, in the re-exported [`glam`].
-//! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one call of a kernel serves
+//! - `libm`: the same functions from the crate `libm`, for targets without a standard library.
+//! - `serde`: `Serialize` and `Deserialize` for [`Settings`], [`State`], [`Aim`], [`Outcome`], [`Target`], [`Pose`] and
+//!   the types of their fields. A restored state continues with bit-identical results. Human-readable formats store
+//!   numbers that are not finite as the words `inf`, `-inf` and `nan`.
+//! - `f64`: double-precision glam types, in the re-exported [`glam`].
+//! - `wide`: [`Scalar`] for the vectors of the [`wide`](https://docs.rs/wide) crate, so that one kernel call evaluates
 //!   as many characters as the vector has lanes. Needs Rust 1.89, as that crate does; works with `std` and with `libm`.
 //!
 //! # Small programs
 //!
-//! Solvers are compiled for several numbers of joints, for speed. For programs that are downloaded, two flags of the compiler
-//! (`RUSTFLAGS`) make them smaller: `--cfg aim_small` compiles them once, for chains of at most 16 joints, and `--cfg aim_natural`
-//! leaves out all but [`Solver::Natural`]; calls that it does not serve are degenerate. The natural solver's bits stay the same.
+//! For speed, the solvers are compiled for several numbers of joints. Two compiler flags (`RUSTFLAGS`) reduce the size
+//! of programs that are downloaded:
+//!
+//! - `--cfg aim_small` compiles the solvers once, for chains of at most 16 joints.
+//! - `--cfg aim_natural` leaves out every solver except [`Solver::Natural`]. A call that the natural solver does not
+//!   support returns [`Status::Degenerate`].
+//!
+//! Neither flag changes the results of the natural solver.
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![allow(
@@ -61,10 +66,10 @@ pub use target::blend::Target;
 #[cfg(feature = "wide")]
 pub use wide;
 
-/// Bounds of the turn that the joints of one part of the body make together. See [`aim_model::Budget`].
+/// Limits on the total turn of the joints of one body part. See [`aim_model::Budget`].
 pub type Budget = aim_model::Budget<f32>;
-/// The budgets of the parts of a body, per rig by [`Description::with_budgets`]. See [`aim_model::Budgets`].
+/// Turn budgets of the body parts, set per rig by [`Description::with_budgets`]. See [`aim_model::Budgets`].
 pub type Budgets = aim_model::Budgets<f32>;
-/// How a natural gaze is shared between the eyes and the joints that support them, per rig by
-/// [`Description::sharing`], per call by [`Settings::sharing`]. See [`aim_model::GazeSharing`].
+/// Division of a natural gaze between the eyes and the joints that support them; set per rig by
+/// [`Description::with_sharing`] and per call by [`Settings::sharing`]. See [`aim_model::GazeSharing`].
 pub type GazeSharing = aim_model::GazeSharing<f32>;

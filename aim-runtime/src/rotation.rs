@@ -1,7 +1,8 @@
 //! Rotations and affine transforms with the same bits on every machine, in debug and in release.
 //!
-//! glam's own products, square roots of sums and sines depend on what the machine can do at once; these do not, and the
-//! solvers use nothing else. All are total: no panic, and a unit quaternion wherever one is promised, whatever the bits.
+//! glam's own products, sums and sines depend on the instructions that a machine has; these functions do not, and the
+//! solvers use nothing else. All are total: none panics, and where a unit quaternion is promised, it is returned for
+//! every input.
 //!
 //! ```
 //! use aim_runtime::glam::{Quat, Vec3, Vec3A};
@@ -21,60 +22,60 @@ use crate::math::trig::{atan2, half_sin_cos_within};
 use crate::math::turn::{self, normalized, part};
 use crate::math::{self, wrap_pi};
 
-/// The product of two unit quaternions: the rotation that turns by `b`, then by `a`. Not made unit again.
+/// Returns the product of two unit quaternions: the rotation by `b`, then by `a`. The result is not renormalised.
 #[must_use]
 #[inline]
 pub fn product(a: Quat, b: Quat) -> Quat {
     math::product(a, b)
 }
 
-/// The sum of the products of the components.
+/// Returns the dot product of two quaternions.
 #[must_use]
 #[inline]
 pub fn dot(a: Quat, b: Quat) -> f32 {
     turn::dot(a, b)
 }
 
-/// The quaternion at length 1; `None` if it is zero or not finite.
+/// Returns the quaternion scaled to length 1; `None` if it is zero or not finite.
 #[must_use]
 #[inline]
 pub fn unit(rotation: Quat) -> Option<Quat> {
     turn::unit(rotation)
 }
 
-/// A vector turned by a unit quaternion.
+/// Returns a vector rotated by a unit quaternion.
 #[must_use]
 #[inline]
 pub fn turned(rotation: Quat, v: Vec3A) -> Vec3A {
     math::turned(rotation, v)
 }
 
-/// The cross product, each product rounded by itself.
+/// Returns the cross product, with each product rounded separately (no fused multiply-add).
 #[must_use]
 #[inline]
 pub fn cross(a: Vec3A, b: Vec3A) -> Vec3A {
     math::cross(a, b)
 }
 
-/// The length of a vector, without overflow or underflow on the way.
+/// Returns the length of a vector, without intermediate overflow or underflow.
 #[must_use]
 pub fn length(v: Vec3A) -> f32 {
     math::length(v)
 }
 
-/// The square root; 0 of what is negative or no number.
+/// Returns the square root; 0 for negative numbers and NaN.
 #[must_use]
 pub fn square_root(x: f32) -> f32 {
     math::sqrt(x)
 }
 
-/// The angle of a unit quaternion's rotation, the short way, in 0…π radians.
+/// Returns the angle of a unit quaternion's rotation, taken the shorter way, radians, 0…π.
 #[must_use]
 pub fn angle(rotation: Quat) -> f32 {
     turn::angle(rotation)
 }
 
-/// Normalised linear interpolation: the shorter way, not at constant speed.
+/// Normalised linear interpolation along the shorter arc; the angular speed is not constant.
 ///
 /// `weight` is clamped to 0…1, NaN counts as 0; a quaternion that is zero or not finite counts as the identity.
 ///
@@ -88,18 +89,20 @@ pub fn nlerp(a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|rotation| unit(rotation).unwrap_or(Quat::IDENTITY));
     let weight = clamped(weight);
     let b = if dot(a, b) < 0.0 { -b } else { b };
-    // Of two in one hemisphere the sum is at least √½ long.
+    // The sum of two unit quaternions in one hemisphere has a length of at least √½.
     normalized(a * (1.0 - weight) + b * weight)
 }
 
-/// Spherical linear interpolation: the shorter way at constant speed. Degenerate input as in [`nlerp`].
+/// Spherical linear interpolation along the shorter arc, at constant angular speed. Weight and degenerate input as in
+/// [`nlerp`].
 #[must_use]
 pub fn slerp(a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|rotation| unit(rotation).unwrap_or(Quat::IDENTITY));
     normalized(product(part(normalized(product(b, a.conjugate())), clamped(weight)), a))
 }
 
-/// The rotation vector of a unit quaternion: its axis times its angle, radians, the short way, so no longer than π.
+/// Returns the rotation vector of a unit quaternion: its axis times its angle, radians. The angle is taken the shorter
+/// way, so the length is at most π.
 ///
 /// Zero for a quaternion that is zero or not finite.
 ///
@@ -119,9 +122,10 @@ pub fn log(rotation: Quat) -> Vec3 {
     (axis * factor).into()
 }
 
-/// The unit quaternion of a rotation vector: about its direction by its length, radians. The inverse of [`log`].
+/// Returns the unit quaternion of a rotation vector: the rotation about its direction by its length, radians. Inverse
+/// of [`log`].
 ///
-/// The identity for a vector that is not finite.
+/// Returns the identity if the vector is not finite.
 #[must_use]
 pub fn exp(vector: Vec3) -> Quat {
     let angle = math::length(vector.into());
@@ -134,8 +138,8 @@ pub fn exp(vector: Vec3) -> Quat {
     unit(Quat::from_xyzw(axis.x, axis.y, axis.z, cos)).unwrap_or(Quat::IDENTITY)
 }
 
-/// The shortest rotation from one direction to another; about any axis between opposites. Vectors of any length; the
-/// identity if one is zero or not finite.
+/// Returns the shortest rotation from one direction to another; between opposite directions, about an arbitrary
+/// orthogonal axis. The vectors may have any length. Returns the identity if one is zero or not finite.
 ///
 /// ```
 /// # use aim_runtime::{glam::Vec3, rotation};
@@ -164,14 +168,14 @@ pub fn gram_schmidt(m: Mat3A) -> Option<Mat3A> {
     math::orthonormal(m)
 }
 
-/// The orthogonal matrix nearest to the columns, each made unit first: their polar decomposition, which prefers none of
-/// them. Keeps handedness. `None` as for [`gram_schmidt`].
+/// Returns the orthogonal matrix nearest to the normalised columns: the orthogonal factor of their polar decomposition,
+/// which favours no column. Keeps handedness. `None` if the columns are linearly dependent to 1e-5, or not finite.
 #[must_use]
 pub fn nearest_orthogonal(m: Mat3A) -> Option<Mat3A> {
     math::orthonormal(m)?;
     let [x, y, z] = [m.x_axis, m.y_axis, m.z_axis].map(math::direction);
     let mut frame = Mat3A::from_cols(x?, y?, z?);
-    // Newton's iteration F ← (F + F⁻ᵀ) / 2: halves what is stretched, then converges quadratically.
+    // Newton's iteration F ← (F + F⁻ᵀ) / 2: halves large singular values, then converges quadratically.
     for _ in 0..40 {
         let next = (frame + math::inverse(frame).transpose()) * 0.5;
         let change = next - frame;
@@ -181,11 +185,12 @@ pub fn nearest_orthogonal(m: Mat3A) -> Option<Mat3A> {
             break;
         }
     }
-    // Leaves rounding only.
+    // Only removes rounding errors.
     math::orthonormal(frame)
 }
 
-/// The inverse of an affine transform. `None` if its columns are linearly dependent to 1e-5, or if it is not finite.
+/// Returns the inverse of an affine transform. `None` if its columns are linearly dependent to 1e-5, or if it or its
+/// inverse is not finite.
 ///
 /// ```
 /// # use aim_runtime::{glam::{Affine3A, Vec3}, rotation};
@@ -200,7 +205,7 @@ pub fn inverse(transform: &Affine3A) -> Option<Affine3A> {
     inverse.is_finite().then_some(inverse)
 }
 
-/// 0…1; NaN counts as 0.
+/// Clamps a weight to 0…1; NaN counts as 0.
 fn clamped(weight: f32) -> f32 {
     weight.max(0.0).min(1.0)
 }

@@ -1,5 +1,5 @@
-//! [`Scalar`] and [`Real`] for the vectors of `wide`: every lane computes what the scalar would, bit for bit, whatever the
-//! others hold.
+//! [`Scalar`] and [`Real`] for the vectors of `wide`: each lane gives bit for bit the scalar result, independently of
+//! the other lanes.
 
 use super::{Scalar, sealed::Sealed};
 use crate::Real;
@@ -19,8 +19,8 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn sqrt(self) -> Self {
-                // Without vector instructions and without `std`, `wide` has a square root of its own, which goes wrong
-                // for subnormal numbers (1.7.1).
+                // Without vector instructions and without `std`, `wide` falls back to its own square root, which is
+                // wrong for subnormal numbers (1.7.1).
                 #[cfg(any(
                     feature = "std",
                     target_feature = "sse2",
@@ -43,8 +43,8 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
-                // The comparison is ordered: false where either is NaN. By bits, because a guard's other choice is zero:
-                // that leaves a comparison and an `and`.
+                // The comparison is ordered: false if either is NaN. A bitwise select, because the alternative of a
+                // guard is zero: the compiler reduces it to a comparison and an `and`.
                 a.simd_lt(b).bitselect(then, otherwise)
             }
         }

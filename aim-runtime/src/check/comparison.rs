@@ -1,22 +1,23 @@
-//! [`Comparison`]: the rotations that the bones really got, against the corrections.
+//! [`Comparison`] of the rotations that the bones actually received with the corrections.
 //!
-//! Let `P` be a joint's animated global transform and `A` the applied one, `P'` and `A'` those of the next joint inward;
-//! bones between the two are unknown, but nobody turned them. Then the joint added `(A' P'⁻¹ P)⁻¹ A` in its own space:
-//! its correction, if all is well. The space of the applied joints cancels, save for the innermost joint.
+//! Let `P` be a joint's animated global transform and `A` the applied one, `P'` and `A'` those of the next joint
+//! inward. Bones between the two are unknown but assumed unmoved. Then the joint added the rotation `(A' P'⁻¹ P)⁻¹ A`
+//! in its own space, which equals its correction in a correct setup. The space of the applied joints cancels, except
+//! for the innermost joint.
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A};
 
 use crate::kinematics::chain;
 use crate::math;
 
-/// A joint that is farther than this from its correction is wrong, radians: 0.1°.
+/// Error from which a joint counts as wrong, radians: 0.1°.
 pub(super) const WRONG_RAD: f32 = 2e-3;
-/// A joint is out of place by this part of the chain's length.
+/// Displacement from which a joint counts as out of place, as a fraction of the chain's length.
 const OUT_OF_PLACE: f32 = 2e-3;
-/// What coordinates lose by rounding.
+/// Rounding error of coordinates, relative to their size.
 const ROUNDING: f32 = 4e-6;
 
-/// Values from the effector inward, or read the other way round.
+/// Values in pose order, read forward or in reverse.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ordered<'a, T> {
     values: &'a [T],
@@ -28,7 +29,7 @@ impl<'a, T: Copy> Ordered<'a, T> {
         Self { values, reversed: false }
     }
 
-    /// The same values, read from the other end if `reversed`.
+    /// Returns the same values in opposite order if `reversed`.
     pub(super) fn reversed(self, reversed: bool) -> Self {
         Self { reversed: self.reversed != reversed, ..self }
     }
@@ -38,19 +39,20 @@ impl<'a, T: Copy> Ordered<'a, T> {
     }
 }
 
-/// A pose, the corrections, and what the engine made of them: as many of each.
+/// A pose, its corrections and the applied joints, all of the same length.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Comparison<'a> {
     pose: Ordered<'a, Affine3A>,
     applied: Ordered<'a, Affine3A>,
     corrections: Ordered<'a, Quat>,
-    /// The distance that a joint may be out of place: what is not seen, and what rounding does far from the origin.
+    /// Displacement that is still tolerated: the invisible part, plus rounding far from the origin.
     slack: f32,
     is_in_place: bool,
 }
 
 impl<'a> Comparison<'a> {
-    /// At least one joint, as many of each; all transforms usable.
+    /// Creates a comparison. Needs at least one joint, slices of equal length, and transforms that are finite and
+    /// invertible.
     pub(super) fn new(
         pose: Ordered<'a, Affine3A>,
         applied: Ordered<'a, Affine3A>,
@@ -62,12 +64,13 @@ impl<'a> Comparison<'a> {
         comparison
     }
 
-    /// With other applied joints.
+    /// Returns a comparison with other applied joints.
     pub(super) fn with_applied(&self, applied: &'a [Affine3A]) -> Self {
         Self::new(self.pose, Ordered::new(applied), self.corrections)
     }
 
-    /// If the pose had been passed in the opposite order: and corrections and applied joints too, or not.
+    /// Returns the comparison for a pose in opposite order, optionally with corrections and applied joints reversed
+    /// too.
     pub(super) fn reversed(&self, corrections: bool, applied: bool) -> Self {
         Self::new(self.pose.reversed(true), self.applied.reversed(applied), self.corrections.reversed(corrections))
     }
@@ -80,7 +83,7 @@ impl<'a> Comparison<'a> {
         self.corrections.get(joint)
     }
 
-    /// Both transforms of the innermost joint: animated and applied.
+    /// Returns the innermost joint's animated and applied transforms.
     fn innermost(&self) -> [Affine3A; 2] {
         let last = self.count() - 1;
         [self.pose.get(last), self.applied.get(last)]
@@ -98,11 +101,12 @@ impl<'a> Comparison<'a> {
             }
             farthest = farthest.max(place.length() + scale * self.pose.get(joint).translation.length());
         }
-        // A chain without a length has that of a bone's axis.
+        // For a chain of length zero, the length of a bone's axis takes its place.
         OUT_OF_PLACE * if size > 1e-6 * axis { size } else { axis } + ROUNDING * farthest
     }
 
-    /// Whether pose and applied joints are in one space: no correction moves the innermost joint's origin, or scales it.
+    /// Returns `true` if pose and applied joints are in the same space. Test: no correction moves or scales the
+    /// innermost joint's origin.
     fn is_in_place(&self) -> bool {
         let [pose, applied] = self.innermost();
         let scale = 1.0 / math::length(pose.matrix3.x_axis);
@@ -114,7 +118,7 @@ impl<'a> Comparison<'a> {
         is_as_large && (applied.translation - pose.translation).length() <= self.slack
     }
 
-    /// Where a joint should be and where it is, from the next joint, in the applied space.
+    /// Returns the joint's expected and actual offset from the next joint inward, in the applied space.
     fn link(&self, joint: usize) -> [Vec3A; 2] {
         let [pose, next_pose] = [joint, joint + 1].map(|joint| self.pose.get(joint));
         let [applied, next_applied] = [joint, joint + 1].map(|joint| self.applied.get(joint));
@@ -122,12 +126,13 @@ impl<'a> Comparison<'a> {
         [next_applied.matrix3 * local, applied.translation - next_applied.translation]
     }
 
-    /// Whether pose and applied joints are in one space.
+    /// Returns `true` if pose and applied joints are in the same space.
     pub(super) fn shares_space(&self) -> bool {
         self.is_in_place
     }
 
-    /// The transform from the pose's space to the applied joints', if the innermost joint added `correction`.
+    /// Returns the transform from the pose's space to the applied joints' space, assuming that the innermost joint
+    /// added `correction`.
     pub(super) fn space(&self, correction: Quat) -> Affine3A {
         if self.is_in_place {
             return Affine3A::IDENTITY;
@@ -137,8 +142,8 @@ impl<'a> Comparison<'a> {
         Affine3A { matrix3, translation: applied.translation - matrix3 * pose.translation }
     }
 
-    /// The rotation that a joint really added, in its own space; `None` for the innermost joint where the spaces
-    /// differ.
+    /// Returns the rotation that a joint actually added, in its own space. `None` for the innermost joint if pose and
+    /// applied joints are in different spaces.
     pub(super) fn observed(&self, joint: usize) -> Option<Mat3A> {
         let (pose, applied) = (self.pose.get(joint).matrix3, self.applied.get(joint).matrix3);
         let unturned = if joint + 1 < self.count() {
@@ -152,8 +157,8 @@ impl<'a> Comparison<'a> {
         Some(linear_inverse(&unturned) * applied)
     }
 
-    /// The largest error of a joint, by what `error` says of its rotation or by its correction, whichever fits better: a
-    /// mistake may concern some joints alone.
+    /// Returns the largest error over all joints. A joint's error is the smaller of `error` for its observed rotation
+    /// and the error against its own correction, because a mistake may affect only some joints.
     pub(super) fn error(&self, error: impl Fn(usize, &Mat3A) -> f32) -> f32 {
         let errors = (0..self.count()).map(|joint| {
             let Some(turn) = self.observed(joint) else { return 0.0 };
@@ -162,7 +167,8 @@ impl<'a> Comparison<'a> {
         largest(errors)
     }
 
-    /// How far joints are out of the places that their parents give them: [`WRONG_RAD`] for the slack.
+    /// Returns the largest displacement of a joint from the place that its parent implies, scaled so that the tolerated
+    /// displacement is [`WRONG_RAD`].
     pub(super) fn shift_error(&self) -> f32 {
         let shifts = (1..self.count()).map(|next| {
             let [expected, seen] = self.link(next - 1);
@@ -171,13 +177,13 @@ impl<'a> Comparison<'a> {
         largest(shifts)
     }
 
-    /// The error of a right setup: each joint has its correction and its place.
+    /// Returns the error under the assumption of a correct setup: each joint has its correction and its place.
     pub(super) fn right_error(&self) -> f32 {
         self.error(|_, _| f32::INFINITY).max(self.shift_error())
     }
 
-    /// The error if each joint's global rotation was multiplied by its correction, on either side, wherever the joints
-    /// are.
+    /// Returns the error under the assumption that each joint's global rotation was multiplied by its correction, on
+    /// either side. Ignores positions.
     pub(super) fn onto_global_error(&self) -> f32 {
         let count = self.count();
         let space = self.space(self.corrections.get(count - 1)).matrix3;
@@ -193,7 +199,8 @@ impl<'a> Comparison<'a> {
         right.min(left)
     }
 
-    /// The error if the pose held local transforms, each joint's bone being the child of the next one's.
+    /// Returns the error under the assumption that the pose held local transforms, with each joint's bone a direct
+    /// child of the next one's.
     pub(super) fn local_error(&self) -> f32 {
         if self.count() < 2 {
             return f32::INFINITY;
@@ -206,7 +213,8 @@ impl<'a> Comparison<'a> {
         }))
     }
 
-    /// Whether the pose's origins may be offsets from parents: none is much longer than its link of the applied chain.
+    /// Returns `true` if the pose's origins may be offsets from parents: none is much longer than the corresponding
+    /// link of the applied chain.
     pub(super) fn has_short_origins(&self) -> bool {
         (1..self.count()).all(|next| {
             let offset = self.applied.get(next).matrix3 * self.pose.get(next - 1).translation;
@@ -215,18 +223,19 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// The largest of these; NaN counts as infinite.
+/// Returns the largest error; NaN counts as infinite.
 fn largest(errors: impl Iterator<Item = f32>) -> f32 {
     errors.fold(0.0, |largest, error| largest.max(if error.is_nan() { f32::INFINITY } else { error }))
 }
 
-/// The distance of a linear map from a rotation, `‖A − B‖ / √2`: between rotations `2 sin(angle / 2)`.
+/// Returns the distance of a linear map from a rotation, `‖A − B‖ / √2` (Frobenius norm). Between two rotations that is
+/// `2 sin(angle / 2)`.
 pub(super) fn turn_error(turn: &Mat3A, expected: Quat) -> f32 {
     let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *turn - Mat3A::from_quat(expected);
     math::sqrt(0.5 * (x.dot(x) + y.dot(y) + z.dot(z)))
 }
 
-/// The inverse of a matrix that spans space, of any scale.
+/// Returns the inverse of an invertible matrix of any scale.
 pub(super) fn linear_inverse(matrix: &Mat3A) -> Mat3A {
     chain::inverse(&Affine3A { matrix3: *matrix, translation: Vec3A::ZERO }).matrix3
 }

@@ -1,4 +1,4 @@
-//! [`Mistake`] and [`Finding`]: what a check finds, in words.
+//! [`Mistake`] and [`Finding`]: the results of a check, with messages that say what to do.
 
 use core::fmt;
 
@@ -8,13 +8,13 @@ use crate::JointSet;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Mistake {
-    /// The pose held the joints' local transforms.
+    /// The pose held local transforms.
     LocalPose,
     /// The target was in another space than the pose.
     TargetSpace,
     /// The target was in another unit of length than the pose.
     TargetUnit,
-    /// The joints were passed root first.
+    /// The joints were passed root first instead of from the effector inward.
     JointOrder,
     /// The inverses of the corrections were applied.
     Inverted,
@@ -22,23 +22,23 @@ pub enum Mistake {
     Forgotten,
     /// Corrections were multiplied on the left: each joint turns by the right angle, about another axis.
     Premultiplied,
-    /// Corrections were applied to each other's joints.
+    /// Corrections were applied to the wrong joints.
     WrongJoints,
     /// Corrections were applied twice.
     AppliedTwice,
-    /// Frames were measured in milliseconds.
+    /// `dt` was passed in milliseconds.
     Milliseconds,
-    /// Corrections were multiplied onto global rotations, each joint by itself.
+    /// Corrections were multiplied onto global rotations, without carrying the joints further out along.
     OntoGlobal,
-    /// The pose contained the corrections of the frame before.
+    /// The pose contained the corrections of the previous frame.
     Feedback,
-    /// The applied joints show the corrections of the call before.
+    /// The applied joints show the corrections of the previous call.
     Late,
-    /// The applied joints are not what the corrections make of the pose, and no mistake known here explains them.
+    /// The applied joints differ from the corrected pose, and no other mistake in this list explains the difference.
     Unexplained,
 }
 
-/// What was seen, and what to do.
+/// Describes the observation and how to fix it.
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -99,18 +99,18 @@ impl fmt::Display for Mistake {
     }
 }
 
-/// A mistake and what it was seen by.
+/// A mistake together with the evidence for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Finding {
-    /// The mistake that explains best what was seen.
+    /// The mistake that best explains the difference.
     pub mistake: Mistake,
-    /// The angle between the applied effector's direction and the direction to the target, as the engine has both,
-    /// radians; `None` where the target is not known, or not which joint carries the effector.
+    /// Angle between the applied effector's direction and the direction to the target, both from the engine's data,
+    /// radians. `None` if the target is not known, or if the joints were passed in the wrong order.
     pub seen: Option<f32>,
-    /// The same angle as the call told it: [`Outcome::remaining`](crate::Outcome::remaining), radians.
+    /// The same angle as the call returned it: [`Outcome::remaining`](crate::Outcome::remaining), radians.
     pub told: f32,
-    /// The joints that are not where their corrections would have turned them; empty where the pose itself is wrong.
+    /// Joints whose applied rotation differs from their correction. Empty if the pose itself is wrong.
     pub joints: JointSet,
 }
 

@@ -1,12 +1,12 @@
-//! A check for debug builds: does the pose that the engine shows agree with the corrections of the call, and if not,
-//! which common mistake explains it?
+//! Debug-build check of an engine integration: compares the pose that the engine shows with the corrections of the call
+//! and, if they disagree, names the common mistake that explains the difference.
 //!
-//! A call judges itself by the pose and the target that it was passed. It cannot know that the pose held local
-//! transforms, or that the corrections were multiplied on the wrong side: it says
-//! [`Reached`](crate::Status::Reached), and on the screen the eyes look past the target. [`Frame::check`] takes what was
-//! passed, what came back, and the joints' global transforms after the engine has applied the corrections; it computes
-//! the rotation that each bone really got and compares it with the correction. It neither allocates nor changes
-//! anything, and costs a few thousand instructions.
+//! A call measures its result from the pose and target that it was given. It cannot detect that the pose held local
+//! transforms, or that the corrections were multiplied on the wrong side: it returns
+//! [`Reached`](crate::Status::Reached) while on screen the eyes look past the target. [`Frame::check`] takes the inputs
+//! and outputs of the call and the joints' global transforms after the engine has applied the corrections. It computes
+//! the rotation that each bone actually received and compares it with the correction. The check neither allocates nor
+//! changes anything, and costs a few thousand instructions.
 //!
 //! ```
 //! use aim_runtime::check::{Applied, Frame, Mistake};
@@ -74,65 +74,67 @@ use crate::kinematics::chain;
 use crate::rig::MOST_JOINTS;
 use crate::{Call, Description, Effector, JointSet, Outcome, Target, Targets, math};
 
-/// A target that was passed is another than the engine's where the effector sees them this far from each other.
+/// Angle from which the passed target and the engine's own target count as different, as seen from the effector,
+/// radians: 1°.
 const OTHER_TARGET_RAD: f32 = 0.017_453_293;
-/// Errors below this are rounding.
+/// Errors below this are attributed to rounding, radians.
 const ROUNDING_RAD: f32 = 2e-4;
-/// What fits by the angle alone has to fit this many times better.
+/// Factor on the error of an explanation that matches rotation angles but not axes: such weak evidence must fit this
+/// many times better.
 const WEAK: f32 = 4.0;
-/// The smallest earlier correction that a pose can be found to contain.
+/// Smallest correction of the previous frame that can identify feedback, radians.
 const LEAST_FED_BACK_RAD: f32 = 1e-3;
-/// Frames longer than this, seconds, do not come twice in a row.
+/// Two successive frames at least this long, seconds, indicate that `dt` is in milliseconds.
 const LONGEST_DT_S: f32 = 1.0;
 
-/// One call, what came of it, and what the engine made of that.
+/// Record of one call for the check: its inputs, its results, and the pose that the engine shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// The rig's description: `Hero::RIG.description()`.
     pub rig: Description<'a>,
-    /// The joints of the [pose](crate::Pose) that was passed, from the effector inward.
+    /// Joints of the [pose](crate::Pose) passed to the call, from the effector inward.
     pub pose: &'a [Affine3A],
-    /// What else was passed. Of several weighted targets none is compared.
+    /// Targets, frame time and settings passed to the call. The target is compared only if it is a single point.
     pub call: Call<'a>,
-    /// What the call gave back.
+    /// Outcome returned by the call.
     pub outcome: Outcome,
-    /// The corrections that the call gave back.
+    /// Corrections returned by the call.
     pub corrections: &'a [Quat],
-    /// What the engine shows.
+    /// The pose that the engine shows after applying the corrections.
     pub applied: Applied<'a>,
-    /// The call before for the same character, if it was kept.
+    /// Previous call for the same character, if it was recorded.
     pub previous: Option<Previous<'a>>,
 }
 
-/// What the engine shows in the end.
+/// The pose and target of the engine itself, after it applied the corrections.
 ///
-/// All in one space of any kind, best the world: it may be another than the pose's.
+/// Everything is in one space, preferably world space. It may differ from the pose's space.
 #[derive(Clone, Copy, Debug)]
 pub struct Applied<'a> {
-    /// The joints' global transforms, read after the engine has applied the corrections of this call; in the order of
-    /// the pose.
+    /// Global transforms of the joints, in the order of the pose, read after the engine has applied the corrections of
+    /// this call.
     pub joints: &'a [Affine3A],
-    /// The point that the character is meant to look at, as the engine itself has it. Without it a target in a wrong
-    /// space or unit is not noticed.
+    /// Point that the character should look at, taken from the engine's own data. If `None`, a target in the wrong
+    /// space or unit is not detected.
     pub target: Option<Vec3>,
 }
 
-/// The call before, for mistakes that show over two frames: [`Feedback`](Mistake::Feedback), [`Late`](Mistake::Late)
-/// and [`Milliseconds`](Mistake::Milliseconds).
+/// Previous call, for mistakes that show over two frames: [`Feedback`](Mistake::Feedback), [`Late`](Mistake::Late) and
+/// [`Milliseconds`](Mistake::Milliseconds).
 #[derive(Clone, Copy, Debug)]
 pub struct Previous<'a> {
-    /// [`Applied::joints`] then.
+    /// [`Applied::joints`] of that call.
     pub applied: &'a [Affine3A],
-    /// The corrections that the call gave back.
+    /// Corrections returned by that call.
     pub corrections: &'a [Quat],
-    /// The length of its frame, [`Call::dt`].
+    /// Frame time of that call, [`Call::dt`].
     pub dt: Option<f32>,
 }
 
-/// What is applied instead of a correction.
+/// The rotation that a mistake applies, as a function of the correction.
 type Rule = fn(Quat) -> Quat;
 
-/// The mistakes that make the same of every correction.
+/// Mistakes that apply the same function to every correction.
 const RULES: [(Mistake, Rule); 3] = [
     (Mistake::Forgotten, |_| Quat::IDENTITY),
     (Mistake::Inverted, |correction| correction.conjugate()),
@@ -140,20 +142,24 @@ const RULES: [(Mistake, Rule); 3] = [
 ];
 
 impl Frame<'_> {
-    /// Compares what the engine shows with what the corrections make of the pose.
+    /// Compares the applied pose with the pose that the corrections should give.
     ///
-    /// All is well where every bone got its correction to 0.1°, stands where that puts it, and where the target that was
-    /// passed lies within 1° of [`Applied::target`], as the effector sees it. So is a frame with nothing to compare:
-    /// other numbers of joints than the rig has, or transforms that are not finite or do not span space.
+    /// Returns `Ok` if every bone received its correction to within 0.1°, every joint is in the place that this
+    /// implies, and the passed target lies within 1° of [`Applied::target`] as seen from the effector. Also returns
+    /// `Ok` if there is nothing to compare: a number of joints that differs from the rig's, or transforms that are not
+    /// finite or have linearly dependent axes.
     ///
-    /// Where the corrections are nearly zero, no mistake in applying them shows. Of a rig of one joint local transforms
-    /// are found as [`TargetSpace`](Mistake::TargetSpace). Where the applied joints are in another space than the pose,
-    /// the innermost joint's own rotation is checked by the target alone. The [other eye](crate::Pose::with_other_eye) is
-    /// not checked.
+    /// Limitations:
+    ///
+    /// - While the corrections are nearly zero, a mistake in applying them is not visible.
+    /// - For a rig of one joint, local transforms are reported as [`TargetSpace`](Mistake::TargetSpace).
+    /// - If the applied joints are in another space than the pose, the innermost joint's own rotation is only checked
+    ///   through the target.
+    /// - The [other eye](crate::Pose::with_other_eye) is not checked.
     ///
     /// # Errors
     ///
-    /// The mistake that explains best what is seen.
+    /// The mistake that best explains the difference.
     pub fn check(&self) -> Result<(), Finding> {
         let count = self.rig.joints().len();
         let (pose, applied) = (self.pose, self.applied.joints);
@@ -188,12 +194,12 @@ impl Frame<'_> {
         self.target_mistake(comparison).or_else(|| has_long_frames.then_some(Mistake::Milliseconds))
     }
 
-    /// The mistake that explains the applied pose: the one of the least error, if that is far less than the error of a
-    /// right setup. Of several that fit to rounding, the first here.
+    /// Returns the mistake with the least error that explains the applied pose, provided that its error is far below
+    /// that of a correct setup. If several fit to within rounding, the one tested first.
     fn explanation(&self, comparison: &Comparison<'_>, right_error: f32) -> Mistake {
         let mut best = Best { mistake: Mistake::Unexplained, error: WRONG_RAD.min(0.25 * right_error) };
         let correction = |joint| comparison.correction(joint);
-        // Whatever rotation a joint adds in its place, those below it stay attached.
+        // Mistakes in rotations alone leave each joint attached to its parent, so the displacement must also be small.
         let shift = comparison.shift_error();
         for (mistake, rule) in RULES {
             best.propose(mistake, shift.max(comparison.error(|joint, turn| turn_error(turn, rule(correction(joint))))));
@@ -213,7 +219,8 @@ impl Frame<'_> {
         if best.mistake != Mistake::Unexplained {
             return best.mistake;
         }
-        // Weaker signs: the axis, or the bones between the joints, are unknown.
+        // Weaker evidence: rotation angles without axes, then joints out of place without an explanation of the bones
+        // between.
         let same_angle = |joint, turn: &Mat3A| {
             let expected = Mat3A::from_quat(correction(joint));
             (turn_error(turn, Quat::IDENTITY) - turn_error(&expected, Quat::IDENTITY)).abs()
@@ -225,8 +232,8 @@ impl Frame<'_> {
         best.mistake
     }
 
-    /// The error if the joints were passed root first: with the corrections and the applied joints in the same order, or
-    /// with either of them in the right one.
+    /// Returns the error under the assumption that the joints were passed root first, with corrections and applied
+    /// joints both in pose order, both in rig order, or only the corrections in pose order; the least of the three.
     fn order_error(&self, comparison: &Comparison<'_>) -> f32 {
         if comparison.count() < 2 {
             return f32::INFINITY;
@@ -236,8 +243,8 @@ impl Frame<'_> {
         errors.into_iter().fold(f32::INFINITY, f32::min)
     }
 
-    /// Whether a joint of the pose stands to the next (the innermost: in space) as it was shown in the frame before,
-    /// with the correction of then.
+    /// Returns `true` if the pose already contains corrections of the previous frame: some joint of the pose stands
+    /// relative to the next one inward (the innermost one: in space) exactly as it was shown then.
     fn is_fed_back(&self, comparison: &Comparison<'_>) -> bool {
         let count = comparison.count();
         let Some(previous) = self.previous else { return false };
@@ -249,7 +256,8 @@ impl Frame<'_> {
         (0..count).any(|joint| {
             let moved = turn_error(&Mat3A::IDENTITY, previous.corrections[joint]);
             let is_as_shown = |turn: Mat3A| turn_error(&turn, Quat::IDENTITY) < ROUNDING_RAD;
-            // What shows no correction now, or the last one, did not show the last one then.
+            // A bone that now shows no correction, or still the previous one, is a frame late: it cannot have shown the
+            // previous correction a frame ago.
             let is_behind = comparison.observed(joint).is_some_and(|turn| {
                 let is_last = turn_error(&turn, previous.corrections[joint]) < ROUNDING_RAD;
                 let is_right = turn_error(&turn, comparison.correction(joint)) < ROUNDING_RAD;
@@ -259,7 +267,7 @@ impl Frame<'_> {
         })
     }
 
-    /// Compares the target that was passed with the engine's own, both in the pose's space.
+    /// Compares the passed target with the engine's own, both in the applied space.
     fn target_mistake(&self, comparison: &Comparison<'_>) -> Option<Mistake> {
         let (passed, meant) = (self.point()?, Vec3A::from(self.applied.target?));
         let innermost = comparison.correction(comparison.count() - 1);
@@ -268,7 +276,7 @@ impl Frame<'_> {
         if !passed.is_finite() || !meant.is_finite() || !is_other(space) {
             return None;
         }
-        // A rotation of the innermost joint looks like another space; the target tells them apart.
+        // A wrong rotation of the innermost joint looks like a change of space; the target distinguishes the two.
         for (mistake, rule) in RULES {
             if !comparison.shares_space() && !is_other(comparison.space(rule(innermost))) {
                 return Some(mistake);
@@ -282,7 +290,7 @@ impl Frame<'_> {
         Some(if is_other_unit { Mistake::TargetUnit } else { Mistake::TargetSpace })
     }
 
-    /// The target that was passed, if it is one point.
+    /// Returns the passed target if it is a single point.
     fn point(&self) -> Option<Vec3A> {
         match self.call.targets {
             Targets::Point(point) | Targets::Weighted(&[Target { point, .. }]) => Some(point.into()),
@@ -290,7 +298,7 @@ impl Frame<'_> {
         }
     }
 
-    /// Whether the applied effector sees two points in different directions.
+    /// Returns `true` if two points lie in different directions from the applied effector.
     fn sees_apart(&self, a: Vec3A, b: Vec3A) -> bool {
         let [origin, _] = self.gaze(self.applied.joints);
         match [a, b].map(|point| math::direction(point - origin)) {
@@ -299,7 +307,7 @@ impl Frame<'_> {
         }
     }
 
-    /// The effector's origin and direction in these joints.
+    /// Returns the origin and direction of the effector for these joint transforms.
     fn gaze(&self, joints: &[Affine3A]) -> [Vec3A; 2] {
         let aimed = self.call.settings.effector.min(joints.len() - 1);
         let Effector { forward, origin } = match aimed {
@@ -310,7 +318,7 @@ impl Frame<'_> {
         [joint.transform_point3a(origin.into()), joint.transform_vector3a(forward.into())]
     }
 
-    /// The finding with what is seen: how far the effector is off, and which joints show it.
+    /// Completes a finding: the angle by which the effector misses the target, and the joints that differ.
     fn finding(&self, comparison: &Comparison<'_>, mistake: Mistake) -> Finding {
         let innermost = comparison.correction(comparison.count() - 1);
         let passed = || Some(comparison.space(innermost).transform_point3a(self.point()?));
@@ -332,7 +340,7 @@ impl Frame<'_> {
     }
 }
 
-/// The mistake of the least error so far.
+/// The explanation with the least error so far.
 struct Best {
     mistake: Mistake,
     error: f32,
@@ -347,7 +355,7 @@ impl Best {
     }
 }
 
-/// Whether a transform is finite and spans space.
+/// Returns `true` if a transform is finite and its axes are linearly independent.
 fn is_usable(joint: &Affine3A) -> bool {
     joint.is_finite() && math::orthonormal(joint.matrix3).is_some() && linear_inverse(&joint.matrix3).is_finite()
 }

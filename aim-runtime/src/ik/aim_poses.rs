@@ -1,23 +1,25 @@
-//! Aiming as an animator posed it: poses that each aim in a known direction, blended by the direction that is wanted.
+//! Blends an animator's aim poses: each pose aims in a known direction, and the blend is chosen by the wanted
+//! direction.
 //!
-//! What is blended does not aim exactly between, so the direction that is asked of the poses is corrected by what is
-//! missed, until they aim right; the last of it is for an aim solver.
+//! A blend of poses does not aim exactly at the interpolated direction. Therefore the direction used for the blend is
+//! corrected by the remaining error, iteratively, until the blended pose aims at the wanted direction. An aim solver
+//! can remove what then remains.
 
 use glam::{Quat, Vec3, Vec3A};
 
 use crate::math::turn::{self, part, shortest};
 use crate::math::{self, angle_between, cross, direction, turned};
 
-/// A pose and where it aims.
+/// A pose and the direction in which it aims.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AimPose<'a> {
-    /// Where it aims, of any length, in the same space for all poses of a set.
+    /// Direction in which the pose aims, of any length, in the same space for all poses of a set.
     pub direction: Vec3,
-    /// The local rotations of its bones: in every pose of the same bones in the same order.
+    /// Local rotations of the pose's bones; the same bones in the same order in every pose of a set.
     pub rotations: &'a [Quat],
 }
 
-/// A set of poses to aim with.
+/// Set of aim poses, triangulated by direction.
 ///
 /// ```
 /// use aim_runtime::glam::{Quat, Vec3};
@@ -42,91 +44,94 @@ pub struct AimPose<'a> {
 /// assert!(gaze(&blended).angle_between(wanted) < 1e-3);
 /// ```
 ///
-/// Then comes what this cannot know: limits, and a direction beyond the poses. Give the blended pose to
-/// [`Aim::aim`](crate::Aim::aim) as the animation; it adds what is left.
+/// The blend observes no joint limits and cannot aim beyond the poses. Pass the blended pose to
+/// [`Aim::aim`](crate::Aim::aim) as the animation to add the remaining angle within limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct AimPoses<'a> {
     /// The poses.
     pub poses: &'a [AimPose<'a>],
-    /// Three poses each, to blend between: from [`grid`](super::grid) or [`triangulated`](super::triangulated). They may
-    /// not overlap, and what they cover has to be seen whole from its middle. Those with an index that is none are left out.
+    /// Triangles of pose indices, from [`grid`](super::grid) or [`triangulated`](super::triangulated). They must not
+    /// overlap, and the region that they cover must be star-shaped about its middle. Triangles with an index out of
+    /// range are ignored.
     pub triangles: &'a [[usize; 3]],
-    /// The angle between the aim and the wanted direction that is good enough, radians. Default 1e-3.
+    /// Angle between aim and wanted direction up to which the aim counts as reached, radians. Default 1e-3.
     pub tolerance_rad: f32,
-    /// How often the direction is corrected at most; with 0 it is a plain blend. Default 8.
+    /// Maximum number of corrections of the direction; 0 gives a plain blend. Default 8.
     pub iterations: u32,
 }
 
-/// Which poses to blend, and how much of each.
+/// Three poses and their weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blend {
-    /// Indices of poses.
+    /// Indices of the poses.
     pub poses: [usize; 3],
-    /// The part of each, 0…1; together 1.
+    /// Weights of the poses, 0…1; their sum is 1.
     pub weights: [f32; 3],
-    /// Whether the direction lies within the poses' directions; else it was brought to their edge, towards their middle.
+    /// `true` if the direction lies within the region covered by the poses; otherwise it was moved to the region's
+    /// edge, towards its middle.
     pub within: bool,
 }
 
-/// What became of a call of [`AimPoses::solve`].
+/// Result of [`AimPoses::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AimPosesOutcome {
-    /// The angle left between the aim of the blended pose and the wanted direction, radians; π/2 where that is degenerate.
+    /// Remaining angle between the aim of the blended pose and the wanted direction, radians; π/2 for a degenerate
+    /// call.
     pub remaining_rad: f32,
-    /// How often the direction was corrected.
+    /// Number of corrections of the direction.
     pub iterations: u32,
-    /// Whether the blended pose aims there, and if not, why.
+    /// `Reached` if the blended pose aims in the wanted direction, otherwise the reason why not.
     pub status: AimPosesStatus,
 }
 
-/// Whether a blended pose aims where it shall.
+/// Status of an [`AimPoses`] blend: success, or the reason for failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AimPosesStatus {
-    /// Within the tolerance.
+    /// The remaining angle is within the tolerance.
     Reached,
-    /// The direction lies beyond what blends of the poses aim at: the pose is at their edge.
+    /// The direction lies outside the region that blends of the poses can aim at; the pose is at its edge.
     Outside,
-    /// The iterations are used up.
+    /// The maximum number of corrections was reached first.
     IterationLimit,
-    /// There is no triangle, something is no number, or the slices differ in length. What is written, if anything, is unit.
+    /// No triangle is usable, an input is not finite, or slices differ in length. Rotations that were written are unit.
     Degenerate,
 }
 
 impl<'a> AimPoses<'a> {
-    /// These poses, joined like this; to 1e-3 radians, in 8 corrections at most.
+    /// Creates a set of poses with these triangles, a tolerance of 1e-3 radians, and at most 8 corrections.
     #[must_use]
     pub const fn new(poses: &'a [AimPose<'a>], triangles: &'a [[usize; 3]]) -> Self {
         Self { poses, triangles, tolerance_rad: 1e-3, iterations: 8 }
     }
 
-    /// To this angle, radians.
+    /// Sets the [tolerance](Self::tolerance_rad), radians.
     #[must_use]
     pub const fn with_tolerance(mut self, tolerance_rad: f32) -> Self {
         self.tolerance_rad = tolerance_rad;
         self
     }
 
-    /// With so many corrections at most.
+    /// Sets the maximum number of [corrections](Self::iterations).
     #[must_use]
     pub const fn with_iterations(mut self, iterations: u32) -> Self {
         self.iterations = iterations;
         self
     }
 
-    /// Writes to `rotations` the blend of poses that aims along `wanted`, as `aim` judges it: forward kinematics of the
-    /// caller, from the poses' local rotations to where they aim.
+    /// Writes to `rotations` the blend of poses that aims along `wanted`. `aim` is the caller's forward kinematics: it
+    /// returns the aimed direction for given local rotations.
     ///
-    /// For the direction of a pose that is the pose itself; between poses it is continuous in `wanted`, beyond them but for
-    /// the direction opposite to their middle.
+    /// For the direction of a pose the result is that pose. It is continuous in `wanted` between the poses, and beyond
+    /// them except at the direction opposite to their middle.
     pub fn solve(&self, wanted: Vec3, rotations: &mut [Quat], mut aim: impl FnMut(&[Quat]) -> Vec3) -> AimPosesOutcome {
         self.solve_with(wanted, |blend| self.mix(blend, rotations).then(|| aim(rotations)))
     }
 
-    /// Finds the blend of poses that aims along `wanted`, for poses that are more than [rotations](AimPose::rotations), which may then be
-    /// empty. `pose_and_aim` poses the character by a blend and tells where it then aims, `None` where it cannot; its last call is
-    /// with the blend that counts.
+    /// Finds the blend that aims along `wanted`, for poses that consist of more than [rotations](AimPose::rotations)
+    /// (which may then be empty). `pose_and_aim` poses the character by a blend and returns the direction in which it
+    /// then aims, or `None` if it cannot. Its last call is with the resulting blend.
     pub fn solve_with(&self, wanted: Vec3, mut pose_and_aim: impl FnMut(&Blend) -> Option<Vec3>) -> AimPosesOutcome {
         let mut outcome =
             AimPosesOutcome { remaining_rad: math::UNDEFINED_RAD, iterations: 0, status: AimPosesStatus::Degenerate };
@@ -140,7 +145,7 @@ impl<'a> AimPoses<'a> {
         outcome.status = AimPosesStatus::IterationLimit;
         while !(remaining <= self.tolerance_rad) && outcome.iterations < self.iterations {
             outcome.iterations += 1;
-            // What is missed is asked for on top.
+            // Turn the requested direction by (a part of) the remaining error.
             let more = turned(part(shortest(aimed, wanted), part_of_missed), asked);
             let Some(blend) = direction(more).and_then(|more| self.weights_at(more)) else { break };
             within &= blend.within;
@@ -162,17 +167,17 @@ impl<'a> AimPoses<'a> {
         outcome
     }
 
-    /// Which poses a direction lies between, and how much of each: its coordinates in their triangle. `None` where the
-    /// direction, or every triangle, is degenerate.
+    /// Returns the triangle of poses that contains a direction, with the direction's coordinates in it as weights.
+    /// `None` if the direction, or every triangle, is degenerate.
     #[must_use]
     pub fn weights(&self, wanted: Vec3) -> Option<Blend> {
         self.weights_at(direction(wanted.into())?)
     }
 
-    /// Blends the poses' rotations; false where one lacks some.
+    /// Blends the poses' rotations. Returns `false` if a pose has another number of rotations.
     fn mix(&self, blend: &Blend, rotations: &mut [Quat]) -> bool {
         let poses = blend.poses.map(|pose| self.poses[pose].rotations);
-        // All in the hemisphere of one pose, the same everywhere, so that no sign changes from triangle to triangle.
+        // Sums are taken in the quaternion hemisphere of one fixed pose, so that no sign flips between triangles.
         let first = self.poses[self.triangles[0][0].min(self.poses.len() - 1)].rotations;
         if first.len() != rotations.len() || poses.iter().any(|pose| pose.len() != rotations.len()) {
             return false;
@@ -199,7 +204,7 @@ impl<'a> AimPoses<'a> {
     }
 
     fn weights_at(&self, wanted: Vec3A) -> Option<Blend> {
-        /// How much a weight may lack for rounding to a direction on an edge.
+        /// Rounding tolerance of a weight for a direction on an edge.
         const EDGE: f32 = 1e-6;
         let mut best: Option<([usize; 3], [f32; 3], f32)> = None;
         let mut middle = Vec3A::ZERO;
@@ -219,7 +224,8 @@ impl<'a> AimPoses<'a> {
         self.edge(wanted, direction(middle)?)
     }
 
-    /// Where the arc from `wanted` to the middle comes in over the edge of what the triangles cover.
+    /// Returns the blend at the point where the arc from `wanted` to the middle enters the region that the triangles
+    /// cover.
     fn edge(&self, wanted: Vec3A, middle: Vec3A) -> Option<Blend> {
         let mut best: Option<(Blend, f32)> = None;
         for triangle in self.triangles {
@@ -235,7 +241,7 @@ impl<'a> AimPoses<'a> {
                 let [a, b, c] = [corners[i], corners[j], corners[k]];
                 let normal = cross(a, b);
                 let normal = if normal.dot(c) < 0.0 { -normal } else { normal };
-                // In at the edge: the point of the arc that has nothing along the normal.
+                // Point of the arc in the plane of the edge: its component along the normal is 0.
                 let (from, to) = (normal.dot(wanted), normal.dot(middle));
                 let (Some(entry), Some(side)) = (direction(wanted * to - middle * from), direction(normal)) else {
                     continue;
@@ -243,7 +249,7 @@ impl<'a> AimPoses<'a> {
                 if from > 0.0 || to <= 0.0 {
                     continue;
                 }
-                // Along the edge from its ends; negative where the entry lies beyond one.
+                // Coordinates of the entry point along the edge; one is negative if the point lies beyond an end.
                 let sense = cross(a, b).dot(side);
                 let parts = [cross(entry, b).dot(side) / sense, cross(a, entry).dot(side) / sense];
                 let least = parts[0].min(parts[1]);
@@ -257,13 +263,14 @@ impl<'a> AimPoses<'a> {
         best.map(|(blend, _)| blend)
     }
 
-    /// Whether an edge of a triangle is one of another, too.
+    /// Returns `true` if another triangle has the edge between poses `a` and `b` as well.
     fn is_shared(&self, of: &[usize; 3], a: usize, b: usize) -> bool {
         self.triangles.iter().any(|other| other != of && other.contains(&a) && other.contains(&b))
     }
 }
 
-/// The parts of three directions that make up a fourth; all positive where it lies between them. `None` of a flat triangle.
+/// Returns the coefficients of `wanted` as a linear combination of three directions; all are positive if it lies
+/// between them. `None` for a flat triangle.
 fn coordinates([a, b, c]: [Vec3A; 3], wanted: Vec3A) -> Option<[f32; 3]> {
     const FLAT: f32 = 1e-6;
     let volume = a.dot(cross(b, c));
@@ -273,7 +280,7 @@ fn coordinates([a, b, c]: [Vec3A; 3], wanted: Vec3A) -> Option<[f32; 3]> {
     Some([cross(b, c), cross(c, a), cross(a, b)].map(|normal| wanted.dot(normal) / volume))
 }
 
-/// Without what is negative, and together 1.
+/// Clamps weights to at least 0 and normalises their sum to 1.
 fn normalised(weights: [f32; 3]) -> [f32; 3] {
     let weights = weights.map(|weight| weight.max(0.0));
     let sum = weights[0] + weights[1] + weights[2];

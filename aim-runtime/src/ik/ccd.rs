@@ -1,5 +1,5 @@
-//! Cyclic coordinate descent: joint by joint from the tip inward, each turns so that the tip comes as near to the target
-//! as it alone can bring it, over and over.
+//! Cyclic coordinate descent: passes over the joints from the tip inward, and turns each so that it alone brings the
+//! tip as near to the target as possible, until the tip arrives or the chain comes to rest.
 
 use core::f32::consts::PI;
 
@@ -13,54 +13,57 @@ use crate::math::trig::atan2;
 use crate::math::turn::{about, angle, at_most, normalized, part, shortest};
 use crate::math::{self, cross, direction, product, turned};
 
-/// How far a joint of a chain may be turned away from the animation.
+/// Limit on a joint's turn away from the animation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum CcdLimit {
-    /// Any way, any far.
+    /// No limit.
     #[default]
     Free,
-    /// Any way, no further than this, radians.
+    /// A turn about any axis by at most this angle.
     Ball {
-        /// At least 0; NaN counts as that.
+        /// Largest angle of the turn, radians. Negative values and NaN count as 0.
         most_rad: f32,
     },
-    /// About one axis: a knee, an elbow.
+    /// A turn about one axis: a knee, an elbow.
     Hinge {
-        /// As the animation holds it, in the space of the chain, of any length but zero; the right-hand rule counts. Without
-        /// a direction the joint does not turn.
+        /// Axis in the animated pose, in the space of the chain, of any length but zero; the right-hand rule applies.
+        /// If it has no direction, the joint does not turn.
         axis: Vec3,
-        /// The least angle, radians, 0 where the animation has it.
+        /// Least angle, radians; 0 is the animated pose.
         least_rad: f32,
-        /// The most, radians. Both infinite: it turns freely. An inverted range counts as its middle, NaN as no range.
+        /// Largest angle, radians. If both ends are infinite, the joint turns freely. An inverted range counts as its
+        /// middle; a range with NaN counts as 0 alone.
         most_rad: f32,
     },
 }
 
-/// A joint of a chain: where it is and how far it turns; and then, how it is turned.
+/// A joint of a chain. Input: position, limit and stiffness. Output: [`turn`](Self::turn).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CcdJoint {
-    /// Where the animation has it, in the space of the chain.
+    /// Animated position, in the space of the chain.
     pub position: Vec3,
-    /// How far it may turn.
+    /// Limit on the joint's turn away from the animation.
     pub limit: CcdLimit,
-    /// The part of each turn that it leaves to the others, 0…1; 0, the default, is none, and at 1 it does not turn. Stiff shoulders
-    /// leave the elbow to move first. NaN counts as 0.
+    /// Fraction of each turn that the joint leaves to the other joints, 0…1; at 1 it does not turn. A stiff shoulder
+    /// lets the elbow move first. Values outside are clamped, NaN counts as 0. Default 0.
     pub stiffness: f32,
-    /// Whether it and the next joint move as [two bones](TwoBone): the next one flexes, about its hinge if it is one, until the tip is
-    /// as far from this joint as the target, and then this joint turns. A knee that is all but straight then bends in one step.
+    /// `true` if this joint and the next one move as [two bones](TwoBone): the next joint first flexes, about its hinge
+    /// axis if it has one, until the tip is as far from this joint as the target is; then this joint turns. This lets
+    /// an almost straight knee bend in a single step.
     pub is_two_bone: bool,
-    /// Out: goes before its bone's rotation in the space of the chain: `turn * animated`. Unit and finite.
+    /// Output: rotation to apply before the bone's rotation in the space of the chain: `turn * animated`. Unit and
+    /// finite.
     pub turn: Quat,
-    /// What it turns beyond what it is carried along by the joints before: `turn` = the one before's `turn` × `added`.
+    /// Turn that this joint adds to that of the previous joint: `turn` = previous `turn` × `added`.
     added: Quat,
-    /// The same before the chain was bent out of the straight.
+    /// Value of `added` before a straight chain was bent.
     unbent: Quat,
-    /// Where it is by now, from the first joint, in chain lengths.
+    /// Current position relative to the first joint, in chain lengths.
     at: Vec3A,
 }
 
 impl CcdJoint {
-    /// A joint without limits.
+    /// Creates a joint without limits.
     #[must_use]
     pub const fn new(position: Vec3) -> Self {
         let at = Vec3A::ZERO;
@@ -68,35 +71,37 @@ impl CcdJoint {
         Self { position, limit: CcdLimit::Free, stiffness: 0.0, is_two_bone: false, turn, added, unbent, at }
     }
 
-    /// With this limit.
+    /// Sets the [`limit`](Self::limit).
     #[must_use]
     pub const fn with_limit(mut self, limit: CcdLimit) -> Self {
         self.limit = limit;
         self
     }
 
-    /// Leaving this part of each turn to the others, 0…1.
+    /// Sets the [`stiffness`](Self::stiffness), 0…1.
     #[must_use]
     pub const fn with_stiffness(mut self, stiffness: f32) -> Self {
         self.stiffness = stiffness;
         self
     }
 
-    /// Moving with the next joint as two bones: a hip before a knee, a shoulder before an elbow.
+    /// Makes this joint and the next one move as [two bones](Self::is_two_bone): a hip before a knee, a shoulder before
+    /// an elbow.
     #[must_use]
     pub const fn with_two_bones(mut self) -> Self {
         self.is_two_bone = true;
         self
     }
 
-    /// What its limit bounds: the turn that it adds to the animation, in the space of the animated chain.
+    /// Returns the turn that the joint adds to the animation, in the space of the animated chain. This is the turn that
+    /// its limit bounds.
     #[must_use]
     pub const fn added(&self) -> Quat {
         self.added
     }
 }
 
-/// The solver of chains.
+/// Solver for chains of any number of joints.
 ///
 /// ```
 /// use aim_runtime::glam::Vec3;
@@ -114,9 +119,10 @@ impl CcdJoint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Ccd {
-    /// How far from the target the tip may stay, as a part of the chain's length. Default 1e-4.
+    /// Distance from the target up to which the tip counts as arrived, as a fraction of the chain's length. Default
+    /// 1e-4.
     pub tolerance: f32,
-    /// How often it goes through the chain at most. Default 50.
+    /// Maximum number of passes over the chain. Default 50.
     pub iterations: u32,
 }
 
@@ -126,66 +132,67 @@ impl Default for Ccd {
     }
 }
 
-/// What became of a call of [`Ccd::solve`].
+/// Result of [`Ccd::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CcdOutcome {
-    /// Where the tip is then, by forward kinematics.
+    /// Resulting position of the tip, by forward kinematics.
     pub tip: Vec3,
-    /// How far that is from the target.
+    /// Distance of the resulting tip from the target.
     pub error: f32,
-    /// How often it went through the chain.
+    /// Number of passes over the chain.
     pub iterations: u32,
-    /// The joints at an end of their limits, by their index.
+    /// Joints at an end of their limits, by index from the root outward.
     pub at_limit: JointSet,
-    /// Why it ended.
+    /// Reason why the iteration ended.
     pub status: CcdStatus,
 }
 
-/// Why the descent ended.
+/// Reason why the iteration ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CcdStatus {
-    /// The tip is within the tolerance.
+    /// The tip is within the tolerance of the target.
     Reached,
-    /// The iterations are used up.
+    /// The maximum number of passes was reached first.
     IterationLimit,
-    /// No joint brings the tip any nearer: the target is out of reach, of the limits, or of the method.
+    /// No joint brings the tip nearer: the target is beyond the chain's length or limits, or the method is at a local
+    /// optimum.
     Stuck,
-    /// Something is no number, or the chain has no joint, or its length is zero or not finite: nothing is turned.
+    /// An input is not finite, the chain has no joint, or its length is zero or not finite. Nothing is turned.
     Degenerate,
 }
 
-/// A pass in which no joint turns by more than this has come to rest, radians.
+/// Angle below which every turn of a pass must stay for the chain to count as at rest, radians.
 const REST_RAD: f32 = 2e-6;
-/// How far a chain that is straight along the way to its target is bent to begin with, radians.
+/// Initial bend of each joint of a chain that is straight along the line to its target, radians.
 const BEND_RAD: f32 = 0.1;
 
 impl Ccd {
-    /// To 1e-4 of the chain's length, in 50 iterations at most.
+    /// Creates a solver with a tolerance of 1e-4 of the chain's length and at most 50 passes.
     #[must_use]
     pub const fn new() -> Self {
         Self { tolerance: 1e-4, iterations: 50 }
     }
 
-    /// To this part of the chain's length.
+    /// Sets the [`tolerance`](Self::tolerance), as a fraction of the chain's length.
     #[must_use]
     pub const fn with_tolerance(mut self, tolerance: f32) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// In so many iterations at most.
+    /// Sets the maximum number of [passes](Self::iterations).
     #[must_use]
     pub const fn with_iterations(mut self, iterations: u32) -> Self {
         self.iterations = iterations;
         self
     }
 
-    /// Turns `joints`, from the root outward, so that `tip`, carried by the last of them, comes to `target`. All in one
-    /// space.
+    /// Turns `joints`, given from the root outward, so that `tip`, which moves with the last joint, comes to `target`.
+    /// All arguments are in one space.
     ///
-    /// Starts from the animation on every call, so that equal input has equal output; where a hinge's range leaves the
-    /// animation out, from the nearest angle within.
+    /// Every call starts from the animation, so equal input gives equal output. If a hinge's range excludes the
+    /// animated angle 0, it starts from the nearest angle within.
     pub fn solve(&self, joints: &mut [CcdJoint], tip: Vec3, target: Vec3) -> CcdOutcome {
         joints.iter_mut().for_each(|joint| (joint.turn, joint.added) = (Quat::IDENTITY, Quat::IDENTITY));
         let unmoved = CcdOutcome {
@@ -210,7 +217,7 @@ impl Ccd {
     }
 }
 
-/// What does not change while joints turn. The first joint is the origin, the chain's length is 1.
+/// Constants of one call, relative to the first joint and scaled so that the chain's length is 1.
 struct Chain {
     tip: Vec3A,
     target: Vec3A,
@@ -242,13 +249,13 @@ impl Chain {
         }
     }
 
-    /// Where joints and tip are with what is added; the joints learn their turns.
+    /// Updates the joints' positions and accumulated turns from `added`. Returns the position of the tip.
     fn pose(&self, joints: &mut [CcdJoint]) -> Vec3A {
         let (mut turn, mut at) = (Quat::IDENTITY, Vec3A::ZERO);
         for index in 0..joints.len() {
             let bone = self.relative(joints, index + 1) - self.relative(joints, index);
             let joint = &mut joints[index];
-            // Long products stay units.
+            // Renormalise, so that long products stay unit.
             turn = normalized(product(turn, joint.added));
             (joint.turn, joint.at) = (turn, at);
             at += turned(turn, bone);
@@ -261,10 +268,10 @@ impl Chain {
         let tolerance = settings.tolerance.max(0.0);
         let mut tip = self.pose(joints);
         let mut best = math::length(self.target - tip);
-        // The error before the chain was bent out of the straight.
+        // Distance to the target before a straight chain was bent.
         let (mut iterations, mut unbent) = (0, None);
         let status = loop {
-            // Judged with the digits of rounding to spare.
+            // In chain lengths; the outcome's error is measured again in the caller's units.
             if best <= tolerance {
                 break CcdStatus::Reached;
             }
@@ -275,7 +282,7 @@ impl Chain {
             let moved = self.pass(joints, tip);
             tip = self.pose(joints);
             if moved <= REST_RAD {
-                // Where all is in one line no joint knows which way to go.
+                // If joints, tip and target are on one line, no joint has a direction to turn in.
                 if unbent.is_some() || !(math::length(self.target) < 1.0) || !self.is_straight(joints, tip) {
                     break CcdStatus::Stuck;
                 }
@@ -291,7 +298,7 @@ impl Chain {
         CcdOutcome { tip: Vec3::ZERO, error: 0.0, iterations, at_limit: JointSet::EMPTY, status }
     }
 
-    /// Each joint once, from the tip inward; the largest turn of any, radians.
+    /// Turns each joint once, from the tip inward. Returns the largest turn of any joint, radians.
     fn pass(&self, joints: &mut [CcdJoint], mut tip: Vec3A) -> f32 {
         let mut largest: f32 = 0.0;
         for index in (0..joints.len()).rev() {
@@ -299,10 +306,10 @@ impl Chain {
                 let (flexed, turn) = self.flex(joints, index, tip);
                 (tip, largest) = (flexed, largest.max(turn));
             }
-            // What carries this joint has not moved in this pass.
+            // The joints further in, which carry this one, have not moved yet in this pass.
             let carried = if index == 0 { Quat::IDENTITY } else { joints[index - 1].turn };
             let joint = &mut joints[index];
-            // Seen from the joint, in the space of the animated chain.
+            // Directions from the joint, in the space of the animated chain.
             let back = carried.conjugate();
             let [to_tip, to_target] = [tip, self.target].map(|point| turned(back, point - joint.at));
             let before = joint.added;
@@ -314,18 +321,19 @@ impl Chain {
         largest
     }
 
-    /// Flexes the joint after this one so that the tip is as far from this one as the target; where the tip is then, and the turn, radians.
+    /// Flexes the joint after `index` so that the tip is as far from joint `index` as the target is. Returns the new
+    /// position of the tip and the angle of the turn, radians.
     fn flex(&self, joints: &mut [CcdJoint], index: usize, tip: Vec3A) -> (Vec3A, f32) {
         let [upper, lower, ..] = &mut joints[index..] else { return (tip, 0.0) };
         let carried = upper.turn;
         let hinge = lower.limit.hinge().map(|(axis, range)| {
-            // Flexing is the way in which the hinge turns farther.
+            // Flexion is in the direction in which the hinge's range is larger.
             let axis = if range.hi() < -range.lo() { -axis } else { axis };
             Hinge { axis: turned(carried, axis).into(), least_rad: 0.0, most_rad: PI }
         });
         let limb = Limb { root: upper.at.into(), middle: lower.at.into(), tip: tip.into() };
         let solved = TwoBone { hinge, ..TwoBone::new() }.solve(&limb, self.target.into());
-        // What the lower bone turns beyond the upper one, as seen in the animated chain.
+        // Turn of the lower bone relative to the upper one, in the space of the animated chain.
         let flexion = product(solved.upper.conjugate(), solved.lower);
         let flexion = product(product(carried.conjugate(), flexion), carried);
         let before = lower.added;
@@ -335,14 +343,15 @@ impl Chain {
         (lower.at + turned(carried, turned(turn, to_tip)), angle(turn))
     }
 
-    /// Whether joints, tip and target lie on one line.
+    /// Returns `true` if joints, tip and target lie on one line.
     fn is_straight(&self, joints: &[CcdJoint], tip: Vec3A) -> bool {
         let Some(line) = direction(self.target).or_else(|| direction(tip)) else { return false };
         let beside = |point: Vec3A| math::length(cross(line, point)) > 1e-4;
         !beside(tip) && !joints.iter().any(|joint| beside(joint.at))
     }
 
-    /// Bends every joint by its share of a little, in a plane of its own choice or its hinge's.
+    /// Bends every joint by [`BEND_RAD`], less its stiffness, about its hinge axis or about one common axis orthogonal
+    /// to the chain.
     fn bend(&self, joints: &mut [CcdJoint], tip: Vec3A) {
         let line = direction(tip).or_else(|| direction(self.target)).unwrap_or(Vec3A::X);
         let across = line.any_orthonormal_vector();
@@ -363,7 +372,7 @@ impl Chain {
 }
 
 impl CcdLimit {
-    /// The axis and range of a hinge; the axis is zero where it has none.
+    /// Returns unit axis and range of a hinge. Without a usable axis: any axis, with the range 0 alone.
     fn hinge(&self) -> Option<(Vec3A, Interval)> {
         match *self {
             Self::Hinge { axis, least_rad, most_rad } => {
@@ -378,7 +387,7 @@ impl CcdLimit {
 }
 
 impl CcdJoint {
-    /// Adds this turn, or what the limit lets of it.
+    /// Sets `added` to this turn, clamped to the limit.
     fn hold(&mut self, added: Quat) {
         self.added = match self.limit {
             CcdLimit::Free => normalized(added),
@@ -390,12 +399,12 @@ impl CcdJoint {
         };
     }
 
-    /// The part of each turn that it takes, 0…1.
+    /// Returns the fraction of each turn that the joint takes, 0…1.
     fn share(&self) -> f32 {
         1.0 - self.stiffness.max(0.0).min(1.0)
     }
 
-    /// Adds as much of the way to this turn as the joint's stiffness and its limit let it.
+    /// Moves `added` towards this turn, by the fraction that the stiffness leaves, within the limit.
     fn move_to(&mut self, added: Quat) {
         let share = self.share();
         if share < 1.0 {
@@ -406,7 +415,7 @@ impl CcdJoint {
         }
     }
 
-    /// Turns so that what is at `from`, as seen from the joint, comes nearest to `to`.
+    /// Turns the joint so that the point at `from`, relative to the joint, comes nearest to `to`.
     fn turn_towards(&mut self, from: Vec3A, to: Vec3A) {
         match self.limit.hinge() {
             Some((axis, range)) => {
@@ -438,7 +447,7 @@ impl CcdJoint {
     }
 }
 
-/// The angle of a turn about a unit axis, radians, −π…π.
+/// Returns the angle of a turn about a unit axis, radians, −π…π.
 fn about_axis(turn: Quat, axis: Vec3A) -> f32 {
     let turn = if turn.w < 0.0 { -turn } else { turn };
     2.0 * atan2(Vec3A::from_vec4(Vec4::from(turn)).dot(axis), turn.w)

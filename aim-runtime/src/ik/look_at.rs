@@ -1,7 +1,7 @@
-//! A head on its neck, by plain quaternions: an upright frame along the way to the target, within limits, at a bounded
-//! angular speed.
+//! Turns a head on its neck with plain quaternions: an upright frame along the direction to the target, within limits,
+//! at a bounded angular speed.
 //!
-//! Up is the neck's, not the world's, so lying down and hanging upside down are nothing special.
+//! Up is the neck's up, not the world's, so characters that lie down or hang upside down need no special handling.
 
 use core::f32::consts::PI;
 
@@ -14,32 +14,32 @@ use crate::math::turn::{across, at_most, between};
 use crate::math::{self, angle_between, cross, direction, turned};
 use crate::solve::LONGEST_FRAME_S;
 
-/// What becomes of a target beyond the limits.
+/// Policy for a target beyond the limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Beyond {
-    /// The head turns to the nearest heading and pitch within them.
+    /// The head turns to the nearest heading and pitch within the limits.
     #[default]
     Clamp,
     /// The head stays as it is.
     Refuse,
 }
 
-/// The way that the head takes.
+/// Path that the head takes to its goal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Path {
-    /// Heading, pitch and what roll the head had each go straight to where they go: limits hold all the way, and a head
-    /// without roll never gets any.
+    /// Heading, pitch and any roll of the head each change directly to their goals. The limits hold all the way, and a
+    /// head without roll stays without.
     #[default]
     Level,
-    /// The one turn that leads there, at constant speed (spherical linear interpolation the short way). The quickest, but
-    /// between two upright looks it rolls a little, and cuts corners of the limits.
+    /// A single rotation at constant speed (spherical linear interpolation along the shorter arc). It is the shortest
+    /// path, but between two upright orientations it rolls a little, and it cuts the corners of the limits.
     Slerp,
 }
 
-/// The solver of a head.
+/// Solver that turns a head on its neck.
 ///
-/// It keeps nothing: the head's transform as it is now goes in, and the turn from there comes out. So the bone must not be
-/// animated otherwise.
+/// The solver is stateless: it takes the head's current transform and returns the turn from there. Nothing else may
+/// animate the head's rotation.
 ///
 /// ```
 /// use aim_runtime::Axes;
@@ -63,67 +63,71 @@ pub enum Path {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LookAt {
-    /// Which way the neck points: its up is what the head is upright about.
+    /// Axes of the neck bone. The head is kept upright relative to the neck's up.
     pub neck: Axes,
-    /// Which way the head points.
+    /// Axes of the head bone.
     pub head: Axes,
-    /// How far the head turns to the neck's left, least and most, radians, within ±π; both
-    /// infinite where it may go round. Default free.
+    /// Range of the heading relative to the neck, `[least, most]`, radians, positive to the left, within ±π. Both ends
+    /// infinite: the head may turn all the way round. Default infinite.
     pub heading: [f32; 2],
-    /// How far up, least and most, radians; within ±π/2 counts. Default ±π/2.
+    /// Range of the pitch relative to the neck, `[least, most]`, radians, positive upwards; clamped to ±π/2. Default
+    /// ±π/2.
     pub pitch: [f32; 2],
-    /// What becomes of a target beyond those. Default [`Beyond::Clamp`].
+    /// Policy for a target beyond the limits. Default [`Beyond::Clamp`].
     pub beyond: Beyond,
-    /// The way there. Default [`Path::Level`].
+    /// Path to the goal. Default [`Path::Level`].
     pub path: Path,
-    /// The largest angular speed of the head on its neck, rad/s. Default infinite: at once. NaN and negative stand still.
+    /// Largest angular speed of the head relative to the neck, rad/s. Negative values and NaN count as 0. Default
+    /// infinite: the head is at its goal in one frame.
     pub speed_rad: f32,
-    /// The largest speeds of heading, pitch and roll, each for itself, rad/s; [`Self::speed_rad`] holds as well. Of
-    /// [`Path::Level`] alone: [`Path::Slerp`] is one turn with one speed. Default infinite. NaN and negative stand still.
+    /// Largest speeds of heading, pitch and roll separately, rad/s, in addition to [`Self::speed_rad`]. Only for
+    /// [`Path::Level`]: [`Path::Slerp`] is one turn with one speed. Negative values and NaN count as 0. Default
+    /// infinite.
     pub angle_speeds_rad: [f32; 3],
 }
 
-/// What became of a call of [`LookAt::solve`].
+/// Result of [`LookAt::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LookAtOutcome {
-    /// Goes before the head's rotation: `turn * head`. Unit and finite; no larger than speed × time.
+    /// Rotation to apply before the head's rotation: `turn * head`. Unit and finite; its angle is at most speed × time.
     pub turn: Quat,
-    /// The angle left between the head's forward and the way to the target, radians, 0…π; π/2 where that is degenerate.
+    /// Remaining angle between the head's forward and the direction to the target, radians, 0…π; π/2 for a degenerate
+    /// call.
     pub remaining_rad: f32,
-    /// Whether the head looks there, and if not, why.
+    /// `Reached` if the head looks at the target, otherwise the reason why not.
     pub status: LookAtStatus,
 }
 
-/// Whether a head looks at its target; if not, the first reason that holds.
+/// Status of a [`LookAt`] turn: success, or the first applicable reason why the head does not look at its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LookAtStatus {
-    /// Within 1e-4 radians.
+    /// The head looks at the target to within 1e-4 radians.
     Reached,
-    /// Something is no number or has no direction, or the target is on the head: nothing is turned.
+    /// An input is not finite or has no direction, or the target is at the head. Nothing is turned.
     Degenerate,
-    /// Beyond the limits, and refused: the head stays.
+    /// The target is beyond the limits and [`Beyond::Refuse`] is set: the head stays.
     Refused,
-    /// Beyond the limits: it goes as near as they let it.
+    /// The target is beyond the limits: the head turns to the nearest allowed angles.
     AtLimit,
-    /// On the way.
+    /// The head is still turning towards the target.
     Turning,
 }
 
-/// What counts as looking there, radians.
+/// Remaining angle up to which the head counts as looking at the target, radians.
 const MET_RAD: f32 = 1e-4;
 
-/// Heading, pitch and roll, radians: turning by pitch first and heading last, on a neck's axes.
+/// Heading, pitch and roll, radians, about the neck's axes. Roll is applied first, then pitch, then heading.
 type Angles = [f32; 3];
 
-/// The largest turn of a frame, as a whole and of each angle, radians, not negative.
+/// Largest turn in one frame, in total and for each angle, radians, not negative.
 struct Steps {
     whole: f32,
     each: Angles,
 }
 
 impl LookAt {
-    /// With these axes of neck and head, without limits, at once.
+    /// Creates a solver for bones with these axes, without limits and with infinite speed.
     #[must_use]
     pub const fn new(neck: Axes, head: Axes) -> Self {
         Self {
@@ -138,52 +142,55 @@ impl LookAt {
         }
     }
 
-    /// With these limits to the right and to the left, radians.
+    /// Sets the [range of the heading](Self::heading): limits to the right and to the left, radians.
     #[must_use]
     pub const fn with_heading(mut self, least_rad: f32, most_rad: f32) -> Self {
         self.heading = [least_rad, most_rad];
         self
     }
 
-    /// With these limits down and up, radians.
+    /// Sets the [range of the pitch](Self::pitch): limits down and up, radians.
     #[must_use]
     pub const fn with_pitch(mut self, least_rad: f32, most_rad: f32) -> Self {
         self.pitch = [least_rad, most_rad];
         self
     }
 
-    /// With this policy for targets beyond the limits.
+    /// Sets the policy for targets [beyond](Self::beyond) the limits.
     #[must_use]
     pub const fn with_beyond(mut self, beyond: Beyond) -> Self {
         self.beyond = beyond;
         self
     }
 
-    /// Taking this way.
+    /// Sets the [`path`](Self::path).
     #[must_use]
     pub const fn with_path(mut self, path: Path) -> Self {
         self.path = path;
         self
     }
 
-    /// No faster than this, rad/s.
+    /// Sets the largest [angular speed](Self::speed_rad), rad/s.
     #[must_use]
     pub const fn with_speed(mut self, speed_rad: f32) -> Self {
         self.speed_rad = speed_rad;
         self
     }
 
-    /// With no angle of [`Path::Level`] faster than this, rad/s: a head nods slower than it turns.
+    /// Sets the largest [speed of each angle](Self::angle_speeds_rad), rad/s, for [`Path::Level`]; for example, for a
+    /// head that nods more slowly than it turns.
     #[must_use]
     pub const fn with_angle_speeds(mut self, heading_rad: f32, pitch_rad: f32, roll_rad: f32) -> Self {
         self.angle_speeds_rad = [heading_rad, pitch_rad, roll_rad];
         self
     }
 
-    /// Turns `head`, as it is now, towards `target` for a frame of `dt` seconds. All in one space.
+    /// Returns the turn of `head`, from its current transform towards `target`, for a frame of `dt` seconds. All
+    /// arguments are in one space.
     ///
-    /// With `dt` zero, negative or NaN nothing moves; above 0.1 s it counts as 0.1 s. A head found beyond the limits goes
-    /// back within them at its speed. Straight up and down, where there is no heading, counts as heading 0.
+    /// If `dt` is zero, negative or NaN, nothing moves; values above 0.1 s are clamped to 0.1 s. A head that is beyond
+    /// the limits returns into them at its speed. Straight up and straight down, where the heading is undefined, it
+    /// counts as 0.
     #[must_use]
     pub fn solve(&self, neck: &Affine3A, head: &Affine3A, target: Vec3, dt: f32) -> LookAtOutcome {
         self.turned(neck, head, target, dt).unwrap_or(LookAtOutcome {
@@ -207,7 +214,7 @@ impl LookAt {
             Quat::IDENTITY
         } else {
             let goal = [held_heading, held_pitch, 0.0];
-            // NaN stands still.
+            // A NaN speed counts as 0.
             let step = |speed_rad: f32| (speed_rad * dt.max(0.0).min(LONGEST_FRAME_S)).max(0.0);
             match self.path {
                 Path::Slerp => at_most(now.turn_to(&neck.turned(goal)), step(self.speed_rad)),
@@ -230,7 +237,7 @@ impl LookAt {
         Some(LookAtOutcome { turn, remaining_rad, status })
     }
 
-    /// The limits as they count.
+    /// Returns the effective limits of heading and pitch.
     fn ranges(&self) -> [Interval; 2] {
         let [heading, pitch] = [self.heading, self.pitch].map(|range| Interval::declared(Some(range)));
         let within = |range: Interval, most: f32| range.common(Interval::declared(Some([-most, most])));
@@ -238,7 +245,7 @@ impl LookAt {
     }
 }
 
-/// The angle of a range that a heading is brought to: of those that are the same heading, the nearest.
+/// Returns the angle of `range` nearest to a heading, considering the equivalent headings one full turn away.
 fn hold(range: Interval, heading: f32) -> f32 {
     let there = |heading: f32| (range.hold(heading), (range.hold(heading) - heading).abs());
     let (mut best, mut off) = there(heading);
@@ -251,7 +258,7 @@ fn hold(range: Interval, heading: f32) -> f32 {
     best
 }
 
-/// A bone's forward, up and left as they stand in space: unit and square to each other.
+/// A bone's forward, up and left in space: unit and orthogonal.
 #[derive(Clone, Copy)]
 struct Frame {
     forward: Vec3A,
@@ -270,14 +277,14 @@ impl Frame {
         (forward.is_finite() && left.is_finite()).then_some(Self { forward, up, left })
     }
 
-    /// Heading and pitch of a unit vector.
+    /// Returns heading and pitch of a unit vector.
     fn angles(&self, v: Vec3A) -> [f32; 2] {
         let [ahead, left, up] = [self.forward, self.left, self.up].map(|axis| v.dot(axis));
         let level = math::sqrt(ahead * ahead + left * left);
         [if level > 1e-6 { atan2(left, ahead) } else { 0.0 }, atan2(up, level)]
     }
 
-    /// The frame with these angles on this one.
+    /// Returns this frame turned by the given angles.
     fn turned(&self, [heading, pitch, roll]: Angles) -> Self {
         let ((sin_h, cos_h), (sin_p, cos_p)) = (sin_cos(heading), sin_cos(pitch));
         let (level, left) = (self.forward * cos_h + self.left * sin_h, self.left * cos_h - self.forward * sin_h);
@@ -290,8 +297,8 @@ impl Frame {
         between([self.forward, self.up], [other.forward, other.up])
     }
 
-    /// The turn of a head that takes its angles on this neck towards others, each by no more than its step, and straight
-    /// from there on where that is more than the whole may be.
+    /// Returns the turn that moves a head's angles on this neck towards `goal`, each by at most its step. If the
+    /// combined turn exceeds `steps.whole`, all three changes are scaled down by the same factor.
     fn level(&self, head: &Self, goal: Angles, steps: &Steps, free: bool) -> Quat {
         let [heading, pitch] = self.angles(head.forward);
         let upright = self.turned([heading, pitch, 0.0]);
@@ -303,12 +310,13 @@ impl Frame {
         for (by, step) in by.iter_mut().zip(steps.each) {
             *by = by.clamp(-step, step);
         }
-        // Heading turns about up and roll about forward, which are square only where the pitch is 0.
+        // Heading turns about up and roll about forward, which are orthogonal only at pitch 0, so their angles are
+        // added; pitch turns about an axis orthogonal to both.
         let about_both = by[0].abs() + by[2].abs();
         let whole = math::sqrt(about_both * about_both + by[1] * by[1]);
         let part = if whole > steps.whole { steps.whole / whole } else { 1.0 };
         let [heading, pitch, roll] = [heading + part * by[0], pitch + part * by[1], roll + part * by[2]];
-        // The last digits of the way there.
+        // Removes rounding errors above the limit.
         at_most(head.turn_to(&self.turned([heading, pitch, roll])), steps.whole)
     }
 }

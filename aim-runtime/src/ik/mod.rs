@@ -1,21 +1,22 @@
-//! Reaching and looking: what a character needs beside the solvers that aim a rig.
+//! Inverse kinematics besides the rig solvers: reaching, pointing and looking.
 //!
-//! Each solver is a struct of settings with a `solve`, whose outcome says by forward kinematics what was met, and if not,
-//! why. They take points, directions and transforms in one space of the caller's choice and give world turns: what goes
-//! *before* a bone's animated rotation in that space, `turn * animated`. So no convention of bones matters to them.
-//! None allocates or panics, and for every input the turns are unit and finite.
+//! Each solver is a struct of settings with a method `solve`. Its outcome reports, measured by forward kinematics,
+//! whether the goal was met and if not, why. Points, directions and transforms are in one space of the caller's choice.
+//! The results are rotations in that space that go *before* the bone's animated rotation, `turn * animated`, so they do
+//! not depend on a bone convention. No solver allocates or panics, and the returned rotations are unit and finite for
+//! every input.
 //!
 //! | to | use |
 //! |---|---|
 //! | put a hand or a foot on a point | [`TwoBone`] |
 //! | put the end of a longer chain on a point | [`Ccd`] |
 //! | point one bone along a direction | [`OneBone`] |
-//! | turn a head alone, as it sits on its neck | [`LookAt`] |
-//! | lead a limb through points at given times | [`trajectory`](crate::trajectory) |
-//! | aim as an animator posed it | [`AimPoses`] |
+//! | turn a head relative to its neck | [`LookAt`] |
+//! | move a limb through points at given times | [`trajectory`](crate::trajectory) |
+//! | blend an animator's aim poses | [`AimPoses`] |
 //! | aim eyes, neck and spine together | [`AimRig`](crate::AimRig) |
 //!
-//! Poses, blending and attachments are in the crate `aim-animation`; arithmetic of rotations is in
+//! Poses, blending and attachments are in the crate `aim-animation`. Rotation arithmetic is in
 //! [`rotation`](crate::rotation).
 
 mod aim_poses;

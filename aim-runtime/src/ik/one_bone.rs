@@ -1,4 +1,5 @@
-//! One bone along a direction: eyeballs, cameras, barrels; the cross product gives the axis, and what is left is its roll.
+//! Points one bone along a direction: eyeballs, cameras, barrels. The cross product gives the axis of the turn; the
+//! remaining freedom is the roll about the direction.
 
 use glam::{Affine3A, Quat, Vec3};
 
@@ -6,22 +7,23 @@ use crate::math::trig::sin_cos;
 use crate::math::turn::{across, between, normalized, part, shortest};
 use crate::math::{self, angle_between, direction, product, turned};
 
-/// What decides how a bone is rolled about the direction it is pointed along.
+/// Rule for the bone's roll about the direction that it points along.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Roll {
-    /// The shortest turn from where the bone points to where it shall.
+    /// The roll that results from the shortest turn between the old and the new direction.
     #[default]
     Shortest,
-    /// A direction of the bone's own space lies as near as it can to a direction in the space of the bone's transform.
+    /// The roll that brings a direction of the bone as near as possible to a direction in the space of the bone's
+    /// transform.
     Up {
-        /// In the bone's own space.
+        /// The bone's direction, in its own space, of any length.
         bone: Vec3,
-        /// In the space that the bone stands in.
+        /// The direction to approach, in the space of the bone's transform, of any length.
         space: Vec3,
     },
 }
 
-/// The solver of a single bone.
+/// Solver that points a single bone along a direction.
 ///
 /// ```
 /// use aim_runtime::glam::{Affine3A, Quat, Vec3};
@@ -38,76 +40,77 @@ pub enum Roll {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OneBone {
-    /// What is pointed: a direction of the bone's own space, of any length.
+    /// The direction to point, in the bone's own space, of any length.
     pub axis: Vec3,
-    /// What decides the roll. Default [`Roll::Shortest`].
+    /// Rule for the roll about the direction. Default [`Roll::Shortest`].
     pub roll: Roll,
-    /// Turns the bone about the direction beyond that, radians, by the right-hand rule. Default 0.
+    /// Additional roll about the direction, radians, by the right-hand rule. Default 0.
     pub roll_rad: f32,
-    /// How much of it all is applied, 0…1, as a part of the turn. Default 1.
+    /// Fraction of the whole turn that is applied, 0…1. Values outside are clamped, NaN counts as 0. Default 1.
     pub weight: f32,
 }
 
-/// What became of a call of [`OneBone::solve`].
+/// Result of [`OneBone::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OneBoneOutcome {
-    /// Goes before the bone's rotation in its space: `turn * animated`. Unit and finite.
+    /// Rotation to apply before the bone's rotation in its space: `turn * animated`. Unit and finite.
     pub turn: Quat,
-    /// The angle left between the bone's axis and the direction, radians, 0…π; π/2 where the call is degenerate.
+    /// Remaining angle between the bone's axis and the direction, radians, 0…π; π/2 for a degenerate call.
     pub remaining_rad: f32,
-    /// Whether the bone points there, and if not, why.
+    /// `Reached` if the bone points along the direction, otherwise the reason why not.
     pub status: OneBoneStatus,
 }
 
-/// Whether a bone points along its direction.
+/// Status of a [`OneBone`] turn: success, or the reason why the bone does not point along its direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OneBoneStatus {
-    /// It does, rolled as was asked for.
+    /// The bone points along the direction, with the requested roll.
     Reached,
-    /// It does, but what should be up lies along the direction: the roll is that of the shortest turn.
+    /// The bone points along the direction with the roll of the shortest turn, because the requested roll is undefined:
+    /// in [`Roll::Up`], `bone` is parallel to the pointed axis, or `space` to the direction.
     RollUndefined,
-    /// A weight below 1 left a part of the way.
+    /// A weight below 1 left part of the angle.
     Partial,
-    /// Something is no number, or has no direction: nothing is turned.
+    /// An input is not finite or has no direction. Nothing is turned.
     Degenerate,
 }
 
-/// What counts as pointing there, radians.
+/// Remaining angle up to which the bone counts as pointing along the direction, radians.
 const MET_RAD: f32 = 1e-5;
 
 impl OneBone {
-    /// Pointing this direction of the bone's own space by the shortest turn.
+    /// Creates a solver that points `axis`, a direction of the bone's own space, by the shortest turn.
     #[must_use]
     pub const fn new(axis: Vec3) -> Self {
         Self { axis, roll: Roll::Shortest, roll_rad: 0.0, weight: 1.0 }
     }
 
-    /// Rolled like this.
+    /// Sets the [roll rule](Self::roll).
     #[must_use]
     pub const fn with_roll(mut self, roll: Roll) -> Self {
         self.roll = roll;
         self
     }
 
-    /// Turned further about the direction, radians.
+    /// Sets the [additional roll](Self::roll_rad), radians.
     #[must_use]
     pub const fn with_roll_by(mut self, roll_rad: f32) -> Self {
         self.roll_rad = roll_rad;
         self
     }
 
-    /// Applied in part, 0…1.
+    /// Sets the [`weight`](Self::weight), 0…1.
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
         self
     }
 
-    /// Points `bone`'s axis along `to`, a direction of any length in the space of the bone's transform.
+    /// Returns the turn that points `bone`'s axis along `to`, a direction of any length in the space of the bone's
+    /// transform.
     ///
-    /// To point at a target, take the direction from the bone's origin to it. A mirrored or scaled bone is pointed just as
-    /// well.
+    /// To point at a target, pass the direction from the bone's origin to it. Mirrored and scaled bones are supported.
     #[must_use]
     pub fn solve(&self, bone: &Affine3A, to: Vec3) -> OneBoneOutcome {
         self.turned(bone, to).unwrap_or(OneBoneOutcome {

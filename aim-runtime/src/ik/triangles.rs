@@ -1,13 +1,12 @@
-//! Directions joined to triangles on the sphere, as [`AimPoses`](super::AimPoses) is given them: made once, when poses are
-//! loaded.
+//! Triangulations of directions on the sphere for [`AimPoses`](super::AimPoses): computed once, when poses are loaded.
 
 use glam::{Vec3, Vec3A};
 
 use crate::math::{cross, direction};
 
-/// The triangles of a grid, row by row: what is at `row * columns + column` is joined with its neighbours.
+/// Triangulates a grid, row by row. The direction at `row * columns + column` is joined with its neighbours.
 ///
-/// Fills the beginning of `triangles` and returns it: `2 (columns − 1) (rows − 1)`; `None` where that does not fit.
+/// Fills and returns the first `2 (columns − 1) (rows − 1)` elements of `triangles`. `None` if they do not fit.
 pub fn grid(columns: usize, rows: usize, triangles: &mut [[usize; 3]]) -> Option<&[[usize; 3]]> {
     let (across, down) = (columns.checked_sub(1)?, rows.checked_sub(1)?);
     let count = across.checked_mul(down)?.checked_mul(2)?;
@@ -20,13 +19,14 @@ pub fn grid(columns: usize, rows: usize, triangles: &mut [[usize; 3]]) -> Option
     Some(filled)
 }
 
-/// The triangles that join scattered directions so that no direction lies within the circle round another's: as even as
-/// they can be. Where several are on one circle, as on a grid, the first that fit.
+/// Triangulates scattered directions so that no direction lies inside the circumcircle of a triangle (a Delaunay
+/// triangulation on the sphere). Of directions on one circle, as on a grid, the first triangles that fit are taken.
 ///
-/// Fills the beginning of `triangles` and returns it; at most `2 n − 4`. `None` where that does not fit, a direction is
-/// none, or two are the same. Takes of the order of `n⁴` steps for `n` directions: for dozens of poses.
+/// Fills and returns the first elements of `triangles`, at most `2 n − 4`. `None` if they do not fit, if a direction is
+/// zero or not finite, if two are equal, or if no triangle results. Takes on the order of `n⁴` steps for `n`
+/// directions, so it suits dozens of poses.
 pub fn triangulated<'t>(directions: &[Vec3], triangles: &'t mut [[usize; 3]]) -> Option<&'t [[usize; 3]]> {
-    /// How far above a plane a point has to be to count, of a unit sphere.
+    /// Height above a plane from which a point of the unit sphere counts as above it.
     const ABOVE: f32 = 1e-5;
     const NEARLY: f32 = 1e-3;
     let at = |index: usize| direction(directions[index].into()).unwrap_or(Vec3A::ZERO);
@@ -41,7 +41,8 @@ pub fn triangulated<'t>(directions: &[Vec3], triangles: &'t mut [[usize; 3]]) ->
             for c in b + 1..count {
                 let normal = cross(at(b) - at(a), at(c) - at(a));
                 let Some(normal) = direction(normal) else { continue };
-                // Seen from the middle of the sphere, and not those that close the far side of what is covered.
+                // Orient the plane away from the centre of the sphere. A face that closes the far side of the covered
+                // region then has directions above it and is not taken.
                 let height = normal.dot(at(a));
                 let (normal, height) = if height < 0.0 { (-normal, -height) } else { (normal, height) };
                 let is_empty = (0..count).all(|other| normal.dot(at(other)) <= height + ABOVE);
@@ -49,7 +50,7 @@ pub fn triangulated<'t>(directions: &[Vec3], triangles: &'t mut [[usize; 3]]) ->
                     continue;
                 }
                 let candidate = [a, b, c];
-                // Only what is on one circle can be joined in more than one way.
+                // Only directions on one circle can be joined in more than one way.
                 let is_on_circle =
                     |triangle: &[usize; 3]| triangle.iter().all(|&i| normal.dot(at(i)) > height - NEARLY);
                 let rivals = triangles[..filled].iter().filter(|triangle| is_on_circle(triangle));
@@ -64,7 +65,8 @@ pub fn triangulated<'t>(directions: &[Vec3], triangles: &'t mut [[usize; 3]]) ->
     (filled > 0).then(|| &triangles[..filled])
 }
 
-/// Whether two triangles of one hemisphere have more in common than an edge: whether no edge of either parts them.
+/// Returns `true` if two triangles of one hemisphere overlap in more than an edge, that is, if no edge of either
+/// separates them.
 fn overlap(one: &[usize; 3], other: &[usize; 3], at: impl Fn(usize) -> Vec3A) -> bool {
     const BEYOND: f32 = 1e-6;
     let parts = |one: &[usize; 3], other: &[usize; 3]| {

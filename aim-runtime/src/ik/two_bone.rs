@@ -1,8 +1,8 @@
-//! Two bones in closed form: shoulder, elbow, hand; hip, knee, foot.
+//! Closed-form inverse kinematics of two bones: shoulder, elbow, hand; hip, knee, foot.
 //!
-//! The middle joint is a hinge: how far it flexes decides how far the tip is from the root, and nothing else does. The
-//! root then turns the bent limb until the tip points at the target and the middle joint lies on the side that was asked
-//! for. Both are rotations, so bones keep their lengths.
+//! The middle joint is a hinge. Its flexion alone determines the distance between root and tip. The root then turns the
+//! bent limb until the tip points at the target and the middle joint lies on the requested side. Both are rotations, so
+//! the bones keep their lengths.
 
 use core::f32::consts::PI;
 
@@ -12,7 +12,7 @@ use crate::math::trig::{atan2, sin_cos};
 use crate::math::turn::{FLAT, across, between, normalized, part};
 use crate::math::{self, cross, direction, product, turned};
 
-/// Two bones in a pose: where their joints are, in one space of the caller's choice.
+/// Joint positions of two bones in a pose, in one space of the caller's choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limb {
     /// Shoulder or hip.
@@ -24,7 +24,7 @@ pub struct Limb {
 }
 
 impl Limb {
-    /// The length of both bones together; as far as the tip gets from the root.
+    /// Returns the sum of both bones' lengths, which is the tip's largest possible distance from the root.
     #[must_use]
     pub fn length(&self) -> f32 {
         let [upper, lower] = self.bones();
@@ -37,30 +37,33 @@ impl Limb {
     }
 }
 
-/// The plane that the limb bends in.
+/// Rule for the plane in which the limb bends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Bend {
-    /// That of the animation, led along by the shortest way from where the tip was to where it goes.
+    /// The animated plane, rotated by the shortest turn from the direction to the animated tip to the direction to the
+    /// target.
     #[default]
     AsAnimated,
-    /// The middle joint lies on the side of this point, in the space of the limb. As animated where the point is on the
-    /// line from the root to the target.
+    /// The plane in which the middle joint lies on the side of this point, in the space of the limb. If the point is on
+    /// the line from the root to the target, as [`AsAnimated`](Self::AsAnimated).
     Pole(Vec3),
 }
 
-/// The middle joint's axis, and how far it flexes about it.
+/// Axis of the middle joint, and its range of flexion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hinge {
-    /// Turning the lower bone about this, by the right-hand rule, flexes; as the animation holds it, in the space of the
-    /// limb, of any length. An axis along a bone, or none, counts as the normal of the animated bend.
+    /// Axis about which a turn of the lower bone by the right-hand rule flexes, in the animated pose, in the space of
+    /// the limb, of any length. Only the component orthogonal to the line from the root to the animated tip is used; if
+    /// it is zero, the normal of the animated bend takes its place.
     pub axis: Vec3,
-    /// The least flexion, radians: 0 where the bones are in line. At least 0, so that no knee bends backwards.
+    /// Smallest flexion, radians; 0 if the bones are in line. Negative values count as 0, so that no knee bends
+    /// backwards.
     pub least_rad: f32,
-    /// The most, radians; at most π.
+    /// Largest flexion, radians; at most π.
     pub most_rad: f32,
 }
 
-/// A limb's solver: how to bend.
+/// Solver for a limb of two bones.
 ///
 /// ```
 /// use aim_runtime::glam::Vec3;
@@ -75,16 +78,17 @@ pub struct Hinge {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TwoBone {
-    /// The plane that it bends in.
+    /// Rule for the plane in which the limb bends. Default [`Bend::AsAnimated`].
     pub bend: Bend,
-    /// The middle joint. `None`: it flexes about the normal of the animated bend, up to half a turn.
+    /// Axis and range of the middle joint. `None`: it flexes about the normal of the animated bend, by 0…π. Default
+    /// `None`.
     pub hinge: Option<Hinge>,
-    /// The part of the limb's length from which on it gives way softly instead of snapping straight, 0…1; 1 (the default)
-    /// keeps every target in reach exact.
+    /// Fraction of the limb's length from which the limb straightens softly instead of snapping straight, 0…1. With 1
+    /// (the default), every target within reach is met exactly.
     pub soften: f32,
-    /// Turns the bend plane about the line from root to target by this, radians.
+    /// Rotation of the bend plane about the line from root to target, radians. Default 0.
     pub twist_rad: f32,
-    /// How much of it all is applied, 0…1; 1 by default.
+    /// Fraction of both turns that is applied, 0…1. Values outside are clamped, NaN counts as 0. Default 1.
     pub weight: f32,
 }
 
@@ -94,88 +98,90 @@ impl Default for TwoBone {
     }
 }
 
-/// What became of a call of [`TwoBone::solve`].
+/// Result of [`TwoBone::solve`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoBoneOutcome {
-    /// Goes before the upper bone's rotation in the space of the limb: `upper * animated`. Unit and finite.
+    /// Rotation to apply before the upper bone's rotation in the space of the limb: `upper * animated`. Unit and
+    /// finite.
     pub upper: Quat,
-    /// The same for the lower bone.
+    /// Rotation to apply before the lower bone's rotation in the space of the limb: `lower * animated`. Unit and
+    /// finite.
     pub lower: Quat,
-    /// Where the joints are then, by forward kinematics.
+    /// Resulting joint positions, by forward kinematics.
     pub limb: Limb,
-    /// How far the tip is from the target.
+    /// Distance of the resulting tip from the target.
     pub error: f32,
-    /// Whether the target is met, and if not, why.
+    /// `Reached` if the target is met, otherwise the reason why not.
     pub status: TwoBoneStatus,
 }
 
-/// Whether a limb met its target.
+/// Status of a [`TwoBone`] solution: success, or the reason why the limb misses its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TwoBoneStatus {
-    /// The tip is on the target, to 1e-5 of the limb's length.
+    /// The tip is on the target to within 1e-5 of the limb's length.
     Reached,
-    /// The target is further than the limb is long: it is stretched towards it.
+    /// The target is further away than the limb is long: the limb is stretched towards it.
     TooFar,
-    /// One bone is longer than the other and the target is nearer than their difference: it is folded.
+    /// The target is nearer than the difference of the bones' lengths: the limb is folded.
     TooNear,
-    /// The hinge flexes no further, or stretches no further.
+    /// The hinge's range ends before the tip reaches the target.
     AtHinge,
-    /// Softening or a weight below 1 left a part of the way.
+    /// Softening, or a weight below 1, left part of the distance.
     Partial,
-    /// Something is no number, or the limb has no length: nothing is moved.
+    /// An input is not finite, or the limb has no length. Nothing is moved.
     Degenerate,
 }
 
-/// What counts as met, of the limb's length.
+/// Distance up to which the target counts as met, as a fraction of the limb's length.
 const MET: f32 = 1e-5;
 
 impl TwoBone {
-    /// In the plane of the animation, without limits, softening or twist, at full weight.
+    /// Creates a solver that bends in the animated plane, without limits, softening or twist, at full weight.
     #[must_use]
     pub const fn new() -> Self {
         Self { bend: Bend::AsAnimated, hinge: None, soften: 1.0, twist_rad: 0.0, weight: 1.0 }
     }
 
-    /// With the middle joint on the side of a point, in the space of the limb.
+    /// Sets the [bend](Self::bend) to a pole: a point in the space of the limb, on whose side the middle joint lies.
     #[must_use]
     pub const fn with_pole(mut self, pole: Vec3) -> Self {
         self.bend = Bend::Pole(pole);
         self
     }
 
-    /// With this middle joint.
+    /// Sets axis and range of the [middle joint](Self::hinge).
     #[must_use]
     pub const fn with_hinge(mut self, hinge: Hinge) -> Self {
         self.hinge = Some(hinge);
         self
     }
 
-    /// Giving way softly from this part of the limb's length on.
+    /// Sets the fraction of the limb's length from which the limb [straightens softly](Self::soften), 0…1.
     #[must_use]
     pub const fn with_softening(mut self, soften: f32) -> Self {
         self.soften = soften;
         self
     }
 
-    /// With the bend plane turned, radians.
+    /// Sets the [rotation of the bend plane](Self::twist_rad), radians.
     #[must_use]
     pub const fn with_twist(mut self, twist_rad: f32) -> Self {
         self.twist_rad = twist_rad;
         self
     }
 
-    /// Applied in part, 0…1.
+    /// Sets the [`weight`](Self::weight), 0…1.
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
         self
     }
 
-    /// Brings the tip of `limb`, as the animation left it, to `target`, or as near as the limb gets.
+    /// Returns the turns that bring the tip of the animated `limb` to `target`, or as near as the limb reaches.
     ///
-    /// All in one space. Whatever the bits, the rotations are finite and unit; only what is no number or has no length is
-    /// left as it is ([`TwoBoneStatus::Degenerate`]).
+    /// All arguments are in one space. For every input the rotations are finite and unit. If an input is not finite or
+    /// the limb has no length, nothing is moved ([`TwoBoneStatus::Degenerate`]).
     #[must_use]
     pub fn solve(&self, limb: &Limb, target: Vec3) -> TwoBoneOutcome {
         let unmoved = TwoBoneOutcome {
@@ -207,7 +213,7 @@ impl TwoBone {
         TwoBoneOutcome { upper, lower, limb, error, status }
     }
 
-    /// The turns of both bones, and what it is if the target is not met.
+    /// Returns the turns of both bones, and the status to report if the target is not met.
     fn turns(
         &self,
         [upper, lower]: [Vec3A; 2],
@@ -219,7 +225,7 @@ impl TwoBone {
         let (flex, cause) = self.flexion([upper, lower], axis, math::length(target));
         let tip = upper + turned(flex, lower);
 
-        // The bent limb's own frame: towards the tip, and square to it towards the middle joint.
+        // Frame of the bent limb: towards the tip, and orthogonal to that towards the middle joint.
         let from = direction(tip).unwrap_or(animated);
         let from_side = side(from, axis);
         let to = direction(target).unwrap_or(from);
@@ -240,8 +246,8 @@ impl TwoBone {
         (root, normalized(product(root, flex)), cause)
     }
 
-    /// The axis that the middle joint flexes about: the hinge's, else the normal of the animated bend; of a straight limb,
-    /// that which bends it towards the pole, else any.
+    /// Returns the axis about which the middle joint flexes: the hinge's, otherwise the normal of the animated bend.
+    /// For a straight limb, the axis that bends it towards the pole, otherwise any axis orthogonal to the limb.
     fn axis(&self, [upper, lower]: [Vec3A; 2], along: Vec3A, relative: &impl Fn(Vec3) -> Vec3A) -> Vec3A {
         let hinge = self.hinge.and_then(|hinge| across(hinge.axis.into(), along));
         let bent = || {
@@ -256,10 +262,11 @@ impl TwoBone {
         hinge.or_else(bent).or_else(towards_pole).unwrap_or_else(|| along.any_orthonormal_vector())
     }
 
-    /// The turn about the axis that brings the tip to this distance from the root, and why it would not.
+    /// Returns the turn of the lower bone about `axis` that brings the tip to this distance from the root, and the
+    /// status to report if the target is not met.
     ///
-    /// With the bones' parts along the axis, `z`, and square to it, `u` and `l`, a flexion `f` leaves the tip at
-    /// `d² = z² + u² + l² + 2 u l cos f`. By its half, so that near and far are as exact as what lies between:
+    /// With the bones' components along the axis (`z`, their sum) and orthogonal to it (`u`, `l`), a flexion `f` puts
+    /// the tip at `d² = z² + u² + l² + 2 u l cos f`. The half angle keeps full precision near both ends of the range:
     /// `4 u l cos²(f/2) = d² − z² − (u − l)²`, `4 u l sin²(f/2) = (u + l)² − (d² − z²)`.
     fn flexion(&self, [upper, lower]: [Vec3A; 2], axis: Vec3A, distance: f32) -> (Quat, TwoBoneStatus) {
         let along = (upper + lower).dot(axis);
@@ -268,10 +275,10 @@ impl TwoBone {
         let both = 4.0 * u * l;
         let wanted = self.softened(distance);
         let in_plane = math::sqrt((wanted - along) * (wanted + along));
-        // Squares of the half angle's cosine and sine, but for the factor.
+        // 4 u l cos²(f/2) and 4 u l sin²(f/2), by (a − b)(a + b).
         let (cos_2, sin_2) = ((in_plane - (u - l)) * (in_plane + (u - l)), (u + l - in_plane) * (u + l + in_plane));
         if !(both > f32::MIN_POSITIVE) {
-            // A bone without length, or along the axis: nothing flexes.
+            // A bone without length or along the axis: flexing has no effect.
             let cause =
                 if distance > (upper + lower).length() { TwoBoneStatus::TooFar } else { TwoBoneStatus::TooNear };
             return (Quat::IDENTITY, cause);
@@ -294,20 +301,23 @@ impl TwoBone {
                 cause = TwoBoneStatus::AtHinge;
             }
         }
-        // The flexion that the animation has: the angle between the flat bones, by its halves too.
+        // Half of the animated flexion, the angle between the bones projected onto the plane of flexion: for unit
+        // vectors, cos(f/2) = |u + l| / 2 and sin(f/2) = |u − l| / 2.
         let animated = {
             let (upper, lower) = (flat_upper / u, flat_lower / l);
             let (sum, difference) = ((upper + lower).length(), (upper - lower).length());
             let (cos, sin) = unit(sum, difference);
             if axis.dot(cross(upper, lower)) < 0.0 { (cos, -sin) } else { (cos, sin) }
         };
+        // Difference of the half angles, by the addition theorems.
         let cos = halves.0 * animated.0 + halves.1 * animated.1;
         let sin = halves.1 * animated.0 - halves.0 * animated.1;
         let turn = axis * sin;
         (normalized(Quat::from_xyzw(turn.x, turn.y, turn.z, cos)), cause)
     }
 
-    /// The distance to go to: from the softened part of the length on it approaches the length but never arrives.
+    /// Returns the softened distance: beyond the softened fraction of the length it approaches the length without
+    /// reaching it.
     fn softened(&self, distance: f32) -> f32 {
         let begin = self.soften.max(0.0).min(1.0);
         let rest = 1.0 - begin;
@@ -321,29 +331,30 @@ impl TwoBone {
 }
 
 impl Hinge {
-    /// Least and most flexion, radians, in order and within half a turn.
+    /// Returns the least and most flexion, radians, in order and within 0…π.
     fn range(&self) -> (f32, f32) {
         let least = self.least_rad.max(0.0).min(PI);
         (least, self.most_rad.min(PI).max(least))
     }
 }
 
-/// (x, y) at length 1; (1, 0) for what has none.
+/// Returns (x, y) scaled to length 1; (1, 0) for a zero vector.
 fn unit(x: f32, y: f32) -> (f32, f32) {
     let length = math::sqrt(x * x + y * y);
     if length > 0.0 { (x / length, y / length) } else { (1.0, 0.0) }
 }
 
-/// Where the middle joint lies beside the way to the tip, `along`, if it flexes about `axis`.
+/// Returns the side of `along`, the direction to the tip, on which the middle joint lies if it flexes about `axis`.
 fn side(along: Vec3A, axis: Vec3A) -> Vec3A {
     let side = direction(cross(along, axis)).unwrap_or_else(|| along.any_orthonormal_vector());
     direction(side - along * side.dot(along)).unwrap_or(side)
 }
 
-/// `v`, square to `from`, carried along by the shortest turn from one unit vector to another.
+/// Returns `v`, which is orthogonal to `from`, rotated by the shortest turn from one unit vector to another: v −
+/// (from + to) (v · to) / (1 + from · to).
 fn carried(v: Vec3A, from: Vec3A, to: Vec3A) -> Vec3A {
     let along = 1.0 + from.dot(to);
-    // Half a turn: about v itself.
+    // For opposite vectors, the half turn about `v` leaves `v` unchanged.
     let carried = if along > FLAT * FLAT { v - (from + to) * (v.dot(to) / along) } else { v };
     across(carried, to).unwrap_or_else(|| to.any_orthonormal_vector())
 }

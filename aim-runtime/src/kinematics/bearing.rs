@@ -1,5 +1,5 @@
-//! [`Bearings`]: heading and elevation about the character's up, from its front. Pairs of angles are the first two lanes of a
-//! vector of four, in this order.
+//! [`Bearings`]: heading and elevation of directions about the character's up, measured from its front. Pairs of angles
+//! are the first two lanes of a [`Vec4`], in this order.
 
 use core::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,13 +10,14 @@ use crate::math::trig;
 use crate::math::{self, Bounded};
 use crate::rig::Side;
 
-/// A gaze higher or lower than this has a heading that says little, radians.
+/// Elevation, up or down, beyond which a heading carries little information, radians.
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
-/// From the first of these elevations on, up or down, what is aside is [turned to](Bearings::turned) less aside than it is; from the
-/// second on even what is behind, by way of the front.
+/// Elevations, up or down, radians. Beyond the first, directions to the side are [turned to](Bearings::turned) with a
+/// smaller heading than their own; beyond the second, even directions behind are turned to through the front.
 pub(crate) const BY_THE_FRONT_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
 
-/// Heading and pitch of a direction along forward, left and up; heading 0 where it goes straight up or down.
+/// Returns heading and pitch of a direction with components along forward, left and up. The heading is 0 for straight
+/// up and straight down.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
     let level = math::root(direction.x * direction.x + direction.y * direction.y);
@@ -24,7 +25,7 @@ pub(crate) fn heading_and_pitch(direction: Vec3A) -> Vec4 {
     trig::atan2_of_4(Vec4::from((direction.yzz(), 0.0)), both)
 }
 
-/// Those of two directions in little more than the time of one.
+/// Returns heading and pitch of two directions, one pair after the other, in little more than the time of one.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
     let [ahead, left, up] = a.to_array();
@@ -33,19 +34,21 @@ pub(crate) fn headings_and_pitches([a, b]: [Vec3A; 2]) -> Vec4 {
     trig::atan2_of_4(Vec4::new(left, up, b_left, b_up), Vec4::new(ahead, level, b_ahead, b_level))
 }
 
-/// Directions of solver space as headings (from the front to the left) and elevations above the horizon, radians.
+/// Converts between directions of solver space and angles: headings from the front towards the left, and elevations
+/// above the horizon, radians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearings {
-    /// Forward, left and up as columns, and as rows.
+    /// Matrix with forward, left and up as columns, and its transpose.
     axes: Mat3A,
     rows: Mat3A,
-    /// Whether a joint turns all the way round.
+    /// `true` if a joint of the chain can turn all the way round.
     turns_round: bool,
 }
 
 impl Bearings {
-    /// About `up`, with the heading of the trunk's `forward` as 0, positive towards the side of its `left`. A trunk that
-    /// lies has its head at the end of `trunk_up`.
+    /// Creates bearings about `up`. The trunk's `forward` has heading 0, and headings are positive towards its `left`.
+    /// If the trunk lies, so that `forward` is nearly vertical, the direction of `trunk_up` (the head) is the front
+    /// when it faces down, and the opposite direction when it faces up.
     fn new(up: Vec3A, forward: Vec3A, left: Vec3A, trunk_up: Vec3A) -> Self {
         const LEVEL: f32 = 0.1;
         let level = |v: Vec3A| v - up * v.dot(up);
@@ -58,7 +61,8 @@ impl Bearings {
         Self { axes, rows: axes.transpose(), turns_round: false }
     }
 
-    /// About what upright headings turn about, from the front of a trunk that has its forward, left and up as these columns.
+    /// Creates bearings about the axis of upright headings, with the front of a trunk that has forward, left and up as
+    /// these columns.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn of_trunk(trunk: &Mat3A, about: Upright, turns_round: bool) -> Self {
         let Mat3A { x_axis: forward, y_axis: left, z_axis: trunk_up } = *trunk;
@@ -68,30 +72,31 @@ impl Bearings {
         }
     }
 
-    /// The direction that elevations count towards.
+    /// Returns the direction from whose horizon elevations are measured.
     pub(crate) fn up(&self) -> Vec3A {
         self.axes.z_axis
     }
 
-    /// Heading and elevation of a direction of any length but zero.
+    /// Returns heading and elevation of a direction of any length but zero.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn angles(&self, direction: Vec3A) -> Vec4 {
         heading_and_pitch(self.rows * direction)
     }
 
-    /// Those of two directions, one after the other.
+    /// Returns heading and elevation of two directions, one pair after the other.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn angles_of_both(&self, directions: [Vec3A; 2]) -> Vec4 {
         headings_and_pitches(directions.map(|direction| self.rows * direction))
     }
 
-    /// Heading and elevation of a direction, and those of a unit direction as somebody turns to it: the nearer it is to the
-    /// zenith, the less aside, and straight up from in front. Its heading is atan2(left, forward + 3w) where cos ε falls short of
-    /// cos 45° by √(w·cos 45°): above 66° even what is behind is turned to by way of the front.
+    /// Returns heading and elevation of `from`, then the angles by which a person turns to the unit direction `to`: the
+    /// nearer to the zenith it is, the smaller the heading, and straight up is approached from the front. That heading
+    /// is atan2(left, forward + 3w), where w = max(0, cos 45° − cos ε)² / cos 45°. Above 66°, even directions behind
+    /// are turned to through the front.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
-        /// A body that walks away under its target looks up, and not round.
+        /// Large enough that a character walking away under its target looks up instead of round.
         const AHEAD: f32 = 3.0;
         let [from, to] = [from, to].map(|direction| self.rows * direction);
         let [from_level, level] = [from, to].map(|v| math::root(v.x * v.x + v.y * v.y));
@@ -101,13 +106,13 @@ impl Bearings {
         [both, both.zwzw()]
     }
 
-    /// The unit direction of a heading and an elevation.
+    /// Returns the unit direction with this heading and elevation.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn direction(&self, angles: Vec4) -> Vec3A {
         self.direction_of(trig::halves_of(angles))
     }
 
-    /// The unit directions of two headings and elevations, one after the other.
+    /// Returns the unit directions of two pairs of heading and elevation.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn directions(&self, angles: Vec4) -> [Vec3A; 2] {
         trig::halves_of_both(angles).map(|halves| self.direction_of(halves))
@@ -119,14 +124,15 @@ impl Bearings {
         self.axes * Vec3A::new(cos_h * cos_e, sin_h * cos_e, sin_e)
     }
 
-    /// The unit direction this part of the way from one to another.
+    /// Returns the unit direction at this fraction of the way from one direction to another.
     #[cold]
     pub(crate) fn part_way(&self, [from, to]: [Vec3A; 2], part: f32, side: Side) -> Vec3A {
         let [from, to] = [from, to].map(|direction| self.angles(direction));
         self.direction(from + self.way(from, to, side) * part)
     }
 
-    /// The way from one direction to another, by the `side` on which what is behind counts as being.
+    /// Returns the change of heading and elevation from one direction to another. A target more than 90° to the side
+    /// counts as being on `side`.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn way(&self, from: Vec4, to: Vec4, side: Side) -> Vec4 {
         let ([from_heading, from_elevation, ..], [mut heading, mut elevation, ..]) = (from.to_array(), to.to_array());
@@ -136,12 +142,13 @@ impl Bearings {
             _ => {}
         }
         heading -= from_heading;
-        // Through the front, however far round the animation has turned the gaze: which side a target is on does not change
-        // with that.
+        // Unwrapped, the way leads through the front however far the animation has turned the gaze, so the side of a
+        // target does not depend on that. A joint that turns all the way round takes the shorter way.
         if self.turns_round {
             heading = math::wrap_pi(heading);
         }
-        // From near the zenith the other side is nearer by way of it.
+        // From a steep gaze, the far side is nearer over the zenith: heading ± π with elevation π − ε is the same
+        // direction.
         if from_elevation.abs() > STEEP_RAD && heading.abs() > FRAC_PI_2 {
             heading -= PI * heading.signum();
             elevation = PI * from_elevation.signum() - elevation;

@@ -1,5 +1,5 @@
-//! [`Chain`]: a pose made ready for aiming, in units of the rig's own size, with the true forward kinematics that
-//! judges and the rigid links that the derived kernels search with.
+//! [`Chain`]: a pose prepared for aiming, in units of the rig's own size. It holds the true forward kinematics, which
+//! measure the result, and the rigid links on which the derived kernels search.
 
 use core::ops::Range;
 
@@ -9,13 +9,13 @@ use crate::kinematics::rotation::{correction, is_identity, joint_turn, tilted};
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 
-/// Nearer to the effector than this part of the rig's size a target has no direction.
+/// Distance from the effector, relative to the rig's size, below which a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
-/// How far from square or from equal length joints' axes may be in a rigid pose, all that is off taken together.
+/// Largest deviation of joints' axes from orthogonal and equally long in a rigid pose, summed over joints.
 pub(crate) const OFF: f32 = 1e-4;
-/// The same where what is found as if they were square is true to rounding.
+/// Largest such deviation at which results for orthogonal frames hold for the true pose to within rounding.
 pub(crate) const OFF_BY_NOTHING: f32 = 1e-5;
-/// Farther than this many sizes of the rig a target is a mere direction.
+/// Distance, in sizes of the rig, beyond which a target is treated as a direction.
 const FAR: f32 = 1e7;
 
 /// A point and a direction (of any length but zero).
@@ -37,7 +37,7 @@ impl Ray {
         }
     }
 
-    /// The angle between the ray and the direction to `target`, radians; `None` where that is undefined.
+    /// Returns the angle between the ray and the direction to `target`, radians; `None` if it is undefined.
     pub(crate) fn angle_to(self, target: Vec3A) -> Option<f32> {
         let to_target = target - self.origin;
         // The negation also catches NaN.
@@ -52,35 +52,36 @@ impl Ray {
     }
 }
 
-/// A pose made ready for aiming.
+/// A pose prepared for aiming.
 ///
-/// *Solver space* (`_ss`) has the pose's axes, its origin in the innermost joint and the rig's size as its unit: so
-/// nothing depends on the scale of the rig, nor on how far it is from the world's origin.
+/// *Solver space* (`_ss`) has the pose's axes, its origin at the innermost joint, and the rig's size as its unit.
+/// Therefore results depend neither on the rig's scale nor on its distance from the world's origin.
 ///
-/// A joint with an *upright* heading is aimed in its upright frame: its bone's, tilted upright.
+/// A joint with an *upright* heading is aimed in its upright frame: the bone's frame, tilted so that its up is the
+/// character's.
 pub(crate) struct Chain<const C: usize> {
-    /// The joint that carries the effector; those before it do not matter.
+    /// The joint that carries the effector; joints before it have no effect.
     pub(crate) first: usize,
     /// The number of joints.
     pub(crate) count: usize,
-    /// The effector in its joint's bone space; its origin in solver-space lengths where the pose is rigid.
+    /// Effector in its joint's bone space; for a rigid pose its origin is in solver-space lengths.
     effector: Ray,
-    /// The effector in solver space as the animation has it.
+    /// Animated effector, in solver space.
     animated: Ray,
-    /// Each joint's animated transform in the next joint's space; the last one's in solver space. Only where the pose
-    /// is not rigid: else the links say the same.
+    /// Each joint's animated transform in the next joint's space; the last one's in solver space. `None` for a rigid
+    /// pose, where the links hold the same information.
     local: Option<PerJoint<Affine3A, C>>,
-    /// Rigid links for the kernels: from the joint before (from effector space for the first), orthogonal, in
+    /// Rigid links for the kernels, each from the previous joint (from effector space for the first): orthogonal, in
     /// solver-space lengths, between upright frames.
     pub(crate) links: PerJoint<Affine3A, C>,
-    /// How each joint's upright frame stands in its bone.
+    /// Orientation of each joint's upright frame in its bone's space.
     pub(crate) tilts: PerJoint<Quat, C>,
-    /// The last joint's upright rigid frame in solver space; its origin is the space's.
+    /// Upright rigid frame of the last joint in solver space, with its origin at that of the space.
     pub(crate) base: Affine3A,
     space: Space,
 }
 
-/// The place of solver space in the pose's.
+/// Origin and scale of solver space in the pose's space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Space {
     pub(crate) origin: Vec3A,
@@ -88,8 +89,8 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    /// The space of the joints from `first` on, the effector being this far from the origin of its own; `None` where the joints
-    /// are not finite or too large or small to be seen.
+    /// Returns the solver space of the joints from `first` on. `offset` leads from the origin of joint `first` to the
+    /// effector. `None` if the joints are not finite, or if their size is too large or too small to be inverted.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn of_pose(pose: &[Affine3A], first: usize, offset: Vec3A) -> Option<Self> {
         let origin = pose[pose.len() - 1].translation;
@@ -99,13 +100,13 @@ impl Space {
         is_seen.then_some(Self { origin, per_size })
     }
 
-    /// A point of the pose's space in solver space, brought near where it is a mere direction; `None` where it is not
-    /// finite.
+    /// Converts a point of the pose's space to solver space. A point further than [`FAR`] is moved nearer in its
+    /// direction. `None` if it is not finite.
     pub(crate) fn to_solver(self, point: Vec3A) -> Option<Vec3A> {
         let from_origin = point - self.origin;
         let plain = from_origin * self.per_size;
         let square = plain.dot(plain);
-        // Neither so small nor so large that its square would not do.
+        // Only if the square neither underflows nor overflows.
         if square > 1e-30 && square < FAR * FAR { Some(plain) } else { self.far_to_solver(from_origin) }
     }
 
@@ -118,25 +119,25 @@ impl Space {
         if distance > FAR { Some(math::direction(from_origin)? * FAR) } else { Some(from_origin * self.per_size) }
     }
 
-    /// A point of solver space in the pose's space.
+    /// Converts a point of solver space to the pose's space.
     pub(crate) fn to_pose(self, point: Vec3A) -> Vec3A {
         self.origin + point / self.per_size
     }
 }
 
-/// What upright headings turn about.
+/// Axis of upright headings.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Upright {
-    /// Their bones' own up.
+    /// Each bone's own up.
     Off,
     /// This direction of the pose's space.
     About(Vec3A),
-    /// The innermost joint's animated up.
+    /// Animated up of the innermost joint.
     Innermost,
 }
 
 impl<const C: usize> Chain<C> {
-    /// `pose` with `first` as the joint that is aimed; `None` where it is not finite or does not span space.
+    /// Prepares `pose` for aiming joint `first`. `None` if a transform is not finite or has linearly dependent axes.
     #[inline]
     pub(crate) fn new(rig: &ChainRig<'_, C>, pose: &[Affine3A], first: usize, about: Upright) -> Option<Self> {
         let infos = rig.joints;
@@ -189,33 +190,34 @@ impl<const C: usize> Chain<C> {
         let mut chain = Self { first, count, effector, animated, local, links, tilts, base, space };
         if !rigid {
             chain.animated = (first..count).fold(effector, |ray, index| chain.outward(index, ray));
-            // A direction of no length (or of none after a flat scale) aims nowhere.
+            // A direction of length zero (or flattened to it by scale) cannot be aimed.
             math::direction(chain.animated.direction)?;
         }
         Some(chain)
     }
 
-    /// Whether the links are all there is to the pose: no shear, no non-uniform scale.
+    /// Returns `true` if the links describe the pose completely: no shear, no non-uniform scale.
     pub(crate) fn is_rigid(&self) -> bool {
         self.local.is_none()
     }
 
-    /// The place of solver space in the pose's.
+    /// Returns origin and scale of solver space in the pose's space.
     pub(crate) fn space(&self) -> Space {
         self.space
     }
 
-    /// The effector before its joint's added rotation, in that joint's space.
+    /// Returns the effector before its joint's added rotation, in that joint's space.
     pub(crate) fn effector(&self) -> Ray {
         self.effector
     }
 
-    /// A ray in a joint's space, after its added rotation, in the next joint's space (solver space for the last).
+    /// Transforms a ray from a joint's space, after its added rotation, to the next joint's space (solver space for the
+    /// last).
     pub(crate) fn outward(&self, joint: usize, ray: Ray) -> Ray {
         match &self.local {
             Some(local) => ray.through(&local[joint]),
             None => {
-                // Links stand between upright frames.
+                // Links connect upright frames, so the tilts are undone before and applied after.
                 let tilts = &self.tilts;
                 let turned = |ray: Ray, tilt: Quat| if is_identity(tilt) { ray } else { ray.turned(tilt) };
                 let ray = turned(ray, tilts[joint].conjugate());
@@ -227,7 +229,8 @@ impl<const C: usize> Chain<C> {
         }
     }
 
-    /// Each joint's true frame in solver space before its added rotation.
+    /// Writes each joint's true frame in solver space before its added rotation. Only for chains without upright
+    /// headings.
     pub(crate) fn frames(&self, turns: &[Quat], frames: &mut [Affine3A]) {
         let Some(local) = &self.local else { return self.rigid_frames(turns, frames) };
         let mut frame = Affine3A::IDENTITY;
@@ -238,7 +241,8 @@ impl<const C: usize> Chain<C> {
         }
     }
 
-    /// The same for the rigid links. Both only for chains without upright headings.
+    /// Writes each joint's frame along the rigid links in solver space before its added rotation. Only for chains
+    /// without upright headings.
     pub(crate) fn rigid_frames(&self, turns: &[Quat], frames: &mut [Affine3A]) {
         let links = &self.links;
         let mut frame = self.base;
@@ -248,7 +252,7 @@ impl<const C: usize> Chain<C> {
         }
     }
 
-    /// The effector in solver space with the joints turned like this: the true forward kinematics.
+    /// Returns the effector in solver space with the joints turned by these corrections: the true forward kinematics.
     pub(crate) fn gaze(&self, turns: &[Quat]) -> Ray {
         let mut ray = self.effector;
         for (index, turn) in turns.iter().enumerate().take(self.count).skip(self.first) {
@@ -257,25 +261,25 @@ impl<const C: usize> Chain<C> {
         ray
     }
 
-    /// The joints' corrections: the rotations that they add in their bones' own spaces.
+    /// Returns the joints' corrections: the rotations that they add in their bones' own spaces.
     pub(crate) fn corrections(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> PerJoint<Quat, C> {
         let mut corrections = self.tilts;
         corrections_of(rig, joints, &mut corrections);
         corrections
     }
 
-    /// The effector in solver space with the joints at these angles: the true forward kinematics.
+    /// Returns the effector in solver space with the joints at these angles: the true forward kinematics.
     pub(crate) fn gaze_of(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> Ray {
         self.posed(rig, joints).0
     }
 
-    /// The same, with the joints' corrections.
+    /// Returns the effector in solver space with the joints at these angles, and the joints' corrections.
     pub(crate) fn posed(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> (Ray, PerJoint<Quat, C>) {
         if !self.is_rigid() {
             let corrections = self.corrections(rig, joints);
             return (self.gaze(&corrections), corrections);
         }
-        // Links stand between upright frames: a tilt is only for what a joint adds in its bone.
+        // Links connect upright frames, so a tilt only enters the correction of its own bone.
         let mut corrections = self.tilts;
         let own = self.tilts[self.first];
         let mut ray = if is_identity(own) { self.effector } else { self.effector.turned(own.conjugate()) };
@@ -284,7 +288,7 @@ impl<const C: usize> Chain<C> {
             *tilt = tilted(turn, *tilt);
             if index >= self.first {
                 let direction = math::turned(turn, ray.direction);
-                // Joint 0's effector is mostly its own origin.
+                // Most effectors start at joint 0's own origin.
                 let origin = if ray.origin == Vec3A::ZERO { ray.origin } else { math::turned(turn, ray.origin) };
                 ray = Ray { origin, direction }.through(self.links.get(index + 1).unwrap_or(&self.base));
             }
@@ -292,15 +296,16 @@ impl<const C: usize> Chain<C> {
         (ray, corrections)
     }
 
-    /// The effector in solver space as the animation has it.
+    /// Returns the animated effector in solver space.
     pub(crate) fn animated_gaze(&self) -> Ray {
         self.animated
     }
 
-    /// The target that makes the rigid links see what the true effector sees: for a rigid pose the target itself.
+    /// Returns the target for which the rigid links have the same error as the true effector has for `target`. For a
+    /// rigid pose this is `target` itself.
     ///
-    /// `effector` and `rigid_effector` are the effector as the true forward kinematics and as the rigid links have
-    /// it, all in solver space. Without this, a search along the rigid links would end where *they* aim.
+    /// `effector` and `rigid_effector` are the effector by the true forward kinematics and by the rigid links, all in
+    /// solver space. Without this correction a search along the rigid links would converge to where *they* aim.
     pub(crate) fn seen_target(&self, target: Vec3A, effector: Ray, rigid_effector: Ray) -> Vec3A {
         if self.is_rigid() {
             return target;
@@ -319,7 +324,8 @@ impl<const C: usize> Chain<C> {
     }
 }
 
-/// The ray that is aimed by joint `first`: its own forward from its own origin, for joint 0 the declared effector.
+/// Returns the ray that is aimed: for joint 0 the declared effector, for another joint its own forward from its own
+/// origin.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Ray {
     if first == 0 {
@@ -329,8 +335,8 @@ pub(crate) fn effector<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> R
     }
 }
 
-/// The effector in solver space by the joints' transforms as they are, with these corrections; `None` where a joint does not
-/// span space.
+/// Returns the effector in solver space from the joints' exact transforms, with these corrections. `None` if a joint's
+/// axes are linearly dependent.
 #[cold]
 pub(crate) fn true_gaze<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -344,26 +350,26 @@ pub(crate) fn true_gaze<const C: usize>(
     Some(joints.fold(effector(rig, first), |ray, joint| ray.turned(corrections[joint]).through(&local[joint])))
 }
 
-/// The distance of joints' axes from square and from equal length, all that is off taken together.
+/// Deviation of joints' axes from orthogonal and equally long, summed over joints.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Off(Vec3A);
 
 impl Off {
-    /// True if joints are scaled, turned and mirrored alone; not where a number is NaN.
+    /// Returns `true` if joints have only rotation, uniform scale and mirroring. `false` if a number is NaN.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_rigid(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF)).all()
     }
 
-    /// True if what is found of orthogonal frames is true of the joints to rounding.
+    /// Returns `true` if results for orthogonal frames hold for the true pose to within rounding.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_nothing(self) -> bool {
         self.0.cmple(Vec3A::splat(OFF_BY_NOTHING)).all()
     }
 }
 
-/// Finds each joint's orthogonal frame from `first` on, and how far the pose is off those; `None` where a joint does not span
-/// space.
+/// Finds each joint's orthogonal frame from `first` on. Returns the deviation of the pose from these frames; `None` if
+/// a joint's axes are linearly dependent.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<Off> {
     let off = similar(&pose[first..], &mut frames[first..]);
@@ -375,14 +381,15 @@ pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [M
     Some(off)
 }
 
-/// Turns how each joint's upright frame stands in its bone into what the joint adds in its bone's own space.
+/// Replaces each joint's tilt (the orientation of its upright frame in its bone's space) by its correction.
 pub(crate) fn corrections_of<const C: usize>(rig: &ChainRig<'_, C>, joints: &[Joint], tilts: &mut [Quat]) {
     for ((tilt, joint), info) in tilts.iter_mut().zip(joints).zip(rig.joints) {
         *tilt = correction(info, joint, *tilt);
     }
 }
 
-/// How each joint's upright frame stands in its bone; not at all where a joint does not span space.
+/// Returns the orientation of each joint's upright frame in its bone's space; identities if a joint's axes are linearly
+/// dependent.
 pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], about: Upright) -> PerJoint<Quat, C> {
     let mut tilts = rig.array(Quat::IDENTITY);
     let mut frames = rig.array(Mat3A::IDENTITY);
@@ -392,36 +399,37 @@ pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], ab
     tilts
 }
 
-/// The orthogonal frames of joints that are scaled, turned and mirrored alone, and how far one is more than that; NaN where
-/// its numbers are so large or small that their squares would not do.
+/// Finds the orthogonal frames of joints that have only rotation, uniform scale and mirroring. Returns the deviation
+/// from that, which is NaN if squares of the numbers overflow or underflow.
 #[cfg_attr(not(aim_small), inline(always))]
 fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
-    // A sum that begins with −0 costs nothing for its first term.
+    // Starting the sum from −0 lets the compiler drop the first addition.
     let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
-        // Of a matrix whose rows are square and equally long, so are the columns; and rows need no sums of lanes.
+        // If the rows of a matrix are orthogonal and equally long, so are its columns; and row products need no
+        // horizontal sums.
         let squares = x * x + y * y + z * z;
-        // Squares are not negative, and NaN and 0 fail below.
+        // Squares are not negative; NaN and 0 fail below.
         let per_length = 1.0 / <f32 as Scalar>::sqrt(squares.x);
         *frame = joint.matrix3 * per_length;
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = *frame;
         let products = x * x.yzx() + y * y.yzx() + z * z.yzx();
-        // Sums, not maxima: they keep NaN. A length beyond what can be squared leaves one too.
+        // Sums, not maxima, because they propagate NaN. A length whose square overflows leaves NaN too.
         off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
     }
     Off(off)
 }
 
-/// The square of the scale of joints that are turned and mirrored, and scaled all alike; `None` where they are more
-/// than that by more than `most_off`, or where numbers are so large or small that their squares would not do.
+/// Returns the square of the scale common to joints that have only rotation, mirroring and one uniform scale. `None` if
+/// the deviation from that exceeds `most_off`, or if squares of the numbers overflow or underflow.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn common_scale(pose: &[Affine3A], most_off: f32) -> Option<f32> {
     const PLAIN: Range<f32> = 1e-12..1e12;
     let squares = |Mat3A { x_axis: x, y_axis: y, z_axis: z }| x * x + y * y + z * z;
     let square = squares(pose.first()?.matrix3).x;
     let squares_alike = Vec3A::splat(square);
-    // As in `similar`, all that is off taken together.
+    // The deviation is summed, as in `similar`.
     let mut off = Vec3A::splat(-0.0);
     for joint in pose {
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = joint.matrix3;
@@ -431,7 +439,7 @@ pub(crate) fn common_scale(pose: &[Affine3A], most_off: f32) -> Option<f32> {
     (off.cmple(squares_alike * most_off).all() && math::is_within_positive(square, PLAIN)).then_some(square)
 }
 
-/// Each joint's animated transform in the next joint's space, the last one's in solver space.
+/// Returns each joint's animated transform in the next joint's space, the last one's in solver space.
 #[cold]
 fn local<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -455,13 +463,14 @@ fn local<const C: usize>(
     local.iter().all(|transform| transform.is_finite()).then_some(local)
 }
 
-/// Tilts the frames of joints with an upright heading upright, by the shortest arc, and tells how in their bones' spaces.
+/// Tilts the frames of joints with an upright heading upright, by the shortest arc, and writes the tilts in their
+/// bones' spaces.
 ///
-/// A bone that leans by more than a right angle (of a character on all fours, say) is tilted less and less, and not at
-/// all when it hangs upside down: there is no shortest arc.
+/// A bone that leans by more than 90° (of a character on all fours, for example) is tilted less and less, and not at
+/// all from 120° on: upside down there is no unique shortest arc.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames: &mut [Mat3A], tilts: &mut [Quat]) {
-    /// The cosines of the leans from which tilting fades, and at which nothing is left of it.
+    /// Cosines of the leans at which tilting begins to fade, and at which it ends.
     const FADES: f32 = 0.0;
     const GONE: f32 = -0.5;
     let up = match about {
@@ -484,7 +493,8 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames:
         if !(part > 0.0) {
             continue;
         }
-        // Half of the arc is the quaternion of the whole; a part of it, of the part.
+        // The unnormalised quaternion of the shortest arc is (a × b, 1 + a · b). For a partial tilt, take the point at
+        // that part of the arc as the goal.
         let wanted = if part < 1.0 { math::part_of_arc(bone_up, wanted, part) } else { wanted };
         let axis = math::cross(bone_up, wanted);
         let along = 1.0 + bone_up.dot(wanted);
@@ -498,8 +508,8 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames:
     }
 }
 
-/// The length that stands for the rig: from the innermost joint along the chain to the effector; where the chain has
-/// no length, that of a bone's axis.
+/// Returns the size of the rig: the length from the innermost joint along the chain to the effector. For a chain of
+/// length zero, the length of a bone's axis.
 #[inline]
 fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
     let extent = |length: fn(Vec3A) -> f32| {
@@ -516,21 +526,22 @@ fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
     if extent > 1e-6 * scale { extent } else { scale }
 }
 
-/// The inverse of a transform that [`math::orthonormal`] accepted. Scaled first: a determinant is a cube.
+/// Returns the inverse of a transform that [`math::orthonormal`] accepts. The matrix is scaled first, because a
+/// determinant is of the third order in its entries.
 pub(crate) fn inverse(joint: &Affine3A) -> Affine3A {
     let scale = math::length(joint.matrix3.x_axis);
     let inverse = math::inverse(joint.matrix3 * (1.0 / scale)) * (1.0 / scale);
     Affine3A { matrix3: inverse, translation: -(inverse * joint.translation) }
 }
 
-/// The effector as the rigid links have it, in the space that `effector_to_joint` leads to.
+/// Returns the effector by the rigid links, in the target space of `effector_to_joint`.
 pub(crate) fn rigid_effector(effector: &Effector, effector_to_joint: &Affine3A) -> Ray {
     let forward = effector.forward.into();
     Ray { origin: effector_to_joint.translation, direction: effector_to_joint.transform_vector3a(forward) }
 }
 
-/// Effector space in the space of the joint that carries the effector. For joint 0 they have the same axes. For
-/// another joint, the direction that the kernels aim becomes that joint's own forward.
+/// Returns the axes of effector space in the space of the joint that carries the effector. They coincide for joint 0.
+/// For another joint, the direction that the kernels aim is mapped to that joint's own forward.
 fn effector_axes<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Mat3A {
     if first == 0 {
         return Mat3A::IDENTITY;
@@ -542,12 +553,14 @@ fn effector_axes<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Mat3A {
     Mat3A::from_cols(forward, left, up) * Mat3A::from_cols(from_forward, from_left, from_up).transpose()
 }
 
-/// Whether an eye between two can lead: the eyes look along joint 0's own forward, from its own origin.
+/// Returns `true` if an eye midway between two can lead: the effector is joint 0's own forward from its own origin, and
+/// joint 0's heading is not upright.
 pub(crate) fn can_lead(rig: &Description<'_>) -> bool {
     rig.joints.first().is_some_and(|info| rig.aims_joint_0() && info.effective_upright() == 0.0)
 }
 
-/// The joint that leads, in the pose's space: joint 0 itself, or moved to the middle between the eyes.
+/// Returns the leading joint's transform in the pose's space: joint 0, or joint 0 moved to the midpoint between the
+/// eyes.
 pub(crate) fn leading_eye(rig: &Description<'_>, pose: &PoseSlices<'_>) -> Option<Affine3A> {
     let mut joint = *pose.joints.first()?;
     if let Some(other_eye) = pose.other_eye.filter(|_| can_lead(rig)) {

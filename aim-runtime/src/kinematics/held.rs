@@ -1,4 +1,5 @@
-//! Bones that hang on a joint and stay with what carries it: clavicles on a neck that turns.
+//! Bones that are children of a joint but must not follow its correction, such as clavicles parented to a neck that
+//! turns.
 
 use glam::{Affine3A, Quat};
 
@@ -6,25 +7,26 @@ use super::chain::inverse;
 use crate::Description;
 
 impl Description<'_> {
-    /// The joint that carries what is held on `joint`: the nearest one inward that is not an eye, a head or a neck.
+    /// Returns the joint that carries bones held on `joint`: the nearest joint inward that is not an eye, a head or a
+    /// neck.
     ///
-    /// `None` where there is none: what is held there keeps its place in the animation.
+    /// `None` if there is no such joint; held bones then keep their animated place.
     #[must_use]
     pub fn carrier(&self, joint: usize) -> Option<usize> {
         (joint.saturating_add(1)..self.joints.len()).find(|&inward| !self.joints[inward].role.is_of_head())
     }
 
-    /// The correction of bones that hang on `joint` and are [held](crate::Rig::held_bone) on its [carrier](Self::carrier): what
-    /// the animated local transform of a bone whose parent is the joint's bone is multiplied by on the *left*,
-    /// `local' = held_correction · local`, translation included.
+    /// Returns the correction for bones that are children of `joint`'s bone but are [held](crate::Rig::held_bone) on
+    /// its [carrier](Self::carrier). Multiply the child's animated local transform by it on the *left*, translation
+    /// included: `local' = held_correction · local`.
     ///
-    /// `joints` are the transforms of the frame's [pose](crate::Pose), `corrections` those that came of it. Where the carrier
-    /// is the next joint the result is the inverse of the joint's correction. In general it is K = C⁻¹ · L⁻¹ · K′ · L, with C
-    /// the joint's correction, L its transform in the space of the next joint inward, and K′ that one's K: the identity for
-    /// the carrier.
+    /// `joints` are the transforms of the frame's [pose](crate::Pose), `corrections` the results of that frame. If the
+    /// carrier is the next joint inward, the result is the inverse of the joint's correction. In general it is K = C⁻¹
+    /// · L⁻¹ · K′ · L, where C is the joint's correction, L its animated transform relative to the next joint inward,
+    /// and K′ the K of that joint, which is the identity for the carrier.
     ///
-    /// The identity where `joint` is not a joint of the rig, or where the slices hold fewer. A transform without an inverse,
-    /// which no solver aims, counts as the identity.
+    /// Returns the identity if `joint` is not a joint of the rig, or if the slices are too short. A transform without
+    /// an inverse, which no solver aims, is treated as the identity.
     ///
     /// ```
     /// # use aim_runtime::{Axes, Description, JointInfo, Role};
@@ -52,7 +54,7 @@ impl Description<'_> {
         let mut inward: Option<&Affine3A> = None;
         for (animated, turn) in pose.iter().zip(turns).rev() {
             if let Some(inward) = inward {
-                // The joint in the space of the next one inward.
+                // L: the joint relative to the next one inward.
                 let link = inverse(inward) * *animated;
                 let moved = inverse(&link) * held * link;
                 if moved.is_finite() {

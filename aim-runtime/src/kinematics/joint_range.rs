@@ -1,4 +1,5 @@
-//! [`JointRange`]: how far a joint may turn in a pose, for drawings and tools. Solvers find all joints' at once.
+//! [`JointRange`]: the range of motion of a single joint in a pose, for drawings and tools. Solvers compute all joints'
+//! ranges at once.
 
 use glam::{Affine3A, Quat, Vec3A};
 
@@ -13,25 +14,27 @@ use crate::{Description, Joint, JointInfo, Pose, math};
 pub struct JointRange {
     info: JointInfo,
     range: RangeOfMotion,
-    /// How the joint's upright frame stands in its bone.
+    /// Orientation of the joint's upright frame in its bone's space.
     tilt: Quat,
 }
 
 impl JointRange {
-    /// Least and most heading, radians: both 0 where the joint has none, infinite where it goes round.
+    /// Returns least and most heading, radians: both 0 if the joint has no heading, infinite if it turns all the way
+    /// round.
     #[must_use]
     pub fn heading(&self) -> [f32; 2] {
         self.range.heading.ends()
     }
 
-    /// Least and most pitch at an added heading, radians: a range may taper with that.
+    /// Returns least and most pitch at an added heading, radians. A [taper](JointInfo::pitch_taper) narrows the range
+    /// as the heading grows.
     #[must_use]
     pub fn pitch_at(&self, heading_rad: f32) -> [f32; 2] {
         self.range.pitch_at(heading_rad).ends()
     }
 
-    /// The correction at these added angles, radians, as solvers give it: `local' = local · correction`. A heading that is
-    /// [upright](JointInfo::upright) turns about the character's up.
+    /// Returns the correction at these added angles, radians, in the form that solvers return:
+    /// `local' = local · correction`. An [upright](JointInfo::upright) heading turns about the character's up.
     #[must_use]
     pub fn correction(&self, heading_rad: f32, pitch_rad: f32) -> Quat {
         correction(&self.info, &Joint::from_angles(heading_rad, pitch_rad), self.tilt)
@@ -39,8 +42,8 @@ impl JointRange {
 }
 
 impl Description<'_> {
-    /// The range of motion of a joint in a pose, as the [default solver](Self::default_solver) has it; `None` if there is no
-    /// such joint in the rig or the pose.
+    /// Returns the range of motion of a joint in a pose, as used by the [default solver](Self::default_solver). `None`
+    /// if the rig or the pose has no such joint, or if its transform is degenerate.
     ///
     /// ```
     /// use aim_runtime::glam::{Affine3A, Quat};

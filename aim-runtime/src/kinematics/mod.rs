@@ -1,4 +1,4 @@
-//! Where the joints are and what the effector sees: rotations, the pose made ready, forward kinematics.
+//! Kinematics of a chain: joint rotations, preparation of the pose, forward kinematics, and directions as angles.
 
 pub(crate) mod bearing;
 pub(crate) mod chain;

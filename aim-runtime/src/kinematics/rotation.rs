@@ -1,24 +1,25 @@
-//! The rotation that a joint adds: heading and pitch about its bone's axes, as a quaternion.
+//! Rotation that a joint adds: heading and pitch about its bone's axes, as a quaternion.
 
 use glam::{Mat3A, Quat, Vec3A, Vec4, Vec4Swizzles};
 
 use crate::math::trig;
 use crate::{Axes, Joint, JointInfo, math};
 
-/// What heading and pitch turn about, padded to vectors of four.
+/// Rotation axes of heading and pitch, padded to vectors of four.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Planes {
-    /// Forward, left and up as columns.
+    /// Matrix with forward, left and up as columns.
     pub(crate) basis: Mat3A,
     by_heading: Vec4,
     by_pitch: Vec4,
     by_both: Vec4,
-    /// See [`are_square`](Self::are_square).
+    /// Result of [`are_square`](Self::are_square).
     square: bool,
 }
 
 impl Planes {
-    /// Going by the planes and not by handed axes is what makes it right for mirrored and left-handed triples too.
+    /// Derives the axes from the planes forward–left and forward–up, not from handedness. This is correct for mirrored
+    /// and left-handed triples too.
     pub(crate) const fn new(axes: &Axes) -> Self {
         const OFF: f32 = 2e-7;
         const fn cross(a: [f32; 4], b: [f32; 4]) -> [f32; 4] {
@@ -42,28 +43,29 @@ impl Planes {
         Self { basis, by_heading, by_pitch, by_both, square }
     }
 
-    /// Whether the axes are unit and square to each other as far as a correction has to be unit.
+    /// Returns `true` if the axes are unit and orthogonal to the precision that a correction needs.
     pub(crate) const fn are_square(&self) -> bool {
         self.square
     }
 }
 
-/// The rotation that a joint adds at its angles in its upright frame.
+/// Returns the rotation that a joint adds at its angles, in its upright frame.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
     turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading).to_array())
 }
 
-/// The correction of a joint whose upright frame stands in its bone by `tilt`: what the bone's animated local rotation
-/// is multiplied by on the right, `local' = local · R_heading · R_pitch` (pitch acts first).
+/// Returns the correction of a joint: the bone's animated local rotation is multiplied by it on the right,
+/// `local' = local · R_heading · R_pitch` (pitch acts first). `tilt` is the orientation of the joint's upright frame in
+/// its bone's space.
 ///
-/// Unit to 1e-6 for unit axes square to each other, and the exact identity where both angles are 0.
+/// Unit to 1e-6 for orthonormal axes, and exactly the identity if both angles are 0.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn correction(info: &JointInfo, joint: &Joint, tilt: Quat) -> Quat {
     tilted(joint_turn(info, joint), tilt)
 }
 
-/// A rotation in the upright frame as one of the bone.
+/// Converts a rotation of the upright frame to one of the bone, tilt · turn · tilt⁻¹.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
     if is_identity(tilt) {
@@ -73,7 +75,8 @@ pub(crate) fn tilted(turn: Quat, tilt: Quat) -> Quat {
     Quat::from_xyzw(axis.x, axis.y, axis.z, turn.w)
 }
 
-/// The rotation by these halves of pitch and heading in the (levelled) bone.
+/// Returns the rotation from sines and cosines of half the pitch and half the heading, in the bone or its upright
+/// frame.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: [f32; 4]) -> Quat {
     if !planes.square {
@@ -87,7 +90,8 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: [f32; 4]) -> Quat {
     Quat::from_vec4(axis + Vec4::W * products)
 }
 
-/// [`turn`] for axes that are not quite square, or not at all: each angle in its plane, none where there is none.
+/// [`turn`] for axes that are not orthonormal: each angle turns in its own plane, or not at all if the plane is
+/// degenerate.
 #[cold]
 fn turn_by_planes(axes: &Axes, [sin_p, cos_p, sin_h, cos_h]: [f32; 4]) -> Quat {
     let [up, forward, left] = [axes.up, axes.forward, axes.left].map(Vec3A::from);

@@ -1,9 +1,9 @@
-//! [`View`]: where the target stands as the effector sees it, and what the solvers make of that.
+//! [`View`]: the target in effector space, and the residuals that the solvers compute from it.
 
 use crate::math::trig;
 use crate::{Scalar, math};
 
-/// The target in effector space: along forward, left and up.
+/// The target in effector space: components along forward, left and up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
     pub(crate) forward: f32,
@@ -12,38 +12,40 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// The angle off forward, radians, 0…π.
+    /// Returns the angle off forward, radians, 0…π.
     #[inline]
     pub(crate) fn angle(&self) -> f32 {
         trig::atan2(math::sqrt(self.left * self.left + self.up * self.up), self.forward)
     }
 
-    /// How far away the target is.
+    /// Returns the distance of the target.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn distance(&self) -> f32 {
         <f32 as Scalar>::sqrt(self.forward * self.forward + self.left * self.left + self.up * self.up)
     }
 
-    /// How far off forward the target is.
+    /// Returns the distance of the target from the forward axis.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn lateral(&self) -> f32 {
         <f32 as Scalar>::sqrt(self.left * self.left + self.up * self.up)
     }
 
-    /// The tangent of the angle off forward, for a target in front.
+    /// Returns the tangent of the angle off forward, for a target in front.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn tangent(&self) -> f32 {
         self.lateral() / self.forward
     }
 
-    /// The square of the angle where it is small: without an arctangent.
+    /// Returns `true` if the target is in front and within a small angle of forward. Compares tangents, without an
+    /// arctangent.
     #[inline]
     pub(crate) fn is_within(&self, angle_rad: f32) -> bool {
         let lateral = self.left * self.left + self.up * self.up;
         self.forward > 0.0 && lateral <= angle_rad * angle_rad * self.forward * self.forward
     }
 
-    /// The stereographic residual: left, up. Not for what is behind.
+    /// Returns the stereographic residual (left, up), of length 2·tan(angle / 2). Undefined for a target exactly
+    /// behind.
     #[inline]
     pub(crate) fn residual(&self) -> [f32; 2] {
         let Self { forward, left, up } = *self;
@@ -51,33 +53,34 @@ impl View {
         [left * per, up * per]
     }
 
-    /// The angle as a vector: left, up.
+    /// Returns the angle off forward as a vector (left, up), radians.
     #[inline]
     pub(crate) fn offset(&self) -> [f32; 2] {
         let lateral = math::sqrt(self.left * self.left + self.up * self.up);
-        // Nothing to divide by straight ahead, nor anything to say.
+        // Straight ahead the offset is 0.
         let stretch = if lateral > 0.0 { trig::atan2(lateral, self.forward) / lateral } else { 0.0 };
         [stretch * self.left, stretch * self.up]
     }
 }
 
-/// The stereographic residual stretched to the angle itself, and how its derivatives are stretched with it.
+/// Stretch of the stereographic residual to the length of the angle itself, and the matching transformation of its
+/// derivatives.
 ///
-/// The residual is 2·tan(angle / 2) in the target's direction: a linear step then falls far short of a target far
-/// aside, as the tangent grows faster than the angle. Of the angle itself the derivative is the same everywhere.
+/// The residual is 2·tan(angle / 2) in the target's direction. It grows faster than the angle, so a linear step falls
+/// far short of a target far to the side. The derivative of the angle itself is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
-    /// The residual's direction; zero where nothing is stretched.
+    /// Unit direction of the residual.
     direction: [f32; 2],
     across: f32,
     along_less_across: f32,
 }
 
 impl Stretch {
-    /// Below this residual a step is right to a third of its cube: nothing is stretched.
+    /// Residual below which nothing is stretched: the error of a step is then at most a third of its cube.
     pub(crate) const SMALL: f32 = 0.05;
 
-    /// The residual, stretched.
+    /// Returns the stretched residual, and the stretch if there is one.
     #[inline]
     pub(crate) fn of(residual: [f32; 2]) -> ([f32; 2], Option<Self>) {
         let square = residual[0] * residual[0] + residual[1] * residual[1];
@@ -85,13 +88,15 @@ impl Stretch {
             return (residual, None);
         }
         let length = math::sqrt(square);
+        // Across the direction, derivatives scale with angle / length; along it, with d(2·atan(r / 2))/dr = 1 / (1 + r²
+        // / 4).
         let across = 2.0 * trig::atan2(length, 2.0) / length;
         let along = 1.0 / (1.0 + 0.25 * square);
         let direction = residual.map(|x| x / length);
         (residual.map(|x| across * x), Some(Self { direction, across, along_less_across: along - across }))
     }
 
-    /// A derivative of the residual as one of the stretched residual.
+    /// Converts a derivative of the residual to one of the stretched residual.
     pub(crate) fn derivative(&self, [x, y]: [f32; 2]) -> [f32; 2] {
         let [dx, dy] = self.direction;
         let along = self.along_less_across * (dx * x + dy * y);
@@ -103,7 +108,7 @@ impl Stretch {
 mod tests {
     use super::*;
 
-    /// The stretched residual in f64: the direction times the angle that the residual is twice the half tangent of.
+    /// The stretched residual in f64: the direction times the angle whose half has the tangent length / 2.
     fn stretched([x, y]: [f64; 2]) -> [f64; 2] {
         let length = x.hypot(y);
         let angle = 2.0 * (0.5 * length).atan();
@@ -137,7 +142,7 @@ mod tests {
                 }
             }
         }
-        // Nearly straight ahead there is nothing to stretch, by less than a third of a cube.
+        // Nearly straight ahead nothing is stretched; the error is below a third of the cube.
         let small = [0.03, 0.02];
         let (offset, stretch) = Stretch::of(small);
         assert!(offset == small && stretch.is_none());

@@ -1,5 +1,6 @@
-//! The ranges of motion that a call works with, made once a call from what was declared and, where they count from the
-//! bind pose, from how the animation stands to it. Specialised solvers read declared ranges themselves where those are fixed.
+//! The ranges of motion of a call, evaluated once per call from the declared ranges and, for ranges that are measured
+//! from the bind pose, from the angles of the animated pose relative to it. Specialised solvers use the declared ranges
+//! directly if those are fixed.
 
 use glam::{Affine3A, Mat3A, Vec3A};
 
@@ -8,13 +9,13 @@ use crate::math::trig;
 use crate::rig::{ChainRig, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
-/// The ranges of a joint that the animation turns by these angles out of the bind pose; `None` where they are counted from
-/// the animation.
+/// Returns the ranges of a joint that the animation turns by `animated` out of the bind pose; `None` if they are
+/// measured from the animation.
 fn ranges(info: &JointInfo, animated: Option<Angles>) -> RangeOfMotion {
     RangeOfMotion::new(Angles { heading: info.heading, pitch: info.pitch }, info.pitch_taper, animated)
 }
 
-/// Brings free angles back within half a turn; leaves the others.
+/// Wraps free angles to ±π; leaves the others unchanged.
 pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
     if motion.heading.is_free() {
         joint.heading = math::wrap_pi(joint.heading);
@@ -24,8 +25,8 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
     }
 }
 
-/// Finds every joint's ranges of motion in this pose. Without a bind pose, and for a joint whose animated or bind transform
-/// has no rotation, absolute ranges count as relative.
+/// Evaluates every joint's ranges of motion in this pose. Ranges relative to the bind pose count as relative to the
+/// animation if the pose has no bind pose or if the joint's animated or bind transform contains no rotation.
 #[inline(always)]
 pub(crate) fn find_motions<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -33,7 +34,7 @@ pub(crate) fn find_motions<const C: usize>(
     motions: &mut [RangeOfMotion],
 ) {
     if rig.has_fixed_ranges {
-        // The declared ranges as they are.
+        // Fixed ranges do not depend on the pose.
         let ends = |range: Option<[f32; 2]>| range.map_or(Interval::REST, |[lo, hi]| Interval::from_ends(lo, hi));
         for (motion, info) in motions.iter_mut().zip(rig.joints) {
             (motion.heading, motion.pitch) = (ends(info.heading), ends(info.pitch));
@@ -45,14 +46,14 @@ pub(crate) fn find_motions<const C: usize>(
     }
 }
 
-/// The ranges of motion of one joint in this pose.
+/// Returns the ranges of motion of one joint in this pose.
 pub(crate) fn range_in_pose(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> RangeOfMotion {
     let animated = if info.limits_from == LimitsFrom::BindPose { animated_angles(info, pose, index) } else { None };
     ranges(info, animated)
 }
 
-/// The ranges of motion of joint 0's mirror image, which the animation leads in parallel with it: heading to the left
-/// becomes heading to the right. `own` is joint 0's.
+/// Returns the ranges of motion of joint 0's mirror image, whose animated direction is parallel to joint 0's: the
+/// heading range is reflected. `own` are joint 0's ranges.
 #[inline(always)]
 pub(crate) fn mirrored<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -67,8 +68,8 @@ pub(crate) fn mirrored<const C: usize>(
     range_in_pose(&info, pose, 0)
 }
 
-/// The heading and pitch by which the animation turns a joint's forward out of the bind pose:
-/// `bind⁻¹ · local = R_heading · R_pitch · R_roll`. Where forward points straight up or down its heading is 0.
+/// Returns the heading and pitch by which the animation turns a joint's forward out of the bind pose:
+/// `bind⁻¹ · local = R_heading · R_pitch · R_roll`. The heading is 0 if forward points straight up or down.
 fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Option<Angles> {
     let local = local_rotation(pose.joints, index)?;
     let bind = local_rotation(pose.bind?, index)?;
@@ -81,7 +82,7 @@ fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Opt
     (heading.is_finite() && pitch.is_finite()).then_some(Angles { heading, pitch })
 }
 
-/// A joint's rotation in the next joint's frame, scale taken out; the innermost one's in the pose's space.
+/// Returns a joint's rotation in the next joint's frame, without scale; the innermost joint's in the pose's space.
 fn local_rotation(joints: &[Affine3A], index: usize) -> Option<Mat3A> {
     let joint = math::orthonormal(joints.get(index)?.matrix3)?;
     match joints.get(index + 1) {

@@ -1,5 +1,6 @@
-//! The one place where the solvers' floating-point functions come from: `std` or `libm`, both exact to the last bit for these.
-//! All total: no panic, whatever the bits. Sines are our own ([`trig`]).
+//! Floating-point functions of the solvers. Square roots and rounding come from `std` or `libm`, which agree to the
+//! last bit for these; sines and arctangents are our own ([`trig`]). All functions are total: they never panic, for any
+//! input.
 
 use core::f32::consts::{PI, TAU};
 use core::ops::Range;
@@ -11,7 +12,7 @@ use trig::atan2;
 pub(crate) mod trig;
 pub(crate) mod turn;
 
-/// An angle that is no angle any more: what an undefined aim is reported as.
+/// Angle reported for an undefined aim, radians.
 pub(crate) const UNDEFINED_RAD: f32 = core::f32::consts::FRAC_PI_2;
 
 #[cfg(feature = "std")]
@@ -38,11 +39,12 @@ mod float {
     }
 }
 
-/// Bounds that are one comparison each, where `max` and `min` of `f32` take five for what they do about NaN.
+/// Bounds that compile to one comparison each; `f32::max` and `f32::min` take five instructions because of their NaN
+/// rules.
 pub(crate) trait Bounded: Sized {
-    /// The number, or the bound where that is larger or the number is NaN.
+    /// Returns the larger of number and bound; the bound if the number is NaN.
     fn at_least(self, bound: Self) -> Self;
-    /// The number, or the bound where that is smaller or the number is NaN.
+    /// Returns the smaller of number and bound; the bound if the number is NaN.
     fn at_most(self, bound: Self) -> Self;
 }
 
@@ -58,19 +60,19 @@ impl Bounded for f32 {
     }
 }
 
-/// The square root; 0 for what has none.
+/// Returns the square root; 0 for negative numbers and NaN.
 #[inline]
 pub(crate) fn sqrt(x: f32) -> f32 {
     if x > 0.0 { float::sqrt(x) } else { 0.0 }
 }
 
-/// The square root of a sum of squares: no less than 0, or not a number.
+/// Returns the square root of a number that is a sum of squares, thus at least 0 or NaN.
 #[inline(always)]
 pub(crate) fn root(x: f32) -> f32 {
     float::sqrt(x)
 }
 
-/// The same direction of turning within ±π; some angle within ±π for one that has no turn left in its digits.
+/// Wraps an angle into ±π. For an angle too large to resolve a full turn, the result is an arbitrary angle within ±π.
 #[inline]
 pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {
     if (-PI..=PI).contains(&angle_rad) {
@@ -80,13 +82,13 @@ pub(crate) fn wrap_pi(angle_rad: f32) -> f32 {
     }
 }
 
-/// A vector's length, without overflow or underflow on the way.
+/// Returns a vector's length, without intermediate overflow or underflow.
 pub(crate) fn length(v: Vec3A) -> f32 {
     let largest = v.abs().max_element();
     if largest > 0.0 && largest.is_finite() { (v / largest).length() * largest } else { largest }
 }
 
-/// The unit vector along `v`, whatever its length; `None` for zero and for what is not finite.
+/// Returns the unit vector along `v`, which may have any length; `None` if it is zero or not finite.
 pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
     let largest = v.abs().max_element();
     if largest > 0.0 && v.is_finite() {
@@ -99,35 +101,37 @@ pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
     }
 }
 
-/// The same of a vector of solver space, where nothing is so long or short that its square would not do.
+/// Returns the unit vector along a vector of solver space, whose square neither overflows nor underflows; otherwise
+/// `None`.
 #[inline(always)]
 pub(crate) fn unit(v: Vec3A) -> Option<Vec3A> {
     let square = v.dot(v);
     (square > 1e-30 && square < f32::INFINITY).then(|| v * (1.0 / sqrt(square)))
 }
 
-/// The cross product, each product rounded by itself: glam's own is fused where the machine can do that, and then has
-/// other bits.
+/// Returns the cross product, with each product rounded separately. glam's own uses fused multiply-add on machines that
+/// have it, which gives other bits.
 #[inline(always)]
 pub(crate) fn cross(a: Vec3A, b: Vec3A) -> Vec3A {
     (a.zxy() * b - a * b.zxy()).zxy()
 }
 
-/// `v` turned by a unit quaternion; the same bits everywhere, as [`cross`].
+/// Returns `v` rotated by a unit quaternion. Bit-identical on every machine, like [`cross`].
 #[inline(always)]
 pub(crate) fn turned(turn: Quat, v: Vec3A) -> Vec3A {
     let (axis, w) = (Vec3A::from_vec4(Vec4::from(turn)), turn.w);
     v * (w * w - axis.dot(axis)) + axis * (v.dot(axis) * 2.0) + cross(axis, v) * (w * 2.0)
 }
 
-/// The product of two rotations, `b` first; the same bits everywhere, as [`cross`].
+/// Returns the product of two rotations, `b` first. Bit-identical on every machine, like [`cross`].
 pub(crate) fn product(a: Quat, b: Quat) -> Quat {
     let [u, v] = [a, b].map(|turn| Vec3A::from_vec4(Vec4::from(turn)));
     let axis = v * a.w + u * b.w + cross(u, v);
     Quat::from_xyzw(axis.x, axis.y, axis.z, a.w * b.w - u.dot(v))
 }
 
-/// The shortest rotation from one unit vector to another; half a turn about any axis between opposites.
+/// Returns the shortest rotation from one unit vector to another. Between opposite vectors, a half turn about an
+/// arbitrary orthogonal axis.
 pub(crate) fn arc(from: Vec3A, to: Vec3A) -> Quat {
     const ALONG: f32 = 1.0 - 2.0 * f32::EPSILON;
     let along = from.dot(to);
@@ -144,7 +148,7 @@ pub(crate) fn arc(from: Vec3A, to: Vec3A) -> Quat {
     Quat::from_xyzw(axis.x, axis.y, axis.z, w * per_length)
 }
 
-/// The inverse of a matrix that spans space; the same bits everywhere, as [`cross`].
+/// Returns the inverse of an invertible matrix. Bit-identical on every machine, like [`cross`].
 pub(crate) fn inverse(m: Mat3A) -> Mat3A {
     let Mat3A { x_axis: x, y_axis: y, z_axis: z } = m;
     let rows = [cross(y, z), cross(z, x), cross(x, y)];
@@ -152,20 +156,21 @@ pub(crate) fn inverse(m: Mat3A) -> Mat3A {
     Mat3A::from_cols(a, b, c).transpose()
 }
 
-/// The angle between two vectors that are neither zero nor extreme, 0…π; exact to rounding also near 0 and π.
+/// Returns the angle between two vectors, 0…π, exact to rounding also near 0 and π. The vectors must be neither zero
+/// nor so large or small that their squares overflow or underflow.
 pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
     atan2(cross(a, b).length(), a.dot(b))
 }
 
-/// The same of unit vectors: tan θ/2 = |a − b|/|a + b|.
+/// Returns the angle between two unit vectors, 0…π, by tan θ/2 = |a − b|/|a + b|.
 #[inline(always)]
 pub(crate) fn angle_between_units(a: Vec3A, b: Vec3A) -> f32 {
     let [apart, along] = [a - b, a + b].map(|v| v.dot(v));
     if apart < along { trig::twice_atan(root(apart / along)) } else { angle_between(a, b) }
 }
 
-/// The orthogonal matrix nearest in spirit: columns normalised, then squared to each other in their order. A mirror
-/// stays in it. `None` where the columns do not span space, or span it so flatly that the order decides everything.
+/// Gram–Schmidt orthonormalisation of the columns, in order x, y, z. Keeps handedness. `None` if the columns are
+/// linearly dependent to 1e-5, or not finite.
 pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {
     const FLAT: f32 = 1e-5;
     let longest = length(m.x_axis).max(length(m.y_axis)).max(length(m.z_axis));
@@ -191,22 +196,22 @@ pub(crate) fn orthonormal(m: Mat3A) -> Option<Mat3A> {
     Some(Mat3A::from_cols(x, y, if height < 0.0 { -normal } else { normal }))
 }
 
-/// The inverse of an orthogonal matrix and a translation.
+/// Returns the inverse of a transform of an orthogonal matrix and a translation.
 pub(crate) fn rigid_inverse(m: &Affine3A) -> Affine3A {
     let transposed = m.matrix3.transpose();
     Affine3A { matrix3: transposed, translation: -(transposed * m.translation) }
 }
 
-/// The unit vector a part of the way along the arc from one unit vector to another that is not its opposite.
+/// Returns the unit vector at the fraction `part` of the arc from one unit vector to another that is not its opposite.
 pub(crate) fn part_of_arc(from: Vec3A, to: Vec3A, part: f32) -> Vec3A {
     let across = to - from * from.dot(to);
     let Some(across) = direction(across) else { return to };
     let (sin, cos) = trig::sin_cos(part * angle_between(from, to));
     from * cos + across * sin
 }
-/// Whether a number is within a range of positive numbers, its end left out. NaN is not.
+/// Returns `true` if a number is within a range of positive numbers, excluding its end. `false` for NaN.
 ///
-/// Positive numbers are in the order of their bits, so that one subtraction compares with both ends.
+/// Positive numbers are ordered like their bits, so one subtraction compares with both ends.
 #[inline(always)]
 pub(crate) const fn is_within_positive(x: f32, range: Range<f32>) -> bool {
     let (start, end) = (range.start.to_bits(), range.end.to_bits());

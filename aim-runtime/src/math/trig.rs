@@ -1,8 +1,8 @@
-//! Sines, cosines and arctangents by polynomials of our own: the same bits on every machine, in debug and in release,
-//! and no call into a library. Sines are finite whatever the bits; of a NaN an arctangent is one.
+//! Sines, cosines and arctangents by our own polynomials: the same bits on every machine, in debug and release builds,
+//! without library calls. Sines and cosines are finite for every input; the arctangent of NaN is NaN.
 //!
-//! Corrections are quaternions, so angles are taken by their halves: of a range within ±180° a half lies within ±90°,
-//! where one polynomial serves. The coefficients are those of least greatest error there (relative for sines and
+//! Corrections are quaternions, so half angles are needed: for an angle within ±180° the half lies within ±90°, where
+//! one polynomial suffices. The coefficients minimise the largest error there (the relative one for sines and
 //! arctangents), rounded to f32.
 
 use core::f32::consts::{FRAC_PI_2, PI};
@@ -16,10 +16,11 @@ use aim_model::Scalar;
 /// sin(p/2), cos(p/2), sin(h/2), cos(h/2) of a pitch p and a heading h.
 pub(crate) type Halves = Vec4;
 
-/// The series of the sine after x, and of the cosine after 1 − x²/2.
+/// Coefficients of the sine after x, from x³.
 const SIN: [f32; 4] = [-0.166_666_61, 0.008_333_088, -0.000_198_111_11, 2.608_929_2e-6];
+/// Coefficients of the cosine after 1 − x²/2, from x⁴.
 const COS: [f32; 4] = [0.041_666_657, -0.001_388_856_9, 2.476_930_2e-5, -2.619_379e-7];
-/// The series of the arctangent after x.
+/// Coefficients of the arctangent after x, from x³.
 const ATAN: [f32; 8] = [
     -0.333_331_67,
     0.199_941_37,
@@ -31,7 +32,7 @@ const ATAN: [f32; 8] = [
     0.002_974_536_7,
 ];
 
-/// The sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
+/// Returns sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
 #[inline(always)]
 fn within_quarter(x: f32) -> (f32, f32) {
     let xx = x * x;
@@ -40,26 +41,26 @@ fn within_quarter(x: f32) -> (f32, f32) {
     (x + x * sin, 1.0 + cos)
 }
 
-/// The sine and cosine of half an angle, radians; beyond ±180° of the angle within that by whole turns.
+/// Returns sine and cosine of half an angle, radians. Beyond ±180° the angle is first wrapped by whole turns.
 #[inline(always)]
 pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
     half_sin_cos_within(math::wrap_pi(angle_rad))
 }
 
-/// The same of an angle within ±180°.
+/// Returns sine and cosine of half an angle within ±180°, radians.
 #[inline(always)]
 pub(crate) fn half_sin_cos_within(angle_rad: f32) -> (f32, f32) {
     within_quarter(0.5 * angle_rad)
 }
 
-/// The same of the angle whose half has this tangent.
+/// Returns sine and cosine of half an angle, given the tangent of that half.
 #[inline(always)]
 pub(crate) fn half_by_tangent(half_tangent: f32) -> (f32, f32) {
     let cos = 1.0 / <f32 as Scalar>::sqrt(1.0 + half_tangent * half_tangent);
     (half_tangent * cos, cos)
 }
 
-/// The sines and cosines of the halves of four angles within ±180°, radians: the same bits as one by one.
+/// Returns sines and cosines of half of four angles within ±180°, radians. Bit-identical to four scalar calls.
 #[inline(always)]
 pub(crate) fn half_sin_cos_4(angles_rad: Vec4) -> (Vec4, Vec4) {
     let splat = Vec4::splat;
@@ -77,27 +78,28 @@ pub(crate) fn half_sin_cos_4(angles_rad: Vec4) -> (Vec4, Vec4) {
     (sin, cos)
 }
 
-/// The sine and cosine of an angle, radians.
+/// Returns sine and cosine of an angle, radians.
 pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
     let (sin, cos) = half_sin_cos(angle_rad);
     (2.0 * sin * cos, 1.0 - 2.0 * sin * sin)
 }
 
-/// The sines and the cosines of four angles within ±180°, radians.
+/// Returns the sines and the cosines of four angles within ±180°, radians.
 #[inline(always)]
 pub(crate) fn sin_cos_4(angles_rad: Vec4) -> [Vec4; 2] {
     let (sin, cos) = half_sin_cos_4(angles_rad);
     [sin * cos * 2.0, Vec4::ONE - sin * sin * 2.0]
 }
 
-/// The sines and cosines of the halves of a pitch and a heading, radians.
+/// Returns sines and cosines of half a pitch and half a heading, radians.
 #[inline(always)]
 pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
     let (sin, cos) = half_sin_cos_4(Vec4::new(math::wrap_pi(pitch_rad), math::wrap_pi(heading_rad), 0.0, 0.0));
     Vec4::new(sin.x, cos.x, sin.y, cos.y)
 }
 
-/// The same of a heading and a pitch in the first two lanes.
+/// Returns sines and cosines of half a pitch and half a heading, radians, which are given as heading and pitch in the
+/// first two lanes.
 #[inline(always)]
 pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
     let angles = angles_rad.yxyx();
@@ -108,7 +110,7 @@ pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
     Vec4::new(sin.x, cos.x, sin.y, cos.y)
 }
 
-/// Those of two headings and pitches, one after the other.
+/// Returns sines and cosines of the halves of two pairs of heading and pitch, radians, given one pair after the other.
 #[inline(always)]
 pub(crate) fn halves_of_both(angles_rad: Vec4) -> [Halves; 2] {
     if angles_rad.abs().cmpgt(Vec4::splat(PI)).any() {
@@ -124,13 +126,13 @@ fn halves_beyond(pitch_rad: f32, heading_rad: f32) -> Halves {
     halves(pitch_rad, heading_rad)
 }
 
-/// sin p, cos p, sin h, cos h, as kernels take them, from the halves.
+/// Returns sin p, cos p, sin h, cos h, as kernels take them, from the sines and cosines of the halves.
 #[inline(always)]
 pub(crate) fn doubled(halves: Halves) -> Vec4 {
     halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)
 }
 
-/// The angle of the point (x, y), −π…π; 0 for the origin.
+/// Returns the angle of the point (x, y), radians, −π…π; 0 for the origin.
 pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     let (across, along) = (y.abs(), x.abs());
     let turn = if across.at_least(along) > 0.0 { within_right_angle(across, along) } else { along };
@@ -138,11 +140,12 @@ pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     if y < 0.0 { -turn } else { turn }
 }
 
-/// The angles of four points (x, y), for coordinates that are normal numbers or 0 the same bits as one by one.
+/// Returns the angles of four points (x, y), radians. For coordinates that are normal numbers or 0, bit-identical to
+/// four scalar calls.
 #[inline(always)]
 pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
     let (across, along) = (y.abs(), x.abs());
-    // Of the origin 0.
+    // The lower bound gives 0 for the origin.
     let t = across.min(along) / across.max(along).max(Vec4::splat(f32::MIN_POSITIVE));
     let tt = t * t;
     let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
@@ -152,7 +155,7 @@ pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
     Vec4::select(y.cmplt(Vec4::ZERO), -turn, turn)
 }
 
-/// The same for a point other than the origin with neither coordinate negative.
+/// Returns the angle of a point other than the origin whose coordinates are not negative.
 #[inline(always)]
 fn within_right_angle(across: f32, along: f32) -> f32 {
     let (small, large) = if across > along { (along, across) } else { (across, along) };
@@ -161,19 +164,19 @@ fn within_right_angle(across: f32, along: f32) -> f32 {
     if across > along { FRAC_PI_2 - turn } else { turn }
 }
 
-/// Twice the arctangent of a number within ±1: the angle whose half has this tangent.
+/// Returns the angle, radians, whose half has this tangent: twice the arctangent of a number within ±1.
 #[inline(always)]
 pub(crate) fn twice_atan(half_tangent: f32) -> f32 {
     2.0 * atan_within(half_tangent)
 }
 
-/// The same of two numbers at once: the same bits as one by one.
+/// Returns twice the arctangents of two numbers within ±1. Bit-identical to two scalar calls.
 #[inline(always)]
 pub(crate) fn twice_atan_of_both(half_tangents: [f32; 2]) -> [f32; 2] {
     atans_within(half_tangents).map(|turn| 2.0 * turn)
 }
 
-/// The arctangents of two numbers within ±1.
+/// Returns the arctangents of two numbers within ±1.
 #[inline(always)]
 fn atans_within([a, b]: [f32; 2]) -> [f32; 2] {
     let t = Vec4::new(a, b, a, b);
@@ -183,7 +186,7 @@ fn atans_within([a, b]: [f32; 2]) -> [f32; 2] {
     [a, b]
 }
 
-/// The arctangent of a number within ±1.
+/// Returns the arctangent of a number within ±1.
 #[inline(always)]
 fn atan_within(t: f32) -> f32 {
     let tt = t * t;
@@ -200,7 +203,7 @@ mod tests {
             let angle = f32::from(step) * 2e-4;
             let (sin, cos) = sin_cos(angle);
             let exact = f64::from(angle).sin_cos();
-            // A turn is rounded to f32.
+            // Wrapping subtracts a full turn rounded to f32.
             let error = if angle.abs() > PI { 2e-6 } else { 7e-7 };
             assert!((f64::from(sin) - exact.0).abs() < error, "{angle}: {sin}");
             assert!((f64::from(cos) - exact.1).abs() < error, "{angle}: {cos}");
@@ -232,7 +235,7 @@ mod tests {
         assert_eq!((half_sin_cos(0.0), atan2(0.0, 0.0), atan2(0.0, 1.0)), ((0.0, 1.0), 0.0, 0.0));
     }
 
-    /// A small angle is as exact as a large one, in relation to itself.
+    /// Small angles have a relative error as small as large ones.
     #[test]
     fn small_angles() {
         for exponent in 1..37 {

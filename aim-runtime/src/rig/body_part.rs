@@ -1,4 +1,4 @@
-//! [`BodyPart`]: what was declared of neighbouring joints that share a turn in a natural gaze.
+//! [`BodyPart`]: the declared data of neighbouring joints that share a turn in a natural gaze.
 
 use core::f32::consts::PI;
 
@@ -7,28 +7,32 @@ use glam::Vec4;
 use super::JointInfo;
 use crate::{Budget, Budgets, Role};
 
-/// Accelerations beyond this make no difference any more, rad/s².
+/// Upper bound on accelerations, rad/s²; larger ones make no visible difference.
 const MOST_RAD_S2: f32 = 1e6;
-/// The number of parts that a description knows in advance; what has more finds them in each call.
+/// Number of parts for which a description has room. A rig with more has its parts computed in each call.
 pub(crate) const MOST_PARTS: usize = 4;
 
-/// Neighbouring joints of one part of the body: a head with its neck, a chest, joints without a role. Pairs of heading and pitch
-/// are the first two lanes of vectors.
+/// Neighbouring joints of one body part: a head with its neck, a chest, joints without a role. Pairs of heading and
+/// pitch are in the first two lanes of vectors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyPart {
-    /// The outermost joint and the innermost one.
+    /// Index of the outermost joint.
     pub(crate) outer: usize,
+    /// Index of the innermost joint.
     pub(crate) inner: usize,
-    /// The sums of the joints' compliances.
+    /// Sums of the joints' compliances.
     pub(crate) compliance: Vec4,
-    /// The budget: how far right and down, left and up.
+    /// Ends of the budget: right and down.
     pub(crate) least: Vec4,
+    /// Ends of the budget: left and up.
     pub(crate) most: Vec4,
-    /// The largest speed and acceleration of the sums of angles.
+    /// Largest speed of the sums of angles, rad/s.
     pub(crate) rate: f32,
+    /// Largest acceleration of the sums of angles, rad/s².
     pub(crate) acceleration: f32,
-    /// The rate at which its offset dies away, 1/s, and the largest speed at which it does.
+    /// Rate at which the offset from the goal decays, 1/s.
     pub(crate) pace: f32,
+    /// Largest speed at which the offset from the goal decays, rad/s.
     pub(crate) approach: f32,
 }
 
@@ -45,8 +49,8 @@ impl BodyPart {
         approach: 0.0,
     };
 
-    /// Finds the parts of a body whose joint `first` is aimed, from the innermost outward; an eye that leads is no part. Returns
-    /// how many there are, which may be more than there is room for.
+    /// Finds the parts of a body whose joint `first` is aimed, from the innermost outward. An eye that leads belongs to
+    /// no part. Returns the number of parts, which may exceed the length of `parts`.
     pub(crate) const fn find(joints: &[JointInfo], first: usize, budgets: &Budgets, parts: &mut [Self]) -> usize {
         let mut count = 0;
         let mut next = joints.len();
@@ -63,7 +67,7 @@ impl BodyPart {
         count
     }
 
-    /// The part with this innermost joint.
+    /// Returns the part whose innermost joint is `inner`.
     const fn ending_at(joints: &[JointInfo], inner: usize, outermost: usize, budgets: &Budgets) -> Self {
         let role = part_of(&joints[inner]);
         let Budget { heading: [right, left], pitch: [down, up], rate: fastest, acceleration } = budget(budgets, role);
@@ -93,14 +97,14 @@ impl BodyPart {
             rate,
             acceleration,
             pace,
-            // From its full speed the region is to come to rest with this acceleration.
+            // Chosen so that the part can stop from its full speed with this acceleration.
             approach: lesser(rate, 3.5 * acceleration / pace),
         }
     }
 }
 
-/// The budget of the part of the body that a role belongs to; for an eye and for a joint without a role the head's pace, without
-/// bounds.
+/// Returns the budget of the body part that a role belongs to. An eye and a joint without a role have the head's
+/// acceleration, without bounds on angles and rate.
 pub(super) const fn budget(budgets: &Budgets, role: Role) -> Budget {
     const ALL: [f32; 2] = [f32::NEG_INFINITY, f32::INFINITY];
     match role {
@@ -110,7 +114,7 @@ pub(super) const fn budget(budgets: &Budgets, role: Role) -> Budget {
     }
 }
 
-/// The part of the body that a joint belongs to. An eye that does not lead is none.
+/// Returns the role that stands for a joint's body part. An eye that does not lead counts as a joint without a role.
 const fn part_of(info: &JointInfo) -> Role {
     match info.role {
         Role::Neck => Role::Head,
@@ -119,15 +123,15 @@ const fn part_of(info: &JointInfo) -> Role {
     }
 }
 
-/// The number, or the bound where that is smaller or the number is NaN.
+/// Returns the smaller of number and bound; the bound if the number is NaN.
 const fn lesser(number: f32, bound: f32) -> f32 {
     if number < bound { number } else { bound }
 }
 
-/// The rate at which a region's offset dies away, 1/s.
+/// Returns the rate at which a region's offset from its goal decays, 1/s.
 ///
-/// A way s of which the speed is s·(ωt)²/2·e^(−ωt) needs 0.23·ω²·s of acceleration at most; a human's 1200°/s² and 11.5/s go
-/// together, so that 95 % of any way take half a second.
+/// A movement over an angle s with speed s·(ωt)²/2·e^(−ωt) needs an acceleration of at most 0.23·ω²·s. A human's
+/// 1200°/s² corresponds to 11.5/s, with which 95 % of any movement takes half a second.
 const fn pace(acceleration: f32) -> f32 {
     const HUMAN: f32 = 11.5;
     const HUMAN_RAD_S2: f32 = 1200.0 * PI / 180.0;
@@ -135,7 +139,7 @@ const fn pace(acceleration: f32) -> f32 {
     if !(square > 1e-12) {
         return 1e-3;
     }
-    // By Newton from half the exponent: square roots are no constants.
+    // Newton's iteration from half the exponent, because square roots are not available in constants.
     let mut root = f64::from_bits((square.to_bits() >> 1) + 0x1ff8_0000_0000_0000);
     let mut round = 0;
     while round < 4 {

@@ -1,22 +1,22 @@
-//! [`ChainRig`] and [`PerJoint`]: a rig of a bounded number of joints, as the solvers work with it.
+//! [`ChainRig`] and [`PerJoint`]: a rig with a bounded number of joints, in the form that the solvers use.
 
 use core::ops::{Deref, DerefMut};
 
 use crate::{Description, Rig};
 
-/// The largest number of joints of a rig.
+/// Largest number of joints of a rig.
 #[cfg(not(aim_small))]
 pub(crate) const MOST_JOINTS: usize = 64;
-/// The same where the program is to be small.
+/// Largest number of joints of a rig with `aim_small`.
 #[cfg(aim_small)]
 pub(crate) const MOST_JOINTS: usize = 16;
 
-/// The number of joints of most rigs (an eye, a head, a chest): there is just room for them, so that loops over them are known
-/// to the compiler.
+/// Number of joints of most rigs (an eye, a head, a chest). Chains of exactly this capacity have this count, so the
+/// compiler knows the length of loops over joints.
 pub(crate) const EXACT_JOINTS: usize = 3;
 
-/// A rig in one call: its description, read once, and its kernels. `C` joints are the most that there is room for, and as many
-/// as there are where that is [`EXACT_JOINTS`].
+/// A rig in one call: its description, read once, and its kernels. `C` is the largest number of joints, and the exact
+/// one if it is [`EXACT_JOINTS`].
 #[derive(Clone, Copy)]
 pub(crate) struct ChainRig<'a, const C: usize> {
     pub(crate) kernels: &'a dyn Rig,
@@ -24,13 +24,13 @@ pub(crate) struct ChainRig<'a, const C: usize> {
 }
 
 impl<'a, const C: usize> ChainRig<'a, C> {
-    /// The number of joints.
+    /// Returns the number of joints.
     #[inline(always)]
     pub(crate) fn count(&self) -> usize {
         if C == EXACT_JOINTS { C } else { self.joints.len() }
     }
 
-    /// `value` for every joint.
+    /// Returns `value` for every joint.
     #[inline(always)]
     pub(crate) fn array<T: Copy>(&self, value: T) -> PerJoint<T, C> {
         PerJoint { values: [value; C], count: self.count() }
@@ -46,7 +46,7 @@ impl<'a, const C: usize> Deref for ChainRig<'a, C> {
     }
 }
 
-/// One value a joint, without allocation.
+/// One value per joint, without allocation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PerJoint<T, const C: usize> {
     values: [T; C],

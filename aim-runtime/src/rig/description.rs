@@ -1,4 +1,4 @@
-//! [`Description`]: what was declared of a rig.
+//! [`Description`]: the declared data of a rig.
 
 use glam::{Vec3A, Vec4};
 
@@ -7,10 +7,10 @@ use super::body_part::{self, BodyPart, MOST_PARTS};
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
-/// The number of joints whose angles a description has in [`Lanes`].
+/// Number of joints whose angles a description has in [`Lanes`].
 pub(crate) const LANE_JOINTS: usize = 8;
 
-/// What was declared of a rig: immutable, a constant for a derived rig.
+/// Declared data of a rig: joints, effector, gaze sharing and budgets. Immutable; a constant for a derived rig.
 ///
 /// ```
 /// use aim_runtime::{Axes, Budgets, Description, JointInfo, Role, Solver};
@@ -30,29 +30,31 @@ pub struct Description<'a> {
     pub(crate) sharing: GazeSharing,
     pub(crate) budgets: Budgets,
     pub(crate) least_stiffness: f32,
-    /// The number of declared angles.
+    /// Number of declared angles.
     pub(crate) angles: usize,
-    /// Whether any joint has an upright heading.
+    /// `true` if any joint has an upright heading.
     pub(crate) has_upright: bool,
-    /// True if the axes of every joint are unit and square to each other.
+    /// `true` if the axes of every joint are orthonormal.
     pub(crate) is_square: bool,
-    /// Whether every range counts from the animation, has no taper, and lies within ±π.
+    /// `true` if every range is counted from the animation, has no taper, and lies within ±π.
     pub(crate) has_fixed_ranges: bool,
     default_solver: Solver,
-    /// Whether the effector is anywhere but at joint 0's origin.
+    /// `true` if the effector's origin is not joint 0's.
     pub(crate) has_origin: bool,
-    /// Whether the effector looks along joint 0's forward.
+    /// `true` if the effector's direction is joint 0's forward.
     pub(crate) aims_forward: bool,
     pub(crate) lanes: AllLanes,
-    /// The parts of the body that regions move, where joint 0 is aimed, and how many there are.
+    /// Body parts that regions move if joint 0 is aimed.
     pub(crate) parts: [BodyPart; MOST_PARTS],
+    /// Number of body parts, which may exceed [`MOST_PARTS`].
     pub(crate) part_count: usize,
 }
 
 impl<'a> Description<'a> {
-    /// A rig of these joints, from the effector inward, that aims joint 0's forward from its origin.
+    /// Creates the description of a rig with these joints, given from the effector inward. The effector is joint 0's
+    /// forward from joint 0's origin.
     ///
-    /// No joints, or more than 64: every call is [`Degenerate`](crate::Status::Degenerate).
+    /// With no joints or more than 64, every call is [`Degenerate`](crate::Status::Degenerate).
     #[must_use]
     pub const fn new(joints: &'a [JointInfo]) -> Self {
         let origin = [0.0; 3];
@@ -105,7 +107,7 @@ impl<'a> Description<'a> {
         }
     }
 
-    /// With this effector.
+    /// Sets the [`effector`](Self::effector).
     #[must_use]
     pub const fn with_effector(mut self, effector: Effector) -> Self {
         const fn are_same([a, b, c]: [f32; 3], [d, e, f]: [f32; 3]) -> bool {
@@ -120,19 +122,21 @@ impl<'a> Description<'a> {
         self
     }
 
-    /// With this sharing of a gaze between the eyes and the joints that support them.
+    /// Sets the [sharing](Self::sharing) of a natural gaze between the eyes and the joints that support them. A human's
+    /// by default.
     #[must_use]
     pub const fn with_sharing(mut self, sharing: GazeSharing) -> Self {
         self.sharing = sharing;
         self
     }
 
-    /// The budget of the part of the body that a role belongs to.
+    /// Returns the budget of the body part that a role belongs to.
     pub(crate) const fn budget(&self, role: Role) -> Budget {
         body_part::budget(&self.budgets, role)
     }
 
-    /// With these budgets of the parts of the body, for the [natural](Solver::Natural) solver. A human's by default.
+    /// Sets the [`budgets`](Self::budgets) of the body parts, for the [natural](Solver::Natural) solver. A human's by
+    /// default.
     #[must_use]
     pub const fn with_budgets(mut self, budgets: Budgets) -> Self {
         self.budgets = budgets;
@@ -140,66 +144,68 @@ impl<'a> Description<'a> {
         self
     }
 
-    /// The joints, from the effector inward.
+    /// Returns the joints, from the effector inward.
     #[must_use]
     pub const fn joints(&self) -> &'a [JointInfo] {
         self.joints
     }
 
-    /// The aimed direction and point.
+    /// Returns the effector: the direction that is aimed, and its origin.
     #[must_use]
     pub const fn effector(&self) -> &Effector {
         &self.effector
     }
 
-    /// The sharing of a gaze between the eyes and the joints that support them.
+    /// Returns the sharing of a natural gaze between the eyes and the joints that support them.
     #[must_use]
     pub const fn sharing(&self) -> &GazeSharing {
         &self.sharing
     }
 
-    /// What the parts of the body can do in a natural gaze.
+    /// Returns the turn budgets of the body parts in a natural gaze.
     #[must_use]
     pub const fn budgets(&self) -> &Budgets {
         &self.budgets
     }
 
-    /// The solver that moves the joints where [`Settings::solver`](crate::Settings::solver) leaves it open:
-    /// [`Natural`](Solver::Natural) for a rig with a joint that has a role, else [`Exact`](Solver::Exact).
+    /// Returns the solver that is used if [`Settings::solver`](crate::Settings::solver) is `None`:
+    /// [`Natural`](Solver::Natural) for a rig in which any joint has a role, otherwise [`Exact`](Solver::Exact).
     #[must_use]
     pub const fn default_solver(&self) -> Solver {
         self.default_solver
     }
 
-    /// Whether the effector looks along joint 0's forward from its origin.
+    /// Returns `true` if the effector is joint 0's forward from joint 0's origin.
     #[inline(always)]
     pub(crate) fn aims_joint_0(&self) -> bool {
         !self.has_origin && self.aims_forward
     }
 }
 
-/// The angles of the first [`LANE_JOINTS`] joints.
+/// Declared data for the angles of the first [`LANE_JOINTS`] joints.
 pub(crate) type AllLanes = [Lanes; LANE_JOINTS / 2];
 
-/// What was declared of four angles: pitch and heading of one joint, then of the next. The range of an angle that there is
-/// not is 0 alone.
+/// Declared data for four angles: pitch and heading of one joint, then of the next. An angle that is not declared has
+/// the range 0 alone.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lanes {
-    /// The ranges.
+    /// Lower ends of the ranges.
     pub(crate) least: Vec4,
+    /// Upper ends of the ranges.
     pub(crate) most: Vec4,
-    /// The angles from which one counts as at an end of its range; none for an angle that there is not.
+    /// Angles below which an angle counts as at its lower end; −∞ for an angle that is not declared.
     pub(crate) low: Vec4,
+    /// Angles above which an angle counts as at its upper end; ∞ for an angle that is not declared.
     pub(crate) high: Vec4,
-    /// The rates, not negative.
+    /// Rates, rad/s, not negative.
     pub(crate) rate: Vec4,
-    /// Half of the ease, the most willing joint's stiffness by that of each: half of the way to rest is left to later
-    /// frames, as the general solver does.
+    /// Half the ease, where ease = least stiffness of the rig / stiffness of the joint. The factor one half leaves half
+    /// of the way to rest to later frames, as the general solver does.
     pub(crate) half_ease: Vec4,
 }
 
 impl Lanes {
-    /// Those of the joints 2k and 2k + 1.
+    /// Creates the lanes of joints 2k and 2k + 1.
     const fn new(joints: &[JointInfo], k: usize, least_stiffness: f32) -> Self {
         let [mut least, mut most, mut rate, mut half_ease] = [[0.0; 4]; 4];
         let (mut low, mut high) = ([f32::NEG_INFINITY; 4], [f32::INFINITY; 4]);
@@ -207,7 +213,7 @@ impl Lanes {
         while lane < 4 && 2 * k + lane / 2 < joints.len() {
             let info = &joints[2 * k + lane / 2];
             rate[lane] = info.rate.max(0.0);
-            // A quotient that is not a number counts as the least ease.
+            // A quotient that is NaN counts as the least ease.
             half_ease[lane] = 0.5 * (least_stiffness / info.stiffness).max(1e-6).min(1.0);
             if let Some([lo, hi]) = if lane % 2 == 0 { info.pitch } else { info.heading } {
                 (least[lane], most[lane]) = (lo, hi);
@@ -221,20 +227,21 @@ impl Lanes {
     }
 }
 
-/// What is aimed: a point and a unit direction fixed to joint 0, in joint 0's bone space.
+/// The ray that is aimed: an origin and a unit direction fixed to joint 0, in joint 0's bone space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effector {
-    /// The unit direction that is turned to the target.
+    /// Unit direction that is turned towards the target.
     pub forward: [f32; 3],
-    /// The point that the direction starts from, in the units of the bone.
+    /// Origin of the direction, in the bone's units of length.
     pub origin: [f32; 3],
 }
 
 impl Effector {
-    /// The axes that the residual is measured along: forward, left and up in effector space, which has joint 0's axes.
+    /// Returns the axes along which the residual is measured: forward, left and up in effector space, which has joint
+    /// 0's axes.
     ///
-    /// Joint 0's own up and left, squared to the effector's forward; where that points along up, up is where the back
-    /// of the head, or the face, was.
+    /// They are joint 0's up and left, orthogonalised against the effector's forward. If the effector looks along joint
+    /// 0's up, its up is joint 0's backward direction; if it looks down, joint 0's forward.
     #[inline(always)]
     pub(crate) fn axes(&self, first: &Axes) -> [Vec3A; 3] {
         let [up, forward, left] = [first.up, first.forward, first.left].map(Vec3A::from);

@@ -1,7 +1,7 @@
-//! A rig as data: what is declared and derived of it ([`Rig`], [`Description`]), a character's state ([`State`],
-//! [`Joint`], [`Memory`]), and what goes in and out of a call ([`Pose`], [`Settings`], [`Outcome`]).
+//! Data types: what is declared and derived for a rig ([`Rig`], [`Description`]), a character's state ([`State`],
+//! [`Joint`], [`Memory`]), and the inputs and outputs of a call ([`Pose`], [`Settings`], [`Outcome`]).
 //!
-//! Nothing here solves anything; [`aim`](crate::aim) is where these meet the solvers.
+//! No solver is in this module; [`aim`](crate::aim) connects these types with the solvers.
 
 mod body_part;
 mod chain_rig;
@@ -29,14 +29,14 @@ pub use settings::{Ascent, Behind, Settings, Solver};
 pub use state::{Joint, Memory, State};
 pub(crate) use state::{Led, Side, StateSlices, Support};
 
-/// An immutable rig: its description and the kernels derived for it. One serves any number of characters.
+/// An immutable rig: its description and the kernels derived for it. One rig can be shared by any number of characters.
 ///
-/// Implemented by `#[derive(AimRig)]`, by rigs that are interpreted at run time, and by anything else that can evaluate
-/// the two kernels. Object-safe: [`Rig::aim`](trait.Rig.html#method.aim) drives a `&dyn Rig` by slices.
+/// Implemented by `#[derive(AimRig)]` and by rigs that are interpreted at run time; any type that can evaluate the two
+/// kernels can implement it. Object-safe: [`Rig::aim`](trait.Rig.html#method.aim) drives a `&dyn Rig` through slices.
 ///
-/// Kernels take links and targets as the generated C functions do: a link is a rigid transform of twelve numbers, the
-/// three rows of the rotation in the row-vector layout of the paper (`p' = p · M`), then the translation. Its rotation
-/// part only has to be orthogonal: it may contain a mirror.
+/// Kernels take links and targets in the layout of the generated C functions. A link is a rigid transform of twelve
+/// numbers: the three rows of the rotation in the row-vector convention of the paper (`p' = p · M`), then the
+/// translation. The rotation part need only be orthogonal: it may contain a mirror.
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -51,47 +51,48 @@ pub(crate) use state::{Led, Side, StateSlices, Support};
 /// assert_eq!(table(&Turret), ["turret: 3 rad/s"]);
 /// ```
 pub trait Rig {
-    /// What was declared: joints from the effector inward, effector, sharing of the gaze.
+    /// Returns the declared data: joints from the effector inward, effector, and sharing of the gaze.
     fn description(&self) -> Description<'_>;
 
-    /// The name of a joint, such as `left_eye`; `None` past the last joint.
+    /// Returns the name of a joint, such as `left_eye`; `None` past the last joint.
     fn joint_name(&self, joint: usize) -> Option<&str>;
 
-    /// A name that the joint's bone may have in a model; `None` past the last name.
+    /// Returns one of the names that the joint's bone may have in a model; `None` past the last candidate.
     fn bone_name(&self, joint: usize, candidate: usize) -> Option<&str>;
 
-    /// The name of a bone that hangs on the joint and is held on what carries it; `None` past the last name, and where the
-    /// rig names none. See [`Description::held_correction`].
+    /// Returns the name of a bone that is a child of the joint's bone but is held on the joint's carrier. `None` past
+    /// the last one, or if the rig declares none. See [`Description::held_correction`].
     fn held_bone(&self, joint: usize, place: usize) -> Option<&str> {
         let _ = (joint, place);
         None
     }
 
-    /// The name of the other eye's bone, joint 0's partner; `None` where the rig names none. See
+    /// Returns the name of the bone of the other eye, joint 0's partner; `None` if the rig declares none. See
     /// [`Pose::with_other_eye`].
     fn other_eye_bone(&self) -> Option<&str> {
         None
     }
 
-    /// The stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the first by the
-    /// declared angles (pitch before heading, joint by joint), then those of the second.
+    /// Writes the stereographic residual of the chain (left, up), then its Jacobian: the derivatives of the left
+    /// component by the declared angles (pitch before heading, joint by joint), then those of the up component.
     ///
-    /// `links[0]` leads from effector space (joint 0's axes, origin at the effector) to joint 0, `links[i]` from joint
-    /// i−1 to joint i; `target` is in the last joint's space; `sin_cos` is sin p, cos p, sin h, cos h of each joint.
-    /// `links[0]` is the identity, and may be ignored, for a rig without an effector origin whose joint 0 has no upright
-    /// heading.
+    /// `links[0]` leads from effector space (joint 0's axes, origin at the effector) to joint 0, and `links[i]` from
+    /// joint i−1 to joint i. `target` is in the last joint's space. `sin_cos` holds sin p, cos p, sin h, cos h of each
+    /// joint. For a rig whose effector starts at joint 0's origin and whose joint 0 has no upright heading, `links[0]`
+    /// is the identity and may be ignored.
     ///
-    /// The residual is `2 lateral / (distance + forward)` of the target as seen from the effector, that is
-    /// 2·tan(angle/2) in its direction, along joint 0's left and up squared to the effector's forward (where that points
-    /// along up, up is where the back of the head was, and where it points down, the face). Zero where that is singular
-    /// (target on the effector or exactly behind): success is judged by the angle, never by this. `out` holds
-    /// 2 + 2 × the number of declared angles; slices of other lengths give zeros.
+    /// The residual is `2 lateral / (distance + forward)` of the target as seen from the effector, a vector of length
+    /// 2·tan(angle/2) along [the effector's left and up](Effector): joint 0's left and up, orthogonalised against the
+    /// effector's forward. (If that points along joint 0's up, the effector's up is joint 0's backward direction; if it
+    /// points down, joint 0's forward.) The result is zero where the residual is singular: for a target at the effector
+    /// or exactly behind. Success is therefore judged by the angle, never by the residual. `out` must hold 2 + 2 × the
+    /// number of declared angles; slices of other lengths give zeros.
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]);
 
-    /// Joint `joint`'s aim, ∂aim/∂pitch and ∂aim/∂heading, everything nearer the effector held still.
+    /// Returns the aim, ∂aim/∂pitch and ∂aim/∂heading of joint `joint`, with all joints nearer the effector held fixed.
     ///
-    /// `effector_to_joint` leads from effector space to the joint's space before its added rotation; `target` is in that
-    /// joint's space. All zero where the target is on the effector, or where there is no such joint; finite for finite
+    /// `effector_to_joint` leads from effector space to the joint's space before its added rotation; `target` is in
+    /// that joint's space. All zero if the target is at the effector or if there is no such joint; finite for finite
     /// input.
     fn aim_gradient(
         &self,
@@ -102,7 +103,7 @@ pub trait Rig {
     ) -> [f32; 3];
 }
 
-/// A reference to a rig is a rig.
+/// Implements [`Rig`] for a pointer to a rig.
 macro_rules! rig_behind {
     ($pointer:ty) => {
         impl<R: Rig + ?Sized> Rig for $pointer {
@@ -149,9 +150,9 @@ rig_behind!(std::sync::Arc<R>);
 #[cfg(feature = "std")]
 rig_behind!(std::boxed::Box<R>);
 
-/// A rig known at compile time: what `#[derive(AimRig)]` implements, besides [`Rig`].
+/// A rig known at compile time. `#[derive(AimRig)]` implements this trait and [`Rig`].
 ///
-/// A value of such a struct is one [`Joint`] for each field: the angles of a character by name
+/// A value of the deriving struct holds one [`Joint`] per field: the angles of a character by name
 /// ([`Aim::joints`](crate::Aim::joints)). The rig itself is [`RIG`](Self::RIG).
 ///
 /// ```
@@ -173,18 +174,18 @@ rig_behind!(std::boxed::Box<R>);
 /// assert!((bones[0].to_axis_angle().1 - 3.0 / 60.0).abs() < 1e-5);
 /// ```
 pub trait AimRig: Rig + Sized + 'static {
-    /// One value a joint: `[T; N]`.
+    /// Array with one value per joint: `[T; N]`.
     type Array<T: Copy>: Copy + AsRef<[T]> + AsMut<[T]>;
 
-    /// The rig, to be shared by all characters.
+    /// The rig, shared by all characters.
     const RIG: &'static Self;
 
-    /// What [`Rig::description`] gives, in place.
+    /// The value of [`Rig::description`] as a constant.
     const DESCRIPTION: &'static Description<'static>;
 
-    /// `value` for every joint.
+    /// Returns `value` for every joint.
     fn array<T: Copy>(value: T) -> Self::Array<T>;
 
-    /// The joints by name.
+    /// Returns the joints by name.
     fn from_joints(joints: Self::Array<Joint>) -> Self;
 }

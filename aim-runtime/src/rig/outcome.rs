@@ -1,10 +1,10 @@
-//! [`Outcome`]: what a call achieved, judged by forward kinematics.
+//! [`Outcome`]: the result of a call, measured by forward kinematics.
 
 use glam::Quat;
 
-/// What became of a call.
+/// Measured result of a call.
 ///
-/// Angles and status are measured with the true forward kinematics of the pose, never with the solver's own model.
+/// Angles and status are measured with the true forward kinematics of the pose, not with the solver's model.
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -22,33 +22,33 @@ use glam::Quat;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Outcome {
-    /// Cosine of [`remaining`](Self::remaining), −1…1; 0 where the call is degenerate.
+    /// Cosine of [`remaining`](Self::remaining), −1…1; 0 for a degenerate call.
     pub aim: f32,
-    /// The angle between the effector's direction and the direction to the target, radians, 0…π; π/2 where the call
-    /// is degenerate. With a [weight](crate::Settings::weight) below 1 the target is the weighted goal.
+    /// Angle between the effector's direction and the direction to the target, radians, 0…π; π/2 for a degenerate call.
+    /// With a [weight](crate::Settings::weight) below 1 it is measured to the weighted goal.
     pub remaining: f32,
-    /// The turn that the body would have to make for the target's heading to come into reach, radians about up, positive to the
-    /// left; 0 where its heading is within reach. Told by the [natural](crate::Solver::Natural) solver; 0 from the others.
+    /// Turn that the body would need for the target's heading to come within reach, radians about up, positive to the
+    /// left; 0 if the heading is within reach. Set by the [natural](crate::Solver::Natural) solver; 0 from the others.
     pub body_turn: f32,
-    /// The time for which the target has been out of reach or behind, seconds. Told by the natural solver; 0 from the others.
+    /// Time for which the target has been out of reach or behind, seconds. Set by the [natural](crate::Solver::Natural)
+    /// solver; 0 from the others.
     #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub out_of_reach_for: f32,
-    /// The same angle for the other eye, from its own origin; `None` where the pose has
-    /// [no other eye](crate::Pose::with_other_eye), or the call is degenerate. [`remaining`](Self::remaining) is joint 0's
-    /// own.
+    /// Remaining angle of the other eye, measured from its own origin, radians, 0…π; [`remaining`](Self::remaining) is
+    /// joint 0's. `None` if the pose has [no other eye](crate::Pose::with_other_eye) or the call is degenerate.
     pub other_eye_remaining: Option<f32>,
-    /// The other eye's correction: what its bone's animated local rotation is multiplied by on the right. Unit to 1e-6; the
-    /// exact identity at rest; `None` where the pose has no other eye.
+    /// Correction of the other eye: multiply its bone's animated local rotation by it on the right. Unit to 1e-6;
+    /// exactly the identity at rest. `None` if the pose has no other eye.
     pub other_eye_correction: Option<Quat>,
-    /// Whether the target is reached, and if not, why.
+    /// `Reached` if the target is reached, otherwise the reason why not.
     pub status: Status,
-    /// The joints that have an angle at (or past) an end of its range. Joint 0 stands for both eyes.
+    /// Joints with an angle at or past an end of its range. Joint 0 stands for both eyes.
     pub at_limit: JointSet,
-    /// The joints that have an angle outside its range, because the range moved: it goes back at its rate.
+    /// Joints with an angle outside its range, because the range moved. The angle returns at its rate.
     pub recovering: JointSet,
 }
 
-/// Whether the target is reached; if not, the first reason that holds.
+/// Status of a call: success, or the first applicable reason why the target is not reached.
 ///
 /// ```
 /// use aim_runtime::Status;
@@ -68,23 +68,24 @@ pub struct Outcome {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Status {
-    /// Forward kinematics puts the remaining angle within the tolerance: of the target, or of the weighted goal where
-    /// the weight is below 1. With [two eyes](crate::Pose::with_other_eye), of both.
+    /// The remaining angle is within the tolerance: to the target, or to the weighted goal if the weight is below 1.
+    /// With [two eyes](crate::Pose::with_other_eye), for both.
     Reached,
-    /// There is nothing to aim: the pose or the target is not finite, a joint's scale is zero or flat, or the target
-    /// lies on the effector. The angles hold.
+    /// There is nothing to aim, and the angles stay as they are: the pose or the target is not finite, a joint's scale
+    /// is zero or flat, the target is at the effector, or the number of joints does not match.
     Degenerate,
-    /// The target is behind the character, out of reach: the [policy](crate::Behind) for that is active.
+    /// The target is behind the character and out of reach: the [policy](crate::Behind) for that is active.
     Behind,
-    /// Out of reach of the ranges of motion, even if the joints had all the time they need. For the
-    /// [natural](crate::Solver::Natural) solver: the target's heading or its elevation does not fit what ranges and
-    /// [budgets](crate::Budgets) allow, though joints that trade one for the other may come nearer.
+    /// The target is out of reach of the ranges of motion, however long the joints take. For the
+    /// [natural](crate::Solver::Natural) solver: the target's heading or elevation exceeds what ranges and
+    /// [budgets](crate::Budgets) allow, although trading one for the other might bring the gaze nearer.
     AtLimit,
-    /// On the way: within reach, as soon as the rates allow.
+    /// The target is within reach, but the rates have not let the joints arrive yet.
     RateLimited,
 }
 
-/// A set of joints, by their index from the effector inward. Joints from 64 on are not recorded.
+/// A set of joints, stored by index. In an [`Outcome`], indices count from the effector inward. Indices from 64 on are
+/// ignored.
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -101,33 +102,33 @@ pub enum Status {
 pub struct JointSet(u64);
 
 impl JointSet {
-    /// The set without joints.
+    /// The empty set.
     pub const EMPTY: Self = Self(0);
 
-    /// Whether the joint is in the set; false for indices from 64 on.
+    /// Returns `true` if the joint is in the set; `false` for indices from 64 on.
     #[must_use]
     pub const fn contains(self, joint: usize) -> bool {
         joint < 64 && self.0 >> joint & 1 == 1
     }
 
-    /// Whether no joint is in the set.
+    /// Returns `true` if the set is empty.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// How many joints are in the set.
+    /// Returns the number of joints in the set.
     #[must_use]
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }
 
-    /// The joints in the set, ascending.
+    /// Returns the joints in the set, in ascending order.
     pub fn iter(self) -> impl Iterator<Item = usize> {
         (0..64).filter(move |&joint| self.contains(joint))
     }
 
-    /// Whether a joint is to be in the set.
+    /// Adds or removes a joint; its index must be below 64.
     #[inline(always)]
     pub(crate) fn set(&mut self, joint: usize, is_in: bool) {
         self.0 = self.0 & !(1 << joint) | u64::from(is_in) << joint;
@@ -146,7 +147,7 @@ impl core::fmt::Debug for JointSet {
     }
 }
 
-/// Stored as the list of its joints.
+/// Serialises a [`JointSet`] as the list of its joints.
 #[cfg(feature = "serde")]
 mod stored {
     use core::fmt;

@@ -1,15 +1,19 @@
-//! [`Pose`]: where the animation put the joints in this frame.
+//! [`Pose`]: the animated transforms of the joints in one frame.
 
 use glam::{Affine3A, Vec3};
 
 /// The animated transforms of a rig's joints, read after the animation system ran.
 ///
-/// All in one common space, the same as the target's: global (model or world) transforms, not local ones; from the
-/// effector inward; **without** earlier corrections, which are added to the animation and never to themselves. A call
-/// cannot tell when that is not so; in debug builds [`check::Frame`](crate::check::Frame) can. Uniform
-/// scale and mirrors are taken out exactly. Non-uniform scale is followed by forward kinematics; only the search
-/// direction is then approximate. A transform that is not finite or does not span space makes the call
-/// [`Degenerate`](crate::Status::Degenerate), and so does another number of joints than the rig has.
+/// Requirements:
+///
+/// - Global transforms (model or world space), not local ones, in the same space as the target.
+/// - In order from the effector inward, one for each joint of the rig.
+/// - **Without** earlier corrections: corrections are added to the animation, never to themselves.
+///
+/// A call cannot detect a violation; in debug builds [`check::Frame`](crate::check::Frame) can. Uniform scale and
+/// mirrors are compensated exactly. Non-uniform scale and shear are exact in the forward kinematics; only the search
+/// direction is approximate. If a transform is not finite or has linearly dependent axes, or if the number of joints
+/// differs from the rig's, the call is [`Degenerate`](crate::Status::Degenerate).
 ///
 /// `A` is `[Affine3A; N]` for a derived rig of `N` joints, so that a wrong number of joints does not compile, and
 /// `&[Affine3A]` for a rig known only at run time.
@@ -29,33 +33,35 @@ use glam::{Affine3A, Vec3};
 pub struct Pose<A> {
     /// Each joint's transform, from the effector inward.
     pub joints: A,
-    /// The direction that is up for the character, of any length but zero: upright headings turn about it. Without it
-    /// they turn about the innermost joint's animated up.
+    /// The character's up direction, of any length but zero; upright headings turn about it. `None`: the animated up of
+    /// the innermost joint.
     pub up: Option<Vec3>,
-    /// Each joint's transform in the bind pose, from the effector inward, where the character is now: the bind pose carried along
-    /// with the character, or rather with the bone on which the innermost joint hangs. Joints count by how they stand to the
-    /// next one inward, the innermost by how it stands in the pose's space.
+    /// Each joint's transform in the bind pose, from the effector inward, placed where the character is now: the bind
+    /// pose moves with the bone that is the parent of the innermost joint. Ranges from the bind pose use each joint's
+    /// orientation relative to the next joint inward, and for the innermost joint its orientation in the pose's space.
     pub bind: Option<A>,
-    /// The other eye's animated transform, in the joints' space.
+    /// Animated transform of the other eye, in the space of the joints; `None` to aim joint 0 alone.
     pub other_eye: Option<Affine3A>,
 }
 
 impl<A> Pose<A> {
-    /// A pose of these joints, an array from the effector inward. `Pose::from` takes the rig's named pose (`HeroPose { .. }`).
+    /// Creates a pose from an array of transforms, from the effector inward. `Pose::from` accepts the rig's named pose
+    /// (`HeroPose { .. }`).
     #[must_use]
     pub const fn new(joints: A) -> Self {
         Self { joints, up: None, bind: None, other_eye: None }
     }
 
-    /// With the direction that is [up](Self::up) for the character, in the pose's space.
+    /// Sets the direction that is [up](Self::up) for the character, in the pose's space.
     #[must_use]
     pub fn with_up(mut self, up: Vec3) -> Self {
         self.up = Some(up);
         self
     }
 
-    /// With the joints' bind pose, in the same space: what ranges [from the bind pose](crate::LimitsFrom::BindPose) are counted
-    /// from. A rig's named pose is given as `HeroPose { .. }.into()`.
+    /// Sets the joints' [bind pose](Self::bind), in the same space, from which ranges with
+    /// [`LimitsFrom::BindPose`](crate::LimitsFrom::BindPose) are counted. Pass a rig's named pose as
+    /// `HeroPose { .. }.into()`.
     ///
     /// ```
     /// use aim_runtime::Pose;
@@ -75,17 +81,19 @@ impl<A> Pose<A> {
         self
     }
 
-    /// With the other eye, which is aimed too: joint 0's partner on the same parent, whatever the axes of its bone.
+    /// Adds the other eye, which is then aimed too: the partner of joint 0 on the same parent bone. The axes of its
+    /// bone do not matter.
     ///
-    /// In the animation it counts as looking in parallel with joint 0. Then an eye in the middle leads, and each eye
-    /// converges on the target from its own origin, within its own range (joint 0's, mirrored) and rate. Eyes converge
-    /// on nothing nearer than 10 cm where they are 6 cm apart: a target nearer than that is looked at as if it were there.
-    /// They never diverge. Where the rig's effector is not joint 0's own forward from its own origin, or joint 0's heading
-    /// is upright, joint 0 leads alone and the other eye only follows: it turns in parallel.
+    /// The animated other eye is assumed to look parallel to joint 0. A virtual eye midway between the two leads; each
+    /// eye converges on the target from its own origin, within its own rate and its own range (joint 0's, mirrored).
+    /// The eyes never diverge, and for eyes 6 cm apart they converge on nothing nearer than 10 cm: a nearer target is
+    /// looked at as if it were at that distance. If the rig's effector is not joint 0's own forward from its own
+    /// origin, or joint 0's heading is upright, joint 0 leads alone and the other eye turns in parallel.
     ///
-    /// Each call with the other eye moves it; its correction is
-    /// [`Outcome::other_eye_correction`](crate::Outcome::other_eye_correction). A call without it forgets it. A transform
-    /// that is not finite or does not span space makes the call [`Degenerate`](crate::Status::Degenerate).
+    /// Each call with the other eye moves it and returns its correction in
+    /// [`Outcome::other_eye_correction`](crate::Outcome::other_eye_correction). A call without it clears its state. If
+    /// the transform is not finite or has linearly dependent axes, the call is
+    /// [`Degenerate`](crate::Status::Degenerate).
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -108,7 +116,7 @@ impl<A> Pose<A> {
 }
 
 impl<A: AsRef<[Affine3A]>> Pose<A> {
-    /// The pose by slices, as the solvers read it.
+    /// Returns the pose as slices, in the form that the solvers read.
     #[inline]
     pub(crate) fn slices(&self) -> PoseSlices<'_> {
         PoseSlices {
@@ -120,7 +128,7 @@ impl<A: AsRef<[Affine3A]>> Pose<A> {
     }
 }
 
-/// A [`Pose`] of any number of joints.
+/// A [`Pose`] with any number of joints, as slices.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PoseSlices<'a> {
     pub(crate) joints: &'a [Affine3A],

@@ -1,9 +1,9 @@
-//! [`Settings`]: how a call aims.
+//! [`Settings`]: the parameters of a call.
 
 use crate::GazeSharing;
 use crate::math::Bounded;
 
-/// How a [`Call`](crate::Call) aims.
+/// Parameters of a [`Call`](crate::Call).
 ///
 /// ```
 /// use aim_runtime::Settings;
@@ -16,36 +16,37 @@ use crate::math::Bounded;
 #[cfg_attr(feature = "serde", serde(default))]
 #[non_exhaustive]
 pub struct Settings {
-    /// How far the gaze goes along the arc from the animated direction to the target, 0…1; outside values are
-    /// clamped, NaN counts as 0. It scales the goal and not the angles, so ranges and rates hold while it changes; at
-    /// 0 the corrections decay at their rates to the exact identity, wherever the target is. Default 1.
+    /// Fraction of the arc from the animated direction to the target at which the gaze is aimed, 0…1. Values outside
+    /// are clamped, NaN counts as 0. The weight scales the goal and not the angles, so ranges and rates hold while it
+    /// changes. At 0 the corrections return at their rates to the exact identity, wherever the target is. Default 1.
     #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub weight: f32,
-    /// The remaining angle at which the target counts as reached, radians; NaN and negative values count as 0.
-    /// Default 0.1°.
+    /// Remaining angle up to which the target counts as reached, radians. Negative values and NaN count as 0. Default
+    /// 0.1°.
     #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub tolerance: f32,
-    /// What is aimed: 0 is the declared effector, `k` is joint `k` itself (a head, say): its own forward from its own
-    /// origin. Joints nearer the effector than `k` return to rest at their rates. An index past the last joint means
-    /// the last. Default 0.
+    /// The ray that is aimed: 0 is the declared effector, `k` is joint `k` itself (a head, for example), with its own
+    /// forward from its own origin. Joints nearer the effector than `k` return to rest at their rates. An index past
+    /// the last joint selects the last. Default 0.
     pub effector: usize,
-    /// Which solver moves the joints; `None` is [`Solver::Natural`] for a rig with a joint that has a role, else
-    /// [`Solver::Exact`]. Default `None`.
+    /// The solver that moves the joints; `None` selects [`Solver::Natural`] for a rig in which any joint has a role,
+    /// otherwise [`Solver::Exact`]. Default `None`.
     pub solver: Option<Solver>,
-    /// What becomes of a target behind the character. Default [`Behind::Clip`].
+    /// Policy for a target behind the character. Default [`Behind::Clip`].
     pub behind: Behind,
-    /// How far the head takes over from the eyes in a [natural](Solver::Natural) gaze, 0…1: at 0 eyes and head share as
-    /// the rig's [`GazeSharing`] says, at 1 the head is turned fully to the target, the eyes never leaving it. Outside
-    /// values are clamped, NaN counts as 0. Default 0.
+    /// Degree to which the head takes over from the eyes in a [natural](Solver::Natural) gaze, 0…1. At 0, eyes and head
+    /// share the gaze as the rig's [`GazeSharing`] declares; at 1, the head turns fully to the target, and the eyes
+    /// stay on the target throughout. Values outside are clamped, NaN counts as 0. Default 0.
     #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub attention: f32,
-    /// How the natural solver shares a gaze; `None` leaves it to the rig ([`Description::sharing`](crate::Description::sharing)).
+    /// Division of a natural gaze between eyes and head; `None` selects the rig's own
+    /// ([`Description::sharing`](crate::Description::sharing)). Default `None`.
     pub sharing: Option<GazeSharing>,
-    /// For how long a natural gaze stays with a target that is out of reach, seconds; then it returns to the animation until
-    /// the target comes into reach. NaN and negative values count as 0. Default ∞: it stays.
+    /// Time for which a natural gaze stays on a target that is out of reach, seconds. After that it returns to the
+    /// animation until the target comes within reach. Negative values and NaN count as 0. Default ∞.
     #[cfg_attr(feature = "serde", serde(with = "aim_model::stored"))]
     pub patience: f32,
-    /// How the ascent steps.
+    /// Parameters of [`Solver::Ascent`].
     pub ascent: Ascent,
 }
 
@@ -66,7 +67,7 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// With this [`weight`](Self::weight), 0…1.
+    /// Sets the [`weight`](Self::weight), 0…1.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -86,7 +87,7 @@ impl Settings {
         self
     }
 
-    /// With this [`tolerance`](Self::tolerance), radians.
+    /// Sets the [`tolerance`](Self::tolerance), radians.
     ///
     /// ```
     /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -106,74 +107,74 @@ impl Settings {
         self
     }
 
-    /// With this [`effector`](Self::effector): 0 or a joint's index.
+    /// Sets the [`effector`](Self::effector): 0 or a joint's index.
     #[must_use]
     pub const fn with_effector(mut self, effector: usize) -> Self {
         self.effector = effector;
         self
     }
 
-    /// With this [`solver`](Self::solver).
+    /// Sets the [`solver`](Self::solver).
     #[must_use]
     pub const fn with_solver(mut self, solver: Solver) -> Self {
         self.solver = Some(solver);
         self
     }
 
-    /// With this policy for targets [`behind`](Self::behind).
+    /// Sets the policy for targets [`behind`](Self::behind) the character.
     #[must_use]
     pub const fn with_behind(mut self, behind: Behind) -> Self {
         self.behind = behind;
         self
     }
 
-    /// With this [`attention`](Self::attention), 0…1.
+    /// Sets the [`attention`](Self::attention), 0…1.
     #[must_use]
     pub const fn with_attention(mut self, attention: f32) -> Self {
         self.attention = attention;
         self
     }
 
-    /// With this [`sharing`](Self::sharing) sharing instead of the rig's.
+    /// Sets the [`sharing`](Self::sharing), overriding the rig's.
     #[must_use]
     pub const fn with_sharing(mut self, sharing: GazeSharing) -> Self {
         self.sharing = Some(sharing);
         self
     }
 
-    /// With this [`patience`](Self::patience), seconds.
+    /// Sets the [`patience`](Self::patience), seconds.
     #[must_use]
     pub const fn with_patience(mut self, patience_s: f32) -> Self {
         self.patience = patience_s;
         self
     }
 
-    /// With these settings of the [`ascent`](Self::ascent).
+    /// Sets the parameters of the [`ascent`](Self::ascent).
     #[must_use]
     pub const fn with_ascent(mut self, ascent: Ascent) -> Self {
         self.ascent = ascent;
         self
     }
 
-    /// Whether the weight is 1, bit for bit.
+    /// Returns `true` if the weight is exactly 1.
     #[inline(always)]
     pub(crate) const fn has_full_weight(&self) -> bool {
         self.weight.to_bits() == 1.0_f32.to_bits()
     }
 
-    /// The weight as it counts: 0…1.
+    /// Returns the effective weight, 0…1.
     pub(crate) fn effective_weight(&self) -> f32 {
-        // `max` and `min` return the number where the other is NaN, so NaN becomes 0.
+        // Both bounds replace NaN by the bound, so NaN becomes 0.
         self.weight.at_least(0.0).at_most(1.0)
     }
 
-    /// The tolerance as it counts: 0…∞, radians.
+    /// Returns the effective tolerance, 0…∞, radians.
     pub(crate) fn effective_tolerance(&self) -> f32 {
         self.tolerance.at_least(0.0)
     }
 }
 
-/// Which solver moves the joints.
+/// Algorithm that moves the joints.
 ///
 /// ```
 /// use aim_runtime::{Settings, Solver};
@@ -187,27 +188,29 @@ impl Settings {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Solver {
-    /// Eyes, neck and spine as people use them: the eyes leap to the target and hold it, the head follows with its
-    /// inertia by a share of what is beyond the eyes' own zone, and the eyes return as it arrives. See [`GazeSharing`].
+    /// Moves eyes, neck and spine as people do: the eyes jump to the target and hold it; the head follows with inertia,
+    /// taking a share of the angle beyond the eyes' own zone; and the eyes turn back as the head arrives. See
+    /// [`GazeSharing`].
     Natural,
-    /// All joints at once: of all angles within range and rate that put the gaze on the target, those of the least
-    /// stiffness-weighted displacement.
+    /// Moves all joints at once: among all angles within range and rate that put the gaze on the target, those with the
+    /// least stiffness-weighted displacement.
     Exact,
     /// The paper's steepest ascent, joint by joint from the effector inward. See [`Ascent`].
     Ascent,
 }
 
-/// What becomes of a target behind the character, where the ranges do not reach.
+/// Policy for a target behind the character that is out of reach.
 ///
-/// *Behind* is a cone seen from the animated effector, about the opposite of the innermost joint's animated forward (its
-/// parent is not in the pose): a target is behind from 30° off that, and until it is 10° further out again. The
-/// corrections have no part in it, so nothing feeds back. A target behind counts as being on the side it was last seen
-/// on until it is 10° past the middle of the back: then the other way round is nearer by a margin, and the joints turn
-/// round. Whatever the policy and wherever it sets in or ends, no angle changes faster than its rate. Where the ranges
-/// let the gaze come round behind (a turret, say), no target counts as behind.
+/// *Behind* is a cone with its apex at the animated effector, about the opposite of the innermost joint's animated
+/// forward. (The parent of that joint is not in the pose.) A target is behind once it is within 30° of the axis, and
+/// until it is more than 40° from the axis. Corrections do not enter this test, so it cannot feed back. If the ranges
+/// let the gaze come round behind (a turret, for example), no target counts as behind.
 ///
-/// While a policy is active and the target is not reached all the same, the status is
-/// [`Behind`](crate::Status::Behind).
+/// A target behind counts as being on the side on which it was last seen, until it is 10° past the middle of the back;
+/// then the joints turn round to the other side. Whatever the policy, no angle changes faster than its rate, not even
+/// when the policy starts or ends.
+///
+/// While a policy is active and the target is not reached, the status is [`Behind`](crate::Status::Behind).
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/turret.rs")); }
@@ -225,33 +228,34 @@ pub enum Solver {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Behind {
-    /// No policy: the joints go as near as they come, on the side they are on, until the other comes nearer by a margin.
+    /// No policy: the joints go as near to the target as they can on their present side, until the other side is nearer
+    /// by a margin.
     Off,
-    /// They turn to the edge of the cone behind, on the side that the target counts as being on.
+    /// The joints turn to the edge of the cone behind, on the side that the target counts as being on.
     #[default]
     Clip,
-    /// They turn to the target as a plane in front of the character has it: a target further than 80° to the side of the
-    /// animated forward is moved forward, parallel to it, until it is 80° to the side, its elevation kept. One that goes round
-    /// behind is followed back through the front to the other side, and met there; nothing turns round. Targets that the joints
-    /// could reach beyond the plane are moved, too. The cone above has no part in it.
+    /// The target is clipped to the region in front of the character: a target more than 80° to the side of the
+    /// animated forward is moved forward, parallel to it, until it is 80° to the side; its elevation is kept. A target
+    /// that goes round behind is followed back through the front to the other side and met there, so the joints never
+    /// turn round. Targets that the joints could reach beyond 80° are moved too. The cone behind does not matter.
     ///
-    /// A frame costs what one that is searched does, also where the target is in front.
+    /// Every frame costs as much as one that is searched, even if the target is in front.
     ///
-    /// Source: S. M. Johnson, section 6.2: "clipping the target point to a plane in front of the character", which leaves
-    /// open how far in front it is. At a fixed distance it would move near targets and lift the gaze to those behind; hence
-    /// directions are clipped, and the elevation stays.
+    /// Source: S. M. Johnson, section 6.2: "clipping the target point to a plane in front of the character", which does
+    /// not say how far in front the plane is. A plane at a fixed distance would move near targets, and would raise the
+    /// gaze to targets behind. Hence directions are clipped instead, and the elevation is kept.
     Plane,
-    /// They stay as they are; those outside their ranges go back as ever.
+    /// The joints hold their angles; joints outside their ranges still return.
     Hold,
-    /// They return to the animation at their rates, as with weight 0.
+    /// The joints return to the animation at their rates, as with weight 0.
     Release,
 }
 
-/// How the steepest ascent steps: joint by joint from the effector inward, along the unit gradient, at the joint's
-/// rate, halved on overshoot.
+/// Parameters of the steepest ascent, which moves joint by joint from the effector inward, along the unit gradient, at
+/// the joint's rate; a step that overshoots is halved.
 ///
-/// [`Ascent::paper`] is the method as it was published; the default adds what makes it settle and look the other way
-/// round.
+/// [`Ascent::paper`] is the published method. The default adds exact convergence ([`finish`](Self::finish)) and turning
+/// round when blocked ([`turn_back`](Self::turn_back)).
 ///
 /// ```
 /// use aim_runtime::{Ascent, Settings, Solver};
@@ -264,21 +268,21 @@ pub enum Behind {
 #[cfg_attr(feature = "serde", serde(default))]
 #[non_exhaustive]
 pub struct Ascent {
-    /// How often an overshooting step is halved before the joint is left alone for this call. At most 24 count.
+    /// Number of times an overshooting step is halved before the joint is left unchanged for this call; clamped to 24.
     /// Default 4.
     pub halvings: u32,
-    /// While the remaining angle is within 1° (and within the tolerance, if that is larger), the part of each supporting
-    /// joint's angles that is kept after a sixtieth of a second (the published value is 0.95); the joints nearer the
-    /// effector then make up for it. `None` leaves them. Default `None`.
+    /// Fraction of each supporting joint's angles that is kept after a sixtieth of a second while the remaining angle
+    /// is within 1° (or within the tolerance, if that is larger); the joints nearer the effector then compensate. The
+    /// published value is 0.95. `None` disables relaxation. Default `None`.
     pub relax: Option<f32>,
-    /// Whether the ascent is finished exactly: a step is no longer than the gradient says it takes to reach the
-    /// target, and where halved steps hardly help although the target is within reach, the joints go at their rates
-    /// to the angles that reach it. Without it the shortest step is the rate's `1 / 2^halvings`, so a fast joint alone
-    /// stays up to half of that off for ever. Not in the paper. Default on.
+    /// `true` to finish the ascent exactly: a step is no longer than the gradient predicts is needed to reach the
+    /// target, and if halved steps hardly help although the target is within reach, the joints go at their rates to the
+    /// angles that reach it. Otherwise the shortest step is the rate's `1 / 2^halvings`, so a fast joint alone stays up
+    /// to half of that off for ever. Not in the paper. Default `true`.
     pub finish: bool,
-    /// Whether the joints turn round at their rates where their ranges block the way and starting from the animation
-    /// they would come to aim better by a margin of 5°: so an orbiting target is picked up on the other side. Without
-    /// it they stay where they are blocked. Not in the paper. Default on.
+    /// `true` to let the joints turn round at their rates if their ranges block the way and starting from the animation
+    /// would aim better by a margin of 5°; an orbiting target is then picked up on the other side. Otherwise the joints
+    /// stay where they are blocked. Not in the paper. Default `true`.
     pub turn_back: bool,
 }
 
@@ -289,34 +293,34 @@ impl Default for Ascent {
 }
 
 impl Ascent {
-    /// The published method: four halvings, supporting joints relaxed by 5 %, nothing added.
+    /// Returns the published method: four halvings, supporting joints relaxed by 5 %, no additions.
     #[must_use]
     pub const fn paper() -> Self {
         Self { halvings: 4, relax: Some(0.95), finish: false, turn_back: false }
     }
 
-    /// With this number of [`halvings`](Self::halvings).
+    /// Sets the number of [`halvings`](Self::halvings).
     #[must_use]
     pub const fn with_halvings(mut self, halvings: u32) -> Self {
         self.halvings = halvings;
         self
     }
 
-    /// With supporting joints [relaxed](Self::relax) to this part of their angles each sixtieth of a second, 0…1.
+    /// Sets the fraction of their angles that supporting joints [keep](Self::relax) each sixtieth of a second, 0…1.
     #[must_use]
     pub const fn with_relax(mut self, relax: Option<f32>) -> Self {
         self.relax = relax;
         self
     }
 
-    /// With or without [`finish`](Self::finish).
+    /// Switches [`finish`](Self::finish) on or off.
     #[must_use]
     pub const fn with_finish(mut self, finish: bool) -> Self {
         self.finish = finish;
         self
     }
 
-    /// With or without [`turn_back`](Self::turn_back).
+    /// Switches [`turn_back`](Self::turn_back) on or off.
     #[must_use]
     pub const fn with_turn_back(mut self, turn_back: bool) -> Self {
         self.turn_back = turn_back;

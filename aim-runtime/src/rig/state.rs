@@ -1,4 +1,4 @@
-//! [`State`]: what a character remembers from frame to frame, 64 bytes and 24 for each joint.
+//! [`State`]: the data that a character keeps between frames: 64 bytes, plus 24 for each joint.
 
 use core::f32::consts::{PI, TAU};
 
@@ -6,7 +6,8 @@ use glam::Vec3A;
 
 use crate::math;
 
-/// A character's state: the angles of its joints and the memory of its chain. The default of an array is rest.
+/// State of a character: the angles of its joints, and the memory of its chain. The default of an array of joints is
+/// rest.
 ///
 /// `J` holds one [`Joint`] for each joint of the rig: `[Joint; N]`, a `Vec`, a boxed or borrowed slice.
 ///
@@ -21,20 +22,20 @@ use crate::math;
 pub struct State<J> {
     /// The joints' angles, from the effector inward.
     pub joints: J,
-    /// What is remembered of the chain as a whole.
+    /// Memory of the chain as a whole.
     #[cfg_attr(feature = "serde", serde(default))]
     pub memory: Memory,
 }
 
 impl<J> State<J> {
-    /// A state with these joints that has not seen a target yet.
+    /// Creates a state with these joints and an empty memory.
     #[must_use]
     pub const fn new(joints: J) -> Self {
         Self { joints, memory: Memory::NONE }
     }
 }
 
-/// A [`State`] of any number of joints, in place.
+/// A [`State`] with any number of joints, borrowed as slices.
 #[derive(Debug)]
 pub(crate) struct StateSlices<'a> {
     pub(crate) joints: &'a mut [Joint],
@@ -42,16 +43,16 @@ pub(crate) struct StateSlices<'a> {
 }
 
 impl<J: AsMut<[Joint]>> State<J> {
-    /// The state by slices, as the solvers move it.
+    /// Returns the state as slices, in the form that the solvers modify.
     #[inline]
     pub(crate) fn slices(&mut self) -> StateSlices<'_> {
         StateSlices { joints: self.joints.as_mut(), memory: &mut self.memory }
     }
 }
 
-/// A joint's state: the two angles added to the animation, radians. The default is rest: both 0.
+/// State of a joint: the two angles added to the animation, radians. The default is rest: both 0.
 ///
-/// Always finite. Besides the angles a joint remembers its velocity, where it has inertia, and where it is bound for.
+/// The angles are always finite. A joint also remembers its velocity, if it has inertia, and its destination.
 ///
 /// ```
 /// use aim_runtime::Joint;
@@ -63,17 +64,20 @@ impl<J: AsMut<[Joint]>> State<J> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Joint {
-    // In the order that solvers and kernels take them.
+    // In the order in which solvers and kernels take them.
     #[cfg_attr(feature = "serde", serde(with = "stored::angle"))]
     pub(crate) pitch: f32,
     #[cfg_attr(feature = "serde", serde(with = "stored::angle"))]
     pub(crate) heading: f32,
-    /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia. Of the innermost joint of several that a natural gaze
-    /// turns together, the middle of the sums that their ranges allow, and in `destination` the shift of their budget, radians.
+    /// Velocity of heading and pitch, rad/s; 0 for a joint without inertia. In a natural gaze the outermost joint of a
+    /// region stores the region's velocity, and the innermost joint of a region of several stores the shift of the
+    /// region's range, radians.
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) velocity: [f32; 2],
-    /// Heading and pitch that the joint goes to, NaN for none: while the joints turn round together, though the aim
-    /// gets worse on the way, and for a supporting joint of a natural gaze.
+    /// Heading and pitch that the joint is moving to, radians, while joints turn round together although the aim gets
+    /// worse on the way; NaN for none. In a natural gaze the eye stores its last goal, the outermost joint of a region
+    /// the region's acceleration (rad/s²), and the innermost joint of a region of several the shift of the region's
+    /// budget (radians).
     #[cfg_attr(feature = "serde", serde(with = "stored::optional"))]
     pub(crate) destination: [f32; 2],
 }
@@ -93,48 +97,48 @@ impl Default for Joint {
 }
 
 impl Joint {
-    /// Both angles 0 and nothing remembered.
+    /// A joint at rest: both angles 0, without velocity or destination.
     pub const REST: Self = Self { heading: 0.0, pitch: 0.0, velocity: [0.0; 2], destination: ABSENT };
 
-    /// A joint at these added angles, radians: a stored state put back.
+    /// Creates a joint at these added angles, radians, for example to restore stored angles.
     ///
-    /// An angle that is not finite counts as 0, one beyond a full turn as what is left of it; one outside its range goes
-    /// back to it at the joint's rate.
+    /// An angle that is not finite counts as 0, and one beyond a full turn is wrapped. An angle outside its range
+    /// returns to it at the joint's rate.
     #[must_use]
     pub fn from_angles(heading_rad: f32, pitch_rad: f32) -> Self {
         Self::REST.turned_to(within_a_turn(heading_rad), within_a_turn(pitch_rad))
     }
 
-    /// The added heading, radians: positive turns forward towards left.
+    /// Returns the added heading, radians: positive turns forward towards left.
     #[must_use]
     pub const fn heading(&self) -> f32 {
         self.heading
     }
 
-    /// The added pitch, radians: positive turns forward towards up.
+    /// Returns the added pitch, radians: positive turns forward towards up.
     #[must_use]
     pub const fn pitch(&self) -> f32 {
         self.pitch
     }
 
-    /// The joint at other angles.
+    /// Returns the joint at other angles, with its memory kept.
     #[inline(always)]
     pub(crate) const fn turned_to(self, heading: f32, pitch: f32) -> Self {
         Self { heading, pitch, ..self }
     }
 
-    /// Heading and pitch.
+    /// Returns heading and pitch, radians.
     pub(crate) const fn angles(&self) -> [f32; 2] {
         [self.heading, self.pitch]
     }
 
-    /// Heading and pitch that the joint goes to.
+    /// Returns the stored destination, if there is one.
     #[inline(always)]
     pub(crate) fn destination(&self) -> Option<[f32; 2]> {
         if self.destination[0].is_nan() { None } else { Some(self.destination) }
     }
 
-    /// Whether the joint goes to no destination.
+    /// Returns `true` if the joint has no destination.
     #[inline(always)]
     pub(crate) const fn is_free(&self) -> bool {
         is_absent(self.destination)
@@ -145,19 +149,19 @@ impl Joint {
         self.destination = destination.unwrap_or(ABSENT);
     }
 
-    /// True if both angles are 0.
+    /// Returns `true` if both angles are 0.
     pub(crate) fn is_at_rest(&self) -> bool {
         self.angles() == [0.0; 2]
     }
 
-    /// Whether both angles are within `angle_rad` of another joint's.
+    /// Returns `true` if both angles are within `angle_rad` of another joint's.
     pub(crate) fn is_near(&self, other: &Self, angle_rad: f32) -> bool {
         (self.heading - other.heading).abs() <= angle_rad && (self.pitch - other.pitch).abs() <= angle_rad
     }
 }
 
-/// An angle as it counts where it comes from outside. No range goes beyond a full turn, and beyond a thousand radians no digits
-/// are left for a turn.
+/// Sanitises an angle that comes from outside. Ranges extend at most a full turn from 0, so larger angles are wrapped;
+/// above 1000 rad an angle is too coarse to wrap and becomes 0.
 fn within_a_turn(angle: f32) -> f32 {
     match angle.abs() {
         small if small <= TAU => angle,
@@ -166,45 +170,53 @@ fn within_a_turn(angle: f32) -> f32 {
     }
 }
 
-/// What is remembered of a chain from frame to frame: 64 bytes.
+/// Data that is kept for a chain from frame to frame: 64 bytes. The fields of the exact solver's search are reused by
+/// the natural solver.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Memory {
-    /// The dual point that the last frame ended at; how a natural gaze's head was led.
+    /// Exact solver: the dual point at which the last frame ended. Natural solver: [`Led::change`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) lambda: [f32; 2],
-    /// The rest of the strain of the last strained frame, 0…1.
+    /// Exact solver: remaining strain of the last strained frame, 0…1. Natural solver: [`Led::tired`], with
+    /// [`Led::gains`] as its sign.
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) strain: f32,
-    /// The target of the last strained frame, in the innermost joint's space.
+    /// Exact solver: the target of the last strained frame, in the innermost joint's space. Natural solver:
+    /// [`Led::goal`] and the heading of [`Led::speed`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) target: [f32; 3],
-    /// Time for which that target has stood still, seconds.
+    /// Exact solver: time for which that target has stood still, seconds. Natural solver: the pitch of [`Led::speed`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) still_s: f32,
     /// Time for which the target has been out of reach, seconds.
     #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) blocked_s: f32,
-    /// Time left until the supporting joints of a natural gaze set out, seconds.
+    /// Time until the supporting joints of a natural gaze start to move, seconds. For a head without eyes:
+    /// [`Memory::leapt`].
     #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) wait_s: f32,
-    /// Heading and pitch of the other eye, about axes parallel to joint 0's; NaN where the last pose had none.
+    /// Heading and pitch of the other eye, radians, about axes parallel to joint 0's; NaN if the last pose had none.
     #[cfg_attr(feature = "serde", serde(with = "stored::optional"))]
     other_eye: [f32; 2],
-    /// Heading and pitch of the eye midway between the two, which leads.
+    /// Heading and pitch of the virtual eye midway between the two, which leads, radians.
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     leading_eye: [f32; 2],
-    /// The target, in the innermost joint's space, when the joints were last started from everywhere: the upper halves
-    /// of single-precision numbers.
+    /// Exact solver: the target, in the innermost joint's space, of the last search from all starting points, as the
+    /// upper halves of single-precision numbers. Natural solver: part of [`Memory::more`].
     searched: [u16; 3],
-    /// The number of blocked frames since then, or so; 0 where that has never been.
+    /// Exact solver: number of blocked frames since that search, at least 1; 0 if there was none. Natural solver: part
+    /// of [`Memory::more`].
     pub(crate) turn: u16,
-    /// The number of halvings that make a step a gain; what a natural gaze knows the last frame's weight and attention by.
+    /// Exact solver: number of halvings after which a step is a gain. Natural solver: a hash of the last frame's weight
+    /// and attention, which detects that they change.
     pub(crate) caution: u8,
+    /// Activity of the joints that support a natural gaze.
     pub(crate) support: Support,
+    /// Side on which the target was last seen.
     pub(crate) side: Side,
-    /// Whether the target was behind.
+    /// `true` if the target was behind the character.
     pub(crate) behind: bool,
 }
 
@@ -223,7 +235,7 @@ impl Default for Memory {
 }
 
 impl Memory {
-    /// Nothing seen yet.
+    /// An empty memory: no target has been seen yet.
     pub const NONE: Self = Self {
         lambda: [0.0; 2],
         strain: 0.0,
@@ -241,14 +253,14 @@ impl Memory {
         behind: false,
     };
 
-    /// The added heading and pitch of the other eye, radians, about axes parallel to joint 0's; `None` where the last
-    /// pose had [no other eye](crate::Pose::with_other_eye).
+    /// Returns the added heading and pitch of the other eye, radians, about axes parallel to joint 0's; `None` if the
+    /// last pose had [no other eye](crate::Pose::with_other_eye).
     #[must_use]
     pub fn other_eye(&self) -> Option<[f32; 2]> {
         self.eyes().map(|[other, _]| other)
     }
 
-    /// Heading and pitch of the other eye and of the leading one between the two.
+    /// Returns heading and pitch of the other eye and of the leading eye between the two.
     pub(crate) fn eyes(&self) -> Option<[[f32; 2]; 2]> {
         if self.other_eye[0].is_nan() { None } else { Some([self.other_eye, self.leading_eye]) }
     }
@@ -257,19 +269,19 @@ impl Memory {
         [self.other_eye, self.leading_eye] = eyes.unwrap_or([ABSENT, [0.0; 2]]);
     }
 
-    /// Whether the last frame left nothing that the next has to heed: no target behind, no strain, no other eye, no natural
-    /// gaze. Compares bits: half the instructions that comparing numbers takes.
+    /// Returns `true` if the last frame left nothing that the next frame must consider: no target behind, no strain, no
+    /// other eye, no natural gaze. Compares bits, which takes half the instructions of comparing numbers.
     #[inline(always)]
     pub(crate) fn is_undisturbed(&self) -> bool {
         !(self.behind | (self.support != Support::None)) && self.strain.to_bits() == 0 && is_absent(self.other_eye)
     }
 
-    /// The target when the joints were last started from everywhere, to 8 bits.
+    /// Returns the target of the last search from all starting points, to 8 bits.
     pub(crate) fn searched(&self) -> Vec3A {
         Vec3A::from_array(self.searched.map(|bits| f32::from_bits(u32::from(bits) << 16)))
     }
 
-    /// What a natural gaze remembers of the head's goal, in the place of what a search remembers of its target.
+    /// Returns a natural gaze's memory of the head's goal, which is stored in the fields of the exact solver's search.
     pub(crate) fn led(&self) -> Led {
         let [goal_0, goal_1, speed_0] = self.target;
         let (tired, gains) = (self.strain.abs(), self.strain.is_sign_negative());
@@ -281,11 +293,11 @@ impl Memory {
         (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
     }
 
-    /// Heading and elevation that the regions of a natural gaze make beyond their part, radians, in the place of what a search
-    /// remembers of its start.
+    /// Returns the heading and elevation that the regions of a natural gaze turn beyond their share, radians, which are
+    /// stored in the fields of the exact solver's search.
     pub(crate) fn more(&self) -> [f32; 2] {
         let [a, b, c] = self.searched.map(u32::from);
-        // Whatever was stored.
+        // Stored data may be arbitrary.
         [a << 16 | b, c << 16 | u32::from(self.turn)]
             .map(f32::from_bits)
             .map(|more| if more.abs() < PI { more } else { 0.0 })
@@ -297,8 +309,8 @@ impl Memory {
         (self.searched, self.turn) = ([a, b, c], d);
     }
 
-    /// The angle by which leaps of its target have left a head without eyes behind, radians: in the place of the time that it would
-    /// leave to its eyes.
+    /// Returns the angle by which jumps of the target have left a head without eyes behind, radians. Stored in the
+    /// field for the delay of the supporting joints, which such a head does not use.
     pub(crate) fn leapt(&self) -> f32 {
         self.wait_s
     }
@@ -313,51 +325,52 @@ impl Memory {
     }
 }
 
-/// A pair of angles that is not there.
+/// The representation of an absent pair of angles.
 const ABSENT: [f32; 2] = [f32::NAN; 2];
 
-/// Whether a pair is [`ABSENT`], by its bits: one instruction less than a comparison with NaN.
+/// Returns `true` if a pair is [`ABSENT`]. Compares bits, which takes one instruction less than a comparison with NaN.
 #[inline(always)]
 const fn is_absent(angles: [f32; 2]) -> bool {
     angles[0].to_bits() == ABSENT[0].to_bits()
 }
 
-/// The goal of a head, as it was in the last frame of a natural gaze: the sums of its joints' headings and pitches.
+/// Goal of a head in the last frame of a natural gaze; angles are sums over the head's joints.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Led {
-    /// Where it was, radians.
+    /// Heading and pitch of the goal, radians.
     pub(crate) goal: [f32; 2],
-    /// The speed that the head has with it, rad/s.
+    /// Feed-forward velocity: the part of the goal's velocity that the head follows, rad/s.
     pub(crate) speed: [f32; 2],
-    /// Its own speed in that frame, a leap's included, rad/s.
+    /// Velocity of the goal itself in that frame, including jumps, rad/s.
     pub(crate) change: [f32; 2],
-    /// How tired it is of leaps to and fro and of being shaken, 0…1.5.
+    /// Degree to which the head is slowed down because its goal jumps to and fro or shakes, 0…1.5.
     pub(crate) tired: f32,
-    /// True if its speed changed in that frame: its next change is no jerk.
+    /// `true` if the goal's velocity differed from the feed-forward velocity in that frame; a further change is then no
+    /// jerk.
     pub(crate) gains: bool,
 }
 
-/// The activity of the joints that support a natural gaze.
+/// Activity of the joints that support a natural gaze.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub(crate) enum Support {
-    /// The last frame was not that of a natural gaze.
+    /// The last frame was not one of a natural gaze.
     None,
-    /// They rest where they were bound for: the eye moves alone.
+    /// They rest at their goal; the eye moves alone.
     Rests,
-    /// They set out in [`Memory::wait_s`] seconds.
+    /// They start to move in [`Memory::wait_s`] seconds.
     Waits,
     /// They follow their share of the gaze shift.
     Shares,
 }
 
-/// The side that a target was last seen on.
+/// Side on which a target was last seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub(crate) enum Side {
-    /// No target was seen yet.
+    /// No target has been seen yet.
     #[default]
     Unseen,
     Left,
@@ -365,21 +378,21 @@ pub(crate) enum Side {
 }
 
 impl Side {
-    /// The side of a coordinate along left.
+    /// Returns the side of a coordinate along left.
     pub(crate) fn of_coordinate(left: f32) -> Self {
         if left < 0.0 { Self::Right } else { Self::Left }
     }
 
-    /// 1 for left and for a target never seen, −1 for right.
+    /// Returns 1 for left and for a target never seen, −1 for right.
     pub(crate) fn sign(self) -> f32 {
         if self == Self::Right { -1.0 } else { 1.0 }
     }
 }
 
-/// Fields as they are stored. What a solver relies on holds again when they are read, whatever was stored.
+/// Serialisation of fields. Deserialisation restores the solvers' invariants, whatever was stored.
 #[cfg(feature = "serde")]
 mod stored {
-    /// An angle of a joint, read as [`Joint::from_angles`](super::Joint::from_angles) takes it.
+    /// A joint's angle; deserialised as by [`Joint::from_angles`](super::Joint::from_angles).
     pub(super) mod angle {
         use serde::{Deserializer, Serializer};
 
@@ -392,7 +405,7 @@ mod stored {
         }
     }
 
-    /// Numbers, read as 0 where they are not finite.
+    /// Numbers; deserialised as 0 if they are not finite.
     pub(super) mod finite {
         use aim_model::stored::Stored;
         use serde::{Deserializer, Serializer};
@@ -426,7 +439,7 @@ mod stored {
         }
     }
 
-    /// Seconds, read as 0 where they are negative or NaN.
+    /// Seconds; deserialised as 0 if negative or NaN.
     pub(super) mod time {
         use serde::{Deserializer, Serializer};
 
@@ -439,7 +452,7 @@ mod stored {
         }
     }
 
-    /// Two angles, NaN for none; read as none where they are out of all bounds.
+    /// Two angles, NaN for none; deserialised as none if they are not below 1000 rad.
     pub(super) mod optional {
         use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

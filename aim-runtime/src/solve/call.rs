@@ -1,4 +1,4 @@
-//! [`Call`]: what is asked for, and what it says to all solvers.
+//! [`Call`]: the inputs of one call.
 
 use glam::Vec3;
 
@@ -7,21 +7,21 @@ use crate::math::Bounded;
 use crate::rig::PoseSlices;
 use crate::{Settings, Solver, math};
 
-/// The longest frame, seconds: after a hitch nothing leaps.
+/// The longest frame, seconds. A longer one after a hitch is shortened to this, so that nothing jumps.
 pub(crate) const LONGEST_FRAME_S: f32 = 0.1;
 
-/// What a call asks for.
+/// The inputs of one call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Call<'a> {
     /// The target, in the pose's space.
     pub(crate) target_ps: Vec3,
-    /// The frame's length, seconds; `None` for a snap.
+    /// The length of the frame, seconds; `None` for a snap.
     pub(crate) dt: Option<f32>,
     pub(crate) settings: &'a Settings,
 }
 
 impl<'a> Call<'a> {
-    /// A call with the frame's length as it counts: 0…0.1 s, 0 for NaN.
+    /// Creates a call. Clamps `dt` to 0…0.1 s; NaN counts as 0.
     #[inline(always)]
     pub(crate) fn new(target_ps: Vec3, dt: Option<f32>, settings: &'a Settings) -> Self {
         let counted = |dt: f32| dt.at_least(0.0).at_most(LONGEST_FRAME_S);
@@ -29,7 +29,7 @@ impl<'a> Call<'a> {
     }
 }
 
-/// What upright headings turn about in this pose. The paper's method knows bones only.
+/// Returns the axis of upright headings in this pose. The steepest ascent has none, as in the paper.
 pub(crate) fn upright_axis(pose: &PoseSlices<'_>, solver: Solver) -> Upright {
     if solver == Solver::Ascent {
         return Upright::Off;

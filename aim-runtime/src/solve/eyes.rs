@@ -1,10 +1,10 @@
-//! Both eyes in one call: joint 0, and the pose's pair.
+//! Both eyes in one call: joint 0 and the pose's other eye.
 //!
-//! An eye midway between them leads: it is what the chain is solved for, within what both eyes' ranges leave once they
-//! converge. Then each eye turns to the target from its own origin in closed form, within its own range and rate.
+//! The chain is solved for a leading eye midway between the two, within the range that convergence leaves to both. Each
+//! eye then turns to the target from its own origin in closed form, within its own range and rate.
 //!
-//! The other eye's bone may have any axes: in the animation its gaze counts as parallel to joint 0's, and its angles
-//! are about axes parallel to joint 0's. So what is copied are directions in the pose's space, never angles of bones.
+//! The other eye's bone may have any axes: its animated gaze counts as parallel to joint 0's, and its angles are about
+//! axes parallel to joint 0's. Directions in the pose's space are therefore copied, never angles of bones.
 
 use core::f32::consts::PI;
 use core::slice;
@@ -27,59 +27,60 @@ use crate::solve::solved::{Found, Moved};
 use crate::target::goal::Course;
 use crate::{Axes, Joint, JointInfo, Outcome, Status, math};
 
-/// Nearer than this part of the eyes' distance from each other nothing is looked at: 10 cm for eyes 6 cm apart.
+/// Least distance of a point that the eyes look at, relative to the distance between them: 10 cm for eyes 6 cm apart.
 const NEAREST: f32 = 10.0 / 6.0;
-/// A target further out of an eye's range than this is looked at in parallel, as the leading eye has it: overhead and
-/// behind the directions from the two eyes have nothing to do with each other.
+/// Angle out of an eye's range beyond which the eyes look in parallel with the leading eye: overhead and behind, the
+/// directions from the two eyes may differ arbitrarily.
 const FAR_OUT_RAD: f32 = 30.0 * PI / 180.0;
-/// How often a snap is repeated, so that the ranges that convergence leaves are those where the head comes to be.
+/// Number of times that a snap is repeated, so that the ranges left by convergence are those at the final head pose.
 const SNAP_ROUNDS: usize = 4;
-/// Headings that part by less than this do so by rounding.
+/// Difference of the eyes' headings that counts as rounding, radians.
 const PARALLEL_RAD: f32 = 1e-3;
 
-/// The two angles that turn a joint's forward to a direction, as near as its reach lets it come.
+/// Returns the heading and pitch that turn a joint's forward to a direction, as near as its reach allows.
 ///
-/// `view` is the direction along forward, left and up before the added rotation, of any length. Heading first, then the
-/// best pitch at the heading there is: of angles bounded one by one that is the best there is. Straight up or down has
-/// heading 0; where nothing is to be seen both are 0.
+/// `view` is the direction along forward, left and up before the added rotation, of any length. The heading is chosen
+/// first, then the best pitch at it, which is optimal for separate bounds on the two angles. Straight up or down has
+/// heading 0; for a zero vector both angles are 0.
 pub(crate) fn look(view: [f32; 3], reach: &Reach) -> [f32; 2] {
     let [ahead, left, _] = view;
     look_along(view, trig::atan2(left, ahead), reach)
 }
 
-/// The same with a wish for the heading.
+/// [`look`] with a preferred heading.
 fn look_along([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32; 2] {
     let heading = reach.heading.hold(heading);
     let (sin, cos) = trig::sin_cos(heading);
     [heading, reach.pitch_at(heading).hold(trig::atan2(up, ahead * cos + left * sin))]
 }
 
-/// Joint 0 and the other eye, in this order wherever there are two of something. Points are seen from `middle`.
+/// Joint 0 and the other eye, in this order in all pairs. Points are relative to `middle`.
 pub(crate) struct Eyes<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
     pose: &'a PoseSlices<'a>,
-    /// Both eyes' ranges of motion: the other's are joint 0's mirrored.
+    /// Both eyes' ranges of motion; the other eye's are joint 0's mirrored.
     motions: [RangeOfMotion; 2],
     leads: bool,
     middle: Vec3A,
-    /// The square of the joints' scale where the pose is rigid: the inverse of a joint's matrix is its transpose by this.
+    /// The squared scale of the joints if the pose is rigid. The inverse of a joint's matrix is its transpose divided
+    /// by it.
     square: Option<f32>,
     /// The eyes' animated transforms.
     eyes: [Affine3A; 2],
-    /// From directions of the pose to those that the angles count in.
+    /// Transform of directions in the pose to the frames in which the eyes' angles are measured.
     to_angles: [Mat3A; 2],
-    /// Joint 0's space in the other eye's bone: what is a turn of one is one of the other through this.
+    /// Transform from joint 0's space to the other eye's bone, which converts corrections.
     relation: Mat3A,
-    /// How each joint's upright frame stands in its bone.
+    /// The rotation of each joint's upright frame in its bone.
     tilts: PerJoint<Quat, C>,
-    /// How far the eyes are apart.
+    /// The distance between the eyes.
     apart: f32,
-    /// 1 where joint 0 is the left eye, −1 where it is the right one.
+    /// 1 if joint 0 is the left eye, −1 if it is the right one.
     side: f32,
 }
 
 impl<'a, const C: usize> Eyes<'a, C> {
-    /// `None` where an eye's transform is not finite or does not span space.
+    /// Returns `None` if an eye's transform is not finite or is singular.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
@@ -115,7 +116,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             middle,
             square: square.filter(|_| from_pose_to_other.is_none()),
             eyes: [from_middle(joint), from_middle(other_eye)],
-            // In parallel in the animation.
+            // The animated gazes count as parallel.
             to_angles: [from_pose, from_pose_to_other.map_or(from_pose, |other| relation.transpose() * other)],
             relation,
             tilts: if rig.has_upright { tilts(rig, pose.joints, about) } else { rig.array(Quat::IDENTITY) },
@@ -125,8 +126,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
         (middle.is_finite() && eyes.apart.is_finite()).then_some(eyes)
     }
 
-    /// One call for both eyes and the chain that `solve` moves: it is given the pose and the ranges of the leading eye,
-    /// and joint 0 as that eye. `motions` are all joints' declared ones. `None` where there is nothing to aim; what is moved is then not to be used.
+    /// Runs one call for both eyes and the chain that `solve` moves. `solve` is given the pose and ranges of the
+    /// leading eye, with joint 0 as that eye. `motions` are the declared ranges of all joints. Returns `None` if there
+    /// is nothing to aim; the moved state must then be discarded.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn aim(
         &self,
@@ -146,8 +148,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
             transforms[0].translation = self.middle;
         }
         let pose = PoseSlices { joints: &transforms, ..*self.pose };
-        // How much room convergence takes depends on where the head comes to be. A frame takes that from the last one,
-        // and a snap from itself.
+        // The range that convergence leaves depends on the final head pose: a frame takes it from the last frame, a
+        // snap iterates.
         let solved = if call.dt.is_some() {
             for (index, correction) in corrections.iter_mut().enumerate().skip(1) {
                 *correction = self.correction_of(index, &joints[index]);
@@ -210,27 +212,28 @@ impl<'a, const C: usize> Eyes<'a, C> {
         self.outcome(call, joints, &turned, &lead, &solved)
     }
 
-    /// Whether a joint further in is aimed, so that the eyes rest.
+    /// Returns `true` if a joint further inward is aimed, so that the eyes rest.
     fn is_supported(&self, call: &Call<'_>) -> bool {
         call.settings.effector.min(self.rig.count().saturating_sub(1)) > 0
     }
 
-    /// What the leading eye may do so that either eye can look where it looks.
+    /// Returns the ranges of the leading eye within which both eyes can look at its target.
     #[cfg_attr(not(aim_small), inline(always))]
     fn leading_motion(&self, call: &Call<'_>, corrections: &[Quat]) -> RangeOfMotion {
         let target = self.taken_back(corrections, call.target_ps.into());
         let distance = plain_length(target).at_least(NEAREST * self.apart);
-        // NaN where there is no distance to speak of.
+        // NaN if the distance is 0.
         let half = (0.5 * self.apart * call.settings.effective_weight() / distance).at_least(0.0).at_most(0.5);
         let inward = self.side * trig::atan2(half, math::sqrt(1.0 - half * half));
         let [own, other] = self.motions;
         let (own_heading, other_heading) = (own.heading.moved(inward), other.heading.moved(-inward));
-        // The nearer eye sees the target further up or down than the leading one does; by how much more the further up it
-        // is, and this is enough up to 37°.
+        // The nearer eye sees the target at a larger pitch than the leading one, increasingly so with elevation. This
+        // margin suffices up to 37°.
         own.shrunk(own_heading.common(other_heading), 1.0 - 1.25 * half)
     }
 
-    /// How far each eye gets in this call. Neither may turn outward further than the other inward: so they never part.
+    /// Returns the reach of each eye in this call. Neither eye may turn outward further than the other can turn inward,
+    /// so that the eyes never diverge.
     #[cfg_attr(not(aim_small), inline(always))]
     fn reaches(&self, call: &Call<'_>, start: &[Joint; 2]) -> [Reach; 2] {
         let [own, other] = self.motions;
@@ -248,7 +251,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// A point as it stands to the animated eyes: what the supporting joints add is taken back.
+    /// Returns a point relative to the animated eyes, with the supporting joints' corrections taken back.
     #[cfg_attr(not(aim_small), inline(always))]
     fn taken_back(&self, corrections: &[Quat], point_ps: Vec3A) -> Vec3A {
         let mut point = point_ps - self.middle;
@@ -263,28 +266,28 @@ impl<'a, const C: usize> Eyes<'a, C> {
         point
     }
 
-    /// A point no nearer than the eyes look.
+    /// Moves a point out to the least distance at which the eyes look; `None` if it has no direction.
     #[cfg_attr(not(aim_small), inline(always))]
     fn no_nearer(&self, point: Vec3A) -> Option<Vec3A> {
         let near = NEAREST * self.apart;
         if plain_length(point) < near { Some(math::direction(point)? * near) } else { Some(point) }
     }
 
-    /// What a joint adds at its angles.
+    /// Returns a joint's correction at its angles.
     #[cfg_attr(not(aim_small), inline(always))]
     fn correction_of(&self, index: usize, joint: &Joint) -> Quat {
         correction(&self.rig.joints[index], joint, self.tilts[index])
     }
 
-    /// The directions from the eyes to a point along forward, left and up of where the angles count from.
+    /// Returns the vectors from the eyes to a point, along the forward, left and up from which the angles are measured.
     #[cfg_attr(not(aim_small), inline(always))]
     fn views(&self, point: Vec3A) -> [Vec3A; 2] {
         let basis = self.rig.joints[0].planes.basis.transpose();
         both(|eye| basis * (self.to_angles[eye] * (point - self.eyes[eye].translation)))
     }
 
-    /// Both eyes' headings and pitches towards what they have these views of, where no range and no rate keeps one from it and
-    /// they do not part.
+    /// Returns both eyes' headings and pitches towards the target with these `views`; `None` unless both are within
+    /// range and rate and the eyes do not diverge.
     #[cfg_attr(not(aim_small), inline(always))]
     fn looks_freely(
         &self,
@@ -311,7 +314,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         is_free.then_some([[h, p], [other_h, other_p]])
     }
 
-    /// Both eyes' headings and pitches in every other case.
+    /// Returns both eyes' headings and pitches in all other cases.
     #[cold]
     #[inline(never)]
     fn looks_otherwise(
@@ -329,7 +332,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         Some(if !self.leads {
             [lead.angles(), reaches[1].angles_nearest(lead)]
         } else if solved.found.goal.course == Course::Rest || self.is_supported(call) {
-            // Where the leading eye does not just rest, it keeps the gaze on the animation while the head returns.
+            // A leading eye that does not rest keeps the gaze on the animation while the head returns.
             both(|eye| reaches[eye].angles_nearest(lead))
         } else if solved.found.goal.course == Course::Stay {
             both(|eye| reaches[eye].angles_nearest(&start[eye]))
@@ -344,8 +347,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// Both eyes' headings and pitches towards a target, and whether their ranges alone let them look there: each from
-    /// its own origin, or in parallel with `lead` where that makes no sense.
+    /// Returns both eyes' headings and pitches towards a target, and whether it is within the ranges regardless of the
+    /// rates. Each eye looks from its own origin, or in parallel with `lead` if the directions would diverge or are far
+    /// out of range.
     #[cold]
     fn looks(&self, target: Vec3A, lead: &Joint, reaches: &[Reach; 2], start: &[Joint; 2]) -> ([[f32; 2]; 2], bool) {
         let views = self.views(target);
@@ -383,13 +387,13 @@ impl<'a, const C: usize> Eyes<'a, C> {
         (angles, within)
     }
 
-    /// The other eye's correction in its own bone's space, at this heading and pitch.
+    /// Returns the other eye's correction at this heading and pitch, in its own bone's space.
     #[cold]
     pub(crate) fn correction(&self, angles: &[f32; 2]) -> Quat {
         self.related(self.correction_of(0, &with_angles(&Joint::REST, *angles)))
     }
 
-    /// A correction of joint 0's as one of the other eye's in its own bone's space. A mirror between the bones turns it round.
+    /// Converts a correction of joint 0 to the other eye's bone. A mirrored relation reverses the sense of rotation.
     #[cfg_attr(not(aim_small), inline(always))]
     fn related(&self, turn: Quat) -> Quat {
         let Mat3A { x_axis, y_axis, z_axis } = self.relation;
@@ -399,7 +403,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
         Quat::from_vec4(Vec4::from((axis, turn.w)) * (1.0 / math::sqrt(square)))
     }
 
-    /// The angles that are left between the eyes that turn like this and a point, from which what supports them is taken back.
+    /// Returns the remaining angle between each eye, turned by `turns`, and the point that the outcome is measured
+    /// against.
     #[cfg_attr(not(aim_small), inline(always))]
     fn remaining(
         &self,
@@ -425,7 +430,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// The same for one eye by the true forward kinematics: digits are left of it also where a target is next to an eye.
+    /// Returns one eye's remaining angle by true forward kinematics, which is accurate even for a target close to an
+    /// eye.
     #[cold]
     fn true_remaining(&self, corrections: &[Quat], eye: usize, turns: [Quat; 2], point_ps: Vec3A) -> Option<f32> {
         let frame = &self.eyes[eye];
@@ -445,7 +451,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         angle.is_finite().then_some(angle)
     }
 
-    /// The outcome of both eyes: each judged from its own origin by forward kinematics.
+    /// Returns the outcome of both eyes, each judged from its own origin by forward kinematics.
     #[cfg_attr(not(aim_small), inline(always))]
     fn outcome(
         &self,
@@ -455,7 +461,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         lead: &Joint,
         solved: &Solved,
     ) -> Option<Outcome> {
-        // Joint 0 stands for both eyes.
+        // Joint 0's flags cover both eyes.
         let other = with_angles(lead, turned.angles[1]);
         let (mut at_limit, mut recovering) = (solved.outcome.at_limit, solved.outcome.recovering);
         let met = if turned.at_ease { [false; 2] } else { self.limits_met([joints[0], other]) };
@@ -476,12 +482,12 @@ impl<'a, const C: usize> Eyes<'a, C> {
         Some(Outcome { aim: own.aim, remaining, status, ..outcome })
     }
 
-    /// Whether rates alone keep the eyes from what they are to look at.
+    /// Returns `true` if only rates keep the eyes from their target.
     #[cold]
     fn is_within_reach(&self, call: &Call<'_>, turned: &Turned, lead: &Joint, solved: &Solved) -> bool {
         match solved.outcome.status {
             Status::RateLimited => true,
-            // The leading eye has arrived: what keeps the others?
+            // The leading eye has reached the target: check whether the ranges let both eyes reach it.
             Status::Reached => self.no_nearer(turned.wanted).is_some_and(|seen| {
                 let near = NEAREST * self.apart * 1.000_01;
                 let start = turned.angles.map(|angles| with_angles(lead, angles));
@@ -491,7 +497,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         }
     }
 
-    /// Whether an eye is at a limit, and whether one is out of its range.
+    /// Returns whether an eye is at a limit, and whether one is out of its range.
     #[cold]
     fn limits_met(&self, eyes: [Joint; 2]) -> [bool; 2] {
         let info = slice::from_ref(&self.rig.joints[0]);
@@ -500,27 +506,28 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 }
 
-/// What a solve of the chain made of a call.
+/// The result of solving the chain.
 struct Solved {
     outcome: Outcome,
     found: Found,
 }
 
-/// Where both eyes have turned.
+/// The eyes' new angles, and the measurements of the result.
 struct Turned {
-    /// Headings and pitches.
+    /// Headings and pitches, radians.
     angles: [[f32; 2]; 2],
-    /// What each adds, in joint 0's bone.
+    /// Each eye's correction, in joint 0's bone.
     turns: [Quat; 2],
-    /// The point that they are judged by, as it stands to the animated eyes, and the angles that are left between it and each.
+    /// The point that the eyes are judged by, relative to the animated eyes.
     wanted: Vec3A,
+    /// The remaining angle of each eye to `wanted`, radians; `None` if it is undefined.
     remaining: [Option<f32>; 2],
-    /// Whether neither is at a limit.
+    /// `true` if neither eye is at a limit.
     at_ease: bool,
 }
 
-/// [`Eyes::new`]'s transforms for eyes that are not just scaled, turned and mirrored: the inverse of joint 0, its space in the
-/// other eye's bone, and the inverse of that.
+/// The transforms of [`Eyes::new`] for eyes that are sheared or scaled non-uniformly: the inverse of joint 0's matrix,
+/// the transform from joint 0's space to the other eye's bone, and the inverse of the other eye's matrix.
 #[cold]
 fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(Mat3A, Mat3A, Mat3A)> {
     if !(joint.is_finite() && other_eye.is_finite()) {
@@ -528,7 +535,7 @@ fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(
     }
     math::orthonormal(joint.matrix3)?;
     math::orthonormal(other_eye.matrix3)?;
-    // Forward first: it is the column that stays exactly what it is, also where the pose is stretched.
+    // Forward first, because Gram–Schmidt keeps the direction of the first column, even if the pose is stretched.
     let Axes { up, forward, left } = info.axes;
     let axes = Mat3A::from_cols(forward.into(), up.into(), left.into());
     let (from_pose, from_pose_to_other) = (inverse(joint).matrix3, inverse(other_eye).matrix3);
@@ -537,7 +544,7 @@ fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(
     is_seen.then_some((from_pose, relation, from_pose_to_other))
 }
 
-/// A vector's length.
+/// Returns a vector's length.
 #[cfg_attr(not(aim_small), inline(always))]
 fn plain_length(v: Vec3A) -> f32 {
     let square = v.dot(v);
@@ -550,19 +557,19 @@ fn extreme_length(v: Vec3A) -> f32 {
     math::length(v)
 }
 
-/// A value for joint 0 and one for the other eye.
+/// Evaluates `of` for joint 0 and for the other eye.
 #[cfg_attr(not(aim_small), inline(always))]
 fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
     [of(0), of(1)]
 }
 
-/// The joint at other angles.
+/// Returns the joint at other angles.
 fn with_angles(joint: &Joint, [heading, pitch]: [f32; 2]) -> Joint {
     Joint { heading, pitch, ..*joint }
 }
 
 impl Reach {
-    /// The angles within reach that are nearest to the joint's, heading first.
+    /// Returns the angles within reach that are nearest to the joint's, heading first.
     fn angles_nearest(&self, joint: &Joint) -> [f32; 2] {
         let held = self.hold(joint);
         [held.heading, held.pitch]

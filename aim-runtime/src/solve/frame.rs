@@ -1,4 +1,4 @@
-//! [`Frame`]: what the steps of one frame share.
+//! [`Frame`]: the inputs shared by the steps of one frame.
 
 use core::ops::Range;
 
@@ -9,17 +9,18 @@ use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, PerJoint};
 use crate::target::goal::Goal;
 
-/// What the steps of one frame share.
+/// The inputs shared by the steps of one frame.
 pub(crate) struct Frame<'a, const C: usize> {
     pub(crate) rig: &'a ChainRig<'a, C>,
     pub(crate) chain: &'a Chain<C>,
-    /// The ranges of motion.
+    /// The joints' ranges of motion.
     pub(crate) motions: &'a [RangeOfMotion],
     pub(crate) goal: &'a Goal,
+    /// The angle at which the goal counts as reached, radians.
     pub(crate) tolerance: f32,
-    /// How far each joint can go in this frame.
+    /// The angles that each joint can reach in this frame.
     pub(crate) reaches: PerJoint<Reach, C>,
-    /// The joints as the frame found them.
+    /// The joints at the start of the frame.
     pub(crate) start: PerJoint<Joint, C>,
 }
 
@@ -43,12 +44,12 @@ impl<'a, const C: usize> Frame<'a, C> {
         Self { rig, chain, motions, goal, tolerance, reaches, start }
     }
 
-    /// The angle between the gaze and the goal, radians; `None` where it is undefined.
+    /// Returns the angle between the gaze and the goal, radians; `None` if it is undefined.
     pub(crate) fn angle(&self, joints: &[Joint]) -> Option<f32> {
         self.chain.gaze_of(self.rig, joints).angle_to(self.goal.aimed)
     }
 
-    /// Moves these joints to rest as far as a frame lets them.
+    /// Moves these joints towards rest as far as one frame allows.
     pub(crate) fn go_to_rest(&self, joints: &mut [Joint], which: Range<usize>) {
         for index in which {
             joints[index] = self.reaches[index].towards_rest(&self.start[index]);

@@ -1,4 +1,4 @@
-//! The judge: the one place where status and [`Outcome`] are decided, from the angle that forward kinematics measured.
+//! The one place where [`Status`] and [`Outcome`] are determined, from the angle that forward kinematics measures.
 
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::limits::{Interval, RangeOfMotion};
@@ -7,21 +7,21 @@ use crate::math::trig;
 use crate::rig::ChainRig;
 use crate::{Joint, JointInfo, JointSet, Outcome, Status, math};
 
-/// What a frame found out.
+/// The measurements from which an outcome is determined.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Verdict {
     /// The angle between gaze and target by forward kinematics, radians, 0…π.
     pub(crate) remaining: f32,
     /// The angle at which the target counts as reached, radians.
     pub(crate) tolerance: f32,
-    /// Whether the policy for targets behind is active.
+    /// `true` if the policy for targets behind is active.
     pub(crate) behind: bool,
-    /// Whether the joints would reach the target, had they the time.
+    /// `true` if the joints could reach the target given enough time.
     pub(crate) within_reach: bool,
 }
 
 impl Verdict {
-    /// `Reached` iff the angle is within the tolerance; else the first reason that holds.
+    /// Returns `Reached` if the angle is within the tolerance, else the first other status that applies.
     #[inline(always)]
     pub(crate) fn status(&self) -> Status {
         if self.remaining <= self.tolerance {
@@ -35,14 +35,14 @@ impl Verdict {
         }
     }
 
-    /// The outcome for joints whose limits are these sets.
+    /// Returns the outcome for joints with these sets of limits met.
     #[inline(always)]
     pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
         let (sin_half, _) = trig::half_sin_cos_within(self.remaining);
         self.outcome_by((1.0 - 2.0 * sin_half * sin_half).at_least(-1.0), at_limit, recovering)
     }
 
-    /// The same where the cosine of the angle is at hand.
+    /// Returns the outcome, with `aim` the known cosine of the remaining angle.
     #[inline(always)]
     pub(crate) fn outcome_by(&self, aim: f32, at_limit: JointSet, recovering: JointSet) -> Outcome {
         let (remaining, status) = (self.remaining, self.status());
@@ -59,7 +59,7 @@ impl Verdict {
         }
     }
 
-    /// The outcome for joints at these angles.
+    /// Returns the outcome for joints at these angles.
     pub(crate) fn outcome<const C: usize>(
         &self,
         rig: &ChainRig<'_, C>,
@@ -71,7 +71,7 @@ impl Verdict {
     }
 }
 
-/// The outcome where there is nothing to aim: the angles hold.
+/// Returns the outcome of a call with nothing to aim, for joints that keep their angles.
 pub(crate) fn degenerate<const C: usize>(
     rig: &ChainRig<'_, C>,
     motions: &[RangeOfMotion],
@@ -81,13 +81,13 @@ pub(crate) fn degenerate<const C: usize>(
     Outcome { at_limit, recovering, ..nothing_to_aim() }
 }
 
-/// The outcome of a call that has no chain to aim.
+/// Returns the outcome of a call that has no chain to aim.
 pub(crate) fn nothing_to_aim() -> Outcome {
     let verdict = Verdict { remaining: math::UNDEFINED_RAD, tolerance: 0.0, behind: false, within_reach: false };
     Outcome { status: Status::Degenerate, ..verdict.outcome_by(0.0, JointSet::EMPTY, JointSet::EMPTY) }
 }
 
-/// The joints with an angle at or past an end of its range, and those with one outside its range.
+/// Returns the joints with an angle at or past an end of its range, and the joints with an angle outside its range.
 pub(crate) fn limits_met(infos: &[JointInfo], motions: &[RangeOfMotion], joints: &[Joint]) -> (JointSet, JointSet) {
     let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
     let mut meet = |index: usize, is_declared: bool, range: Interval, angle: f32| {
@@ -97,7 +97,7 @@ pub(crate) fn limits_met(infos: &[JointInfo], motions: &[RangeOfMotion], joints:
         if is_declared {
             at_limit.insert(index);
         }
-        // An angle that went back to its range may miss the end by rounding.
+        // The margin allows for rounding of an angle that has just returned to its range.
         if angle < range.lo() - AT_LIMIT_RAD || angle > range.hi() + AT_LIMIT_RAD {
             recovering.insert(index);
         }

@@ -1,10 +1,11 @@
-//! One call: pose and target in, angles moved within range and rate, and an outcome judged by forward kinematics.
+//! The solvers: from a pose and a target to joint angles within range and rate, and an outcome measured by forward
+//! kinematics.
 //!
-//! [`follow`] serves the frames that need no search, by [`single`](exact::single) and
-//! [`following`](exact::following). In every other frame [`solve`] makes the pose ready ([`Chain`]), decides what to turn to
-//! ([`Goal`](crate::target::goal::Goal)), lets one of the solvers move the joints ([`exact`], [`natural`], [`ascent`]),
-//! both eyes where the pose has them ([`eyes`]), and is judged ([`judge`]). When blocked joints go the other way round is
-//! decided in [`turn_round`].
+//! [`follow`] serves frames that need no search, by the specialised solvers [`single`](exact::single) and
+//! [`following`](exact::following). For every other frame, [`solve`] prepares the pose ([`Chain`]), determines the goal
+//! ([`Goal`](crate::target::goal::Goal)), moves the joints by one of the solvers ([`exact`], [`natural`], [`ascent`]),
+//! moves both eyes if the pose has them ([`eyes`]), and judges the result ([`judge`]). [`turn_round`] decides when
+//! blocked joints turn the other way round.
 
 pub(crate) mod ascent;
 mod call;
@@ -36,8 +37,8 @@ use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
 use crate::{Behind, Description, Joint, JointInfo, Outcome, Rig, Role, Settings, Solver};
 
-/// Serves a frame that needs no search, if it is one: moves `state` and writes the joints' corrections. Else `None`, with
-/// nothing changed.
+/// Serves a frame that needs no search: moves `state` and writes the joints' corrections. Returns `None`, with nothing
+/// changed, if the frame needs one.
 #[inline(always)]
 pub(crate) fn follow<K: Rig + ?Sized>(
     kernels: &K,
@@ -48,7 +49,7 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     corrections: &mut [Quat],
 ) -> Option<Outcome> {
     let solver = call.settings.solver.unwrap_or(rig.default_solver());
-    // A natural gaze is shared out, but for that of an eye alone.
+    // Of the rigs for the natural solver, only a single eye or a single joint without a role is served here.
     let is_alone = matches!(rig.joints, [JointInfo { role: Role::Eye | Role::None, .. }]);
     if solver == Solver::Natural && !is_alone || cfg!(aim_natural) {
         return None;
@@ -64,12 +65,12 @@ pub(crate) fn follow<K: Rig + ?Sized>(
     if let Some(outcome) = single::aim(rig, state, pose, call, corrections) {
         return Some(outcome);
     }
-    // Written out for each number of joints; a small program searches.
+    // Excluded from small builds, because this path is monomorphised for each number of joints.
     let follows = solver == Solver::Exact && cfg!(not(aim_small));
     if follows { following::aim(kernels, rig, state, pose, call, corrections) } else { None }
 }
 
-/// Serves any call: moves `state` and writes the joints' corrections, one for each joint.
+/// Serves any call: moves `state` and writes one correction for each joint.
 #[inline(never)]
 pub(crate) fn solve<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -123,7 +124,7 @@ fn aim_eyes<const C: usize>(
     eyes.aim(call, motions, moved, |pose, motions, moved| solve_chain(rig, pose, motions, call, moved))
 }
 
-/// Moves a chain by its solver.
+/// Moves a chain by the selected solver.
 #[inline(always)]
 fn solve_chain<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -138,7 +139,7 @@ fn solve_chain<const C: usize>(
         if call.dt.is_some() {
             return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections, found });
         }
-        // Where a snap is undefined from rest the search may find a start from which it is not.
+        // A snap that is undefined from rest may be defined from another start, which the search below may find.
         let before = *joints;
         let moved = Moved { joints, memory, corrections, found: found.as_deref_mut() };
         let outcome = natural::aim(rig, pose, motions, call, about, moved);
@@ -157,13 +158,13 @@ fn solve_chain<const C: usize>(
     }
 }
 
-/// The solver that moves the joints.
+/// Returns the solver selected by the settings, or else the rig's default.
 fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver {
     settings.solver.unwrap_or(rig.default_solver())
 }
 
-/// True if joints move by regions. An eye without support, and a joint without a role, moves by the exact solver, and so do
-/// joints whose axes are not square to each other.
+/// Returns `true` if the natural solver moves the joints by regions. The exact solver serves an eye without support, a
+/// single joint without a role, and rigs with axes that are not mutually perpendicular.
 fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> bool {
     let count = rig.joints.len();
     let first = settings.effector.min(count.saturating_sub(1));
@@ -171,7 +172,7 @@ fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) 
     solver(rig, settings) == Solver::Natural && rig.is_square && !is_alone
 }
 
-/// Clears what joints remember of a natural gaze.
+/// Clears the memory of a natural gaze.
 fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     if memory.support != Support::None {
         joints.iter_mut().for_each(|joint| joint.set_destination(None));
@@ -182,7 +183,7 @@ fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     }
 }
 
-/// Moves `joints` by a frame of `dt` seconds; `None` where there is nothing to aim.
+/// Moves `joints` by a frame of `dt` seconds; `None` if there is nothing to aim.
 fn aim_joints<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
@@ -223,7 +224,7 @@ fn aim_joints<const C: usize>(
     task.finish_chain(&chain, Moved { joints, memory, corrections, found })
 }
 
-/// Puts `joints` on the target whatever the rates; `None` where there is nothing to aim.
+/// Puts `joints` on the target regardless of rates; `None` if there is nothing to aim.
 fn snap_joints<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
@@ -235,12 +236,12 @@ fn snap_joints<const C: usize>(
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
     let tolerance = settings.effective_tolerance();
-    // Nothing but the side is remembered: the result is to depend on the past as little as it can.
+    // Keep only the side from the memory: a snap should depend on the past as little as possible.
     let mut before = *memory;
     before.behind = false;
     let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
     let goal = goal(rig, &chain, pose, motions, call, &before)?;
-    // A target on the animated effector has no direction, whatever the joints could make of it.
+    // A target on the animated effector has no direction, even if the joints could give it one.
     chain.animated_gaze().angle_to(goal.aimed)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     forget_natural(joints, memory);
@@ -256,7 +257,7 @@ fn snap_joints<const C: usize>(
         *joint = Reach::range(motion).hold(joint);
     }
     if goal.course == Course::Aim {
-        // The aim may be undefined at rest and yet defined here, or the reverse.
+        // The aim may be undefined at rest but defined at the present angles, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
             let from_here_rad = settle(rig, &chain, motions, &goal, &mut from_here);
@@ -264,7 +265,7 @@ fn snap_joints<const C: usize>(
                 joints.copy_from_slice(&from_here);
             }
         }
-        // Joints that have no part rest, as far as their ranges let them.
+        // Joints outward of the aimed one rest, as far as their ranges allow.
         for (joint, motion) in joints[..chain.first].iter_mut().zip(motions) {
             *joint = Reach::range(motion).hold(joint);
         }
@@ -274,7 +275,7 @@ fn snap_joints<const C: usize>(
     task.finish_chain(&chain, Moved { joints, memory, corrections, found })
 }
 
-/// What a chain turns to.
+/// Determines the goal of a chain.
 fn goal<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,

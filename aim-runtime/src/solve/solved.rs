@@ -1,4 +1,4 @@
-//! [`Task`]: what the joints were to do in a call, and what became of it.
+//! [`Task`]: the task of the joints in a call, and judging its result.
 
 use glam::{Quat, Vec3A};
 
@@ -10,39 +10,40 @@ use crate::rig::{ChainRig, Memory, PerJoint};
 use crate::target::goal::Goal;
 use crate::{Joint, JointSet, Outcome, Settings};
 
-/// What the eyes have to know of how their chain was solved.
+/// The results of a chain's solve that its eyes need.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Found {
     pub(crate) goal: Goal,
     pub(crate) space: Space,
-    /// What the outcome is measured against with the turns of the joints inside the leading one taken back, in solver space, where
-    /// that was found on the way.
+    /// The point that the outcome is measured against, with the turns of the joints inside the leading one taken back,
+    /// in solver space; `None` if the solver did not compute it.
     pub(crate) seen: Option<Vec3A>,
 }
 
-/// The joints that a solve moves, and what it writes: one element for each joint.
+/// The state that a solve changes and the corrections that it writes, one for each joint.
 pub(crate) struct Moved<'a, const C: usize> {
     pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
     pub(crate) corrections: &'a mut [Quat],
-    /// Where it is noted what was found, if anyone asks.
+    /// Receives the results for the eyes, if requested.
     pub(crate) found: Option<&'a mut Option<Found>>,
 }
 
-/// What the joints were to do, and what they are judged by.
+/// The task of the joints, and the inputs to judge its result.
 pub(crate) struct Task<'a, const C: usize> {
     pub(crate) rig: &'a ChainRig<'a, C>,
     pub(crate) motions: &'a [RangeOfMotion],
     pub(crate) goal: &'a Goal,
     pub(crate) space: Space,
     pub(crate) settings: &'a Settings,
+    /// `true` if the joints could reach the goal given enough time.
     pub(crate) within_reach: bool,
-    /// Whether no angle can be at an end of its range.
+    /// `true` if no angle can be at an end of its range.
     pub(crate) well_within: bool,
 }
 
 impl<const C: usize> Task<'_, C> {
-    /// [`finish`](Self::finish) by the forward kinematics of a chain, with the corrections that it makes of the joints.
+    /// Calls [`finish`](Self::finish) with the forward kinematics of a chain, and writes the joints' corrections.
     #[inline(always)]
     pub(crate) fn finish_chain(
         &self,
@@ -59,7 +60,8 @@ impl<const C: usize> Task<'_, C> {
         })
     }
 
-    /// Remembers what was seen, and judges the joints as they are now by the angle that their forward kinematics leave.
+    /// Updates the memory and judges the joints' present angles by the remaining angle that `posed` measures with
+    /// forward kinematics.
     #[inline(always)]
     pub(crate) fn finish(
         &self,

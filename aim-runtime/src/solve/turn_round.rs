@@ -1,8 +1,8 @@
-//! When joints that are blocked by their ranges go the other way round, and how: the one policy of the solvers
-//! that search.
+//! The policy for turning round, shared by the solvers that search: when joints blocked by their ranges turn the other
+//! way round, and how.
 //!
-//! Round the other way the aim gets worse before it gets better, so joints that turn round remember where they are bound
-//! for until they arrive.
+//! On the way round the aim gets worse before it gets better, so the joints remember their destinations until they
+//! arrive.
 
 use core::f32::consts::PI;
 
@@ -10,20 +10,21 @@ use super::exact::settle::settle;
 use super::frame::Frame;
 use crate::Joint;
 
-/// How much better the other way round has to aim before the joints turn back, radians.
+/// Improvement of the aim, radians, that makes joints turn back the other way round at once.
 pub(crate) const TURN_BACK_RAD: f32 = 5.0 * PI / 180.0;
-/// The same after [`PATIENCE_S`].
+/// Improvement of the aim, radians, that makes joints turn back after [`PATIENCE_S`].
 const WORTH_WHILE_RAD: f32 = 0.4 * PI / 180.0;
+/// Time over which the required improvement falls to [`WORTH_WHILE_RAD`], seconds.
 const PATIENCE_S: f32 = 0.5;
 
-/// How much better the other way round has to aim after this time without a change, radians.
+/// Returns the improvement of the aim, radians, required to turn back after `waited_s` seconds without change.
 pub(crate) fn turn_back_margin(waited_s: f32) -> f32 {
     TURN_BACK_RAD + (WORTH_WHILE_RAD - TURN_BACK_RAD) * (waited_s / PATIENCE_S).min(1.0)
 }
 
 impl<const C: usize> Frame<'_, C> {
     /// Continues a turn-round begun in an earlier frame. Returns whether the goal is within reach; `None` if none is in
-    /// progress, or if its end no longer aims better than the present angles by [`WORTH_WHILE_RAD`] / 2.
+    /// progress, or if its destination no longer aims better than the present angles by [`WORTH_WHILE_RAD`] / 2.
     pub(crate) fn keep_turning_round(&self, joints: &mut [Joint]) -> Option<bool> {
         let Self { rig, chain, motions, goal, tolerance, .. } = *self;
         let mut bound = rig.array(Joint::REST);
@@ -33,7 +34,7 @@ impl<const C: usize> Frame<'_, C> {
                 Some([heading, pitch]) => *bound = joint.turned_to(heading, pitch),
                 None => turning = false,
             }
-            // Set again where it still holds.
+            // `turn_round_to` sets it again if the turn goes on.
             joint.set_destination(None);
         }
         if !turning {
@@ -43,14 +44,14 @@ impl<const C: usize> Frame<'_, C> {
         if there > tolerance && there + 0.5 * WORTH_WHILE_RAD > self.angle(joints)? {
             return None;
         }
-        // The goal may have moved on since the joints set out. Searched to the end: many poses aim nearly as well, and joints
-        // that are there already would follow a search that ends now at this and now at that one.
+        // The goal may have moved since the turn began, so the destination is searched anew, and thoroughly: many poses
+        // aim nearly as well, and joints already there would follow a partial search from one such pose to another.
         let within_reach = there <= tolerance || settle(rig, chain, motions, goal, &mut bound)? <= tolerance;
         self.turn_round_to(&bound, joints);
         Some(within_reach)
     }
 
-    /// Moves each joint towards `settled` at its rate, and binds it for there until all arrive.
+    /// Moves each joint towards `settled` at its rate, and keeps it as the joints' destination until all have arrived.
     pub(crate) fn turn_round_to(&self, settled: &[Joint], joints: &mut [Joint]) {
         let mut arrived = true;
         for index in self.chain.first..self.chain.count {

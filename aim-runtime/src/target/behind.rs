@@ -1,8 +1,9 @@
-//! Whether a target is behind the character, and on which side it counts as being.
+//! Decides whether a target is behind the character, and on which side it is.
 //!
-//! A target passing behind a chain that cannot follow it would otherwise throw the chain from one end of its range to
-//! the other and back with every tremble. Both answers look only at the animated pose and the target, never at the
-//! corrections, so they cannot feed back into themselves; and both remember, so that a tremble changes neither.
+//! A target that passes behind a chain that cannot follow it would otherwise throw the chain from one end of its range
+//! to the other, and back with every jitter of the target. Both decisions depend only on the animated pose and the
+//! target, never on the corrections, which excludes feedback. Both have hysteresis, so that jitter does not toggle
+//! them.
 
 use core::f32::consts::PI;
 
@@ -15,27 +16,27 @@ use crate::math::trig;
 use crate::rig::Side;
 use crate::{Description, JointInfo, Role};
 
-/// From this angle off the innermost joint's animated forward a target is behind.
+/// Angle from the innermost joint's animated forward beyond which a target is behind.
 const BEHIND_RAD: f32 = 150.0 * PI / 180.0;
-/// The cosine of what is left of half a turn.
+/// cos(π − [`BEHIND_RAD`]): a target is behind if its forward component is below the negative of this.
 const COS_BACK: f32 = 0.866_025_4;
-/// The same once a target is behind, 10° further out: one that trembles at the edge does not switch a policy on and off.
+/// Counterpart of [`COS_BACK`] for a target that was behind before, 10° wider: hysteresis against toggling the policy.
 const COS_STILL_BACK: f32 = 0.766_044_4;
-/// The cosine of how far to the side, 80°, the plane in front of the character lets a target be.
+/// Cosine of the largest angle to the side, 80°, at which the plane policy leaves a target unchanged.
 const COS_PLANE: f32 = 0.173_648_18;
-/// The sine and cosine of how far a target has to pass the middle of the back before it counts as on the other side.
+/// Sine and cosine of the angle by which a target has to pass the middle of the back before it changes sides.
 const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
 
-/// How far joints turn together, radians: headings right and left, pitches down and up.
+/// Total turn that several joints allow together, radians: headings right and left, pitches down and up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
     heading: [f32; 2],
-    /// `None` where no pitch leads over the head: a natural gaze turns round by its heading.
+    /// `None` for a natural gaze, which turns round by its heading and never over the head.
     pitch: Option<[f32; 2]>,
 }
 
 impl Span {
-    /// That of joints with these ranges.
+    /// Returns the sum of the joints' ranges.
     pub(crate) fn of_ranges(motions: &[RangeOfMotion]) -> Self {
         let sum = |ends: fn(&RangeOfMotion) -> [f32; 2]| {
             motions.iter().map(ends).fold([0.0; 2], |[lo, hi], own| [lo + own[0], hi + own[1]])
@@ -43,7 +44,7 @@ impl Span {
         Self { heading: sum(|motion| motion.heading.ends()), pitch: Some(sum(|motion| motion.pitch.ends())) }
     }
 
-    /// That of joints with these ranges, of parts of the body that have budgets.
+    /// Returns the sum of the joints' ranges, limited by the budgets of the body parts. Has no pitch.
     pub(crate) fn of_budgets(rig: &Description<'_>, infos: &[JointInfo], motions: &[RangeOfMotion]) -> Self {
         let mut heading = [0.0; 2];
         for roles in [&[Role::Head, Role::Neck][..], &[Role::Chest], &[Role::Eye, Role::None]] {
@@ -56,7 +57,7 @@ impl Span {
     }
 }
 
-/// The character's front as the animation has it: the innermost joint's axes, seen from the effector.
+/// The character's animated front: the axes of the innermost joint, at the effector's origin.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Front {
     origin: Vec3A,
@@ -67,14 +68,15 @@ pub(crate) struct Front {
 }
 
 impl Front {
-    /// The front of a chain whose animated effector is `gaze`, and whose innermost joint has its forward, left and up as these
-    /// columns, in solver space.
+    /// Creates the front of a chain with the animated effector `gaze`. The columns of `innermost` are the innermost
+    /// joint's forward, left and up in solver space.
     pub(crate) fn new(innermost: &Mat3A, gaze: Ray) -> Self {
         let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *innermost;
         Self { origin: gaze.origin, forward, left, up, gaze: gaze.direction }
     }
 
-    /// Whether targets behind are out of reach of joints that turn so far together, so that the policy applies.
+    /// Returns `true` if the policy for targets behind applies: the joints' total turn `span` cannot reach behind the
+    /// character, neither round the side nor over the head.
     pub(crate) fn is_guarded(&self, span: &Span) -> bool {
         let gaze_rad = trig::atan2(self.gaze.dot(self.left), self.gaze.dot(self.forward));
         let [right_rad, left_rad] = span.heading;
@@ -83,7 +85,7 @@ impl Front {
         !(around || over)
     }
 
-    /// A point as its distance and its unit direction along forward, left, up.
+    /// Returns the distance of a point and its unit direction along forward, left, up; `None` if it has no direction.
     fn look(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
         let to_target = target - self.origin;
         let toward = math::direction(to_target)?;
@@ -95,7 +97,7 @@ impl Front {
         self.origin + (self.forward * forward + self.left * left + self.up * up) * distance
     }
 
-    /// The side that `target` is on: the one it was on before while it is near the middle of the back.
+    /// Returns the side of `target`. Near the middle of the back, keeps the side `before`.
     pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
         let to_target = target - self.origin;
         let (forward, left) = (to_target.dot(self.forward), to_target.dot(self.left));
@@ -104,7 +106,8 @@ impl Front {
         if before != Side::Unseen && (middle || left == 0.0) { before } else { Side::of_coordinate(left) }
     }
 
-    /// `target` where it is on `side`; just on that side of the middle where it is held there against its position.
+    /// Returns `target` if it lies on `side` or in front. A target behind that is held on the opposite side is moved
+    /// just across the middle.
     pub(crate) fn on_side(&self, target: Vec3A, side: Side) -> Vec3A {
         match self.look(target) {
             Some((distance, [forward, left, up])) if forward < 0.0 && left * side.sign() <= 0.0 => {
@@ -114,14 +117,14 @@ impl Front {
         }
     }
 
-    /// Whether `target` is behind; `before` is whether it was so far.
+    /// Returns `true` if `target` is behind. `before` tells whether it was behind in the last frame.
     pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
         let edge = if before { COS_STILL_BACK } else { COS_BACK };
         self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
     }
 
-    /// `target` brought to the edge of the cone behind the character, at its own height; itself where it is not in the
-    /// cone.
+    /// Moves a `target` inside the cone behind the character to the cone's edge on `side`, keeping distance and height.
+    /// Returns any other target unchanged.
     pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Vec3A {
         match self.look(target) {
             Some((distance, [forward, _, up])) if forward < -COS_BACK => {
@@ -132,13 +135,13 @@ impl Front {
         }
     }
 
-    /// Whether `target` is off the plane in front.
+    /// Returns `true` if `target` is not in front of the plane.
     pub(crate) fn is_off_plane(&self, target: Vec3A) -> bool {
         self.look(target).is_some_and(|(_, look)| look[0] < COS_PLANE * level(look))
     }
 
-    /// `target` moved along forward to the plane in front, its distance and elevation kept; itself where it is in front of the
-    /// plane, or straight above or below.
+    /// Moves `target` along forward to the plane in front, keeping its distance and elevation. Returns it unchanged if
+    /// it is in front of the plane, or straight above or below.
     pub(crate) fn clip_to_plane(&self, target: Vec3A) -> Vec3A {
         let Some((distance, look)) = self.look(target) else { return target };
         let ([forward, left, up], level) = (look, level(look));
@@ -148,7 +151,7 @@ impl Front {
     }
 }
 
-/// The length of a direction's part across up.
+/// Returns the length of the level component of a direction, perpendicular to up.
 fn level([forward, left, _]: [f32; 3]) -> f32 {
     math::sqrt(forward * forward + left * left)
 }

@@ -1,6 +1,6 @@
-//! [`Target`]: one of several targets, and what they come to together.
+//! [`Target`]: one of several weighted targets, and blending them into one point.
 //!
-//! Sums are taken in whole numbers, so that the order of the targets changes no bit.
+//! Sums are accumulated in integers, so that the result does not depend on the order of the targets, bit for bit.
 
 use glam::{Vec3, Vec3A};
 
@@ -8,7 +8,7 @@ use crate::kinematics::chain::leading_eye;
 use crate::rig::PoseSlices;
 use crate::{Description, math};
 
-/// Sums of directions shorter than this cancel: nothing says which way they point.
+/// Relative length below which a sum of directions counts as cancelled and has no direction.
 const CANCELLED: f32 = 1e-3;
 
 /// One of several weighted targets.
@@ -24,27 +24,27 @@ const CANCELLED: f32 = 1e-3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Target {
-    /// Where it is, in the pose's space.
+    /// Position in the pose's space. A target that is not finite is ignored.
     pub point: Vec3,
-    /// Its share: only ratios matter where the weights add up to 1 or more; what is missing to 1 is the animation's.
-    /// NaN and negative weights count as 0.
+    /// Share of the gaze. Only ratios matter if the weights add up to 1 or more; below 1, the animation keeps the
+    /// remainder. NaN and negative weights count as 0.
     pub weight: f32,
 }
 
 impl Target {
-    /// A target of this weight.
+    /// Creates a target with this weight.
     #[must_use]
     pub const fn new(point: Vec3, weight: f32) -> Self {
         Self { point, weight }
     }
 
-    /// The weight as it counts, 0…1e30; 0 for a target that is left out.
+    /// Returns the weight clamped to 0…1e30; 0 for a target that is ignored.
     fn effective_weight(&self) -> f32 {
         if self.point.is_finite() { self.weight.max(0.0).min(1e30) } else { 0.0 }
     }
 }
 
-/// The point that stands for several targets of joint `effector`, and the weight to aim there with, 0…1.
+/// Blends several targets of joint `effector` into one point and the weight to aim there with, 0…1.
 pub(crate) fn blended(
     rig: &Description<'_>,
     pose: &PoseSlices<'_>,
@@ -54,7 +54,7 @@ pub(crate) fn blended(
     blend(animated_effector(rig, pose, effector), targets)
 }
 
-/// Where the animation has the effector; not finite where the pose is not.
+/// Returns the animated position of the effector; not finite if the pose is not.
 fn animated_effector(rig: &Description<'_>, pose: &PoseSlices<'_>, effector: usize) -> Vec3A {
     let index = effector.min(rig.joints.len().saturating_sub(1));
     let joint = if index == 0 { leading_eye(rig, pose) } else { pose.joints.get(index).copied() };
@@ -62,7 +62,7 @@ fn animated_effector(rig: &Description<'_>, pose: &PoseSlices<'_>, effector: usi
     joint.map_or(Vec3A::NAN, |joint| joint.transform_point3a(origin))
 }
 
-/// A sum in units of 2⁻⁴⁰, whose terms are between −1 and 1.
+/// An integer sum of terms between −1 and 1, in units of 2⁻⁴⁰.
 #[derive(Clone, Copy, Default)]
 struct Sum(i64);
 
@@ -80,18 +80,18 @@ impl Sum {
     }
 }
 
-/// The point that several targets come to as seen from `origin`, and their weights' sum, at most 1.
+/// Blends targets as seen from `origin` into one point. Returns it with the sum of the weights, at most 1.
 ///
-/// Its direction is that of the weighted sum of directions, its nearness the mean of theirs. Where the directions cancel
-/// it is the heaviest target itself, the first of them. A target on the origin has no direction and no part in it,
-/// unless there is no other.
+/// The direction is that of the weighted sum of directions; the reciprocal of the distance is the weighted mean of the
+/// targets' reciprocal distances. If the directions cancel, the point is the heaviest target, the first of equals. A
+/// target at the origin has no direction and is left out unless there is no other.
 fn blend(origin: Vec3A, targets: &[Target]) -> (Vec3, f32) {
     let counted =
         || targets.iter().map(|target| (target, target.effective_weight())).filter(|&(_, weight)| weight > 0.0);
     let Some((heaviest, most)) =
         counted().reduce(|best, next| if next.1 > best.1 { next } else { best }).filter(|_| origin.is_finite())
     else {
-        // Nothing to aim at; or, in a pose that is not finite, nothing to aim.
+        // Either there is no target, or the pose is not finite.
         return counted().next().map_or((Vec3::ZERO, 0.0), |(target, weight)| (target.point, weight.min(1.0)));
     };
     let mut total = Sum::default();
@@ -138,7 +138,7 @@ mod tests {
         let (point, total) = seen(&[AHEAD, LEFT]);
         assert!(point.abs_diff_eq(Vec3::new(-1.0, 0.0, -1.0) * 2.0_f32.sqrt(), 1e-6), "{point}");
         assert_eq!(total, 1.0);
-        // The mean of nearness, 1/d: between 1 m and 3 m away that is 1.5 m.
+        // The mean of 1/d: for 1 m and 3 m the distance is 1.5 m.
         let (point, _) = seen(&[Target::new(Vec3::X, 1.0), Target::new(3.0 * Vec3::X, 1.0)]);
         assert!(point.abs_diff_eq(1.5 * Vec3::X, 1e-6), "{point}");
     }

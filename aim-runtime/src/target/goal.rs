@@ -1,4 +1,4 @@
-//! [`Goal`]: what a call turns to, after the weight and the policy for targets behind.
+//! [`Goal`]: the point that a call turns to, after the weight and the policy for targets behind.
 
 use glam::Vec3A;
 
@@ -10,50 +10,52 @@ use crate::rig::{Memory, Side};
 use crate::target::behind::{Front, Span};
 use crate::{Behind, Description, Settings, math};
 
-/// What a call turns to, in solver space.
+/// The goal of a call, in solver space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Goal {
-    /// The target, or the point on the arc from the animated gaze to it: what the outcome is measured against.
+    /// The point that the outcome is measured against: the target, or at a weight below 1 a point on the way from the
+    /// animated gaze to it.
     pub(crate) wanted: Vec3A,
-    /// What the joints are turned to: `wanted`, or what the policy for targets behind makes of it.
+    /// The point that the joints turn to: `wanted`, or its replacement by the policy for targets behind.
     pub(crate) aimed: Vec3A,
-    /// What the joints do about it.
+    /// The movement of the joints in this call.
     pub(crate) course: Course,
-    /// Whether the policy for targets behind is active.
+    /// `true` if the policy for targets behind is active.
     pub(crate) behind: bool,
-    /// The side the target counts as being on.
+    /// The side on which the target counts as being, with hysteresis.
     pub(crate) side: Side,
 }
 
-/// What the joints do in a call.
+/// The movement of the joints in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Course {
-    /// They turn to [`Goal::aimed`].
+    /// The joints turn to [`Goal::aimed`].
     Aim,
-    /// They stay as they are, but for those outside their ranges.
+    /// The joints keep their angles, except those outside their ranges.
     Stay,
-    /// They return to the animation.
+    /// The joints return to the animation.
     Rest,
 }
 
-/// What a goal is seen from: an animated pose.
+/// The animated pose from which a target is seen, and the rig's limits.
 pub(crate) struct Scene<'a> {
     pub(crate) space: Space,
     /// The animated effector.
     pub(crate) gaze: Ray,
     pub(crate) front: Front,
     pub(crate) rig: &'a Description<'a>,
-    /// The joint that is aimed, and all joints' ranges.
+    /// Index of the joint that is aimed.
     pub(crate) first: usize,
+    /// All joints' ranges of motion.
     pub(crate) motions: &'a [RangeOfMotion],
-    /// Where weights and budgets count by heading and elevation, and not along arcs.
+    /// `Some` for a natural gaze: weights and budgets then apply to heading and elevation instead of arcs.
     pub(crate) bearings: Option<&'a Bearings>,
-    /// Whether two eyes converge on the goal.
+    /// `true` if two eyes converge on the goal.
     pub(crate) has_two_eyes: bool,
 }
 
 impl Scene<'_> {
-    /// How far the joints that have a part turn together.
+    /// Returns the total turn that the joints from `first` inward allow.
     #[cold]
     fn span(&self) -> Span {
         let motions = &self.motions[self.first..];
@@ -65,8 +67,9 @@ impl Scene<'_> {
 }
 
 impl Goal {
-    /// The goal for a target of the pose's space; `before` remembers where it was seen. A weight takes its part of the way, and
-    /// 0 is the animation, whatever the target. `None` where the target is not finite.
+    /// Creates the goal for a target in the pose's space. `before` is the memory of the last frame. The weight scales
+    /// the way from the animated gaze to the target; at weight 0 the goal is the animation, whatever the target. `None`
+    /// if the target is not finite.
     #[inline(always)]
     pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: &Memory) -> Option<Self> {
         let weight = settings.effective_weight();
@@ -112,14 +115,15 @@ impl Goal {
         Self { wanted, aimed, course, behind, side }
     }
 
-    /// The goal of weight 0: the animated gaze itself.
+    /// Returns the goal for weight 0: the animated gaze itself.
     fn animation(gaze: Ray, before: &Memory) -> Self {
-        // Far enough that no correction brings the effector near it.
+        // Far enough away that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
         Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
     }
 
-    /// The same directions further away by as much as the weight is below 1, so that two eyes converge by that much less.
+    /// Moves the goal's points away from the effector by the reciprocal of the weight, so that two eyes converge
+    /// proportionally less.
     fn receding(self, gaze: Ray, weight: f32) -> Self {
         let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);
@@ -128,14 +132,15 @@ impl Goal {
     }
 }
 
-/// The point `weight` of the way along the arc about the effector from the animated gaze to the target.
+/// Returns the point `weight` of the way along the arc about the effector from the animated gaze to the target.
 fn part_way(front: &Front, gaze: Ray, target: Vec3A, weight: f32, side: Side) -> Vec3A {
     let to_target = target - gaze.origin;
     let (Some(from), Some(to)) = (math::direction(gaze.direction), math::direction(to_target)) else {
         return target;
     };
     let angle = math::angle_between(from, to);
-    // The arc's direction at its start; opposite directions have every arc, and the remembered side picks one.
+    // The direction of the arc at its start. Between opposite directions every arc is shortest; the remembered side
+    // picks one.
     let square_to_gaze = |v: Vec3A| math::direction(v - from * from.dot(v));
     let lateral = to - from * from.dot(to);
     let start = if lateral.length() > 1e-5 {

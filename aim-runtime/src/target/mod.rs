@@ -1,5 +1,5 @@
-//! From targets to what a frame turns to: several targets become one ([`blend`]), the policy for targets behind
-//! ([`behind`]) and the weight make it a goal ([`goal`]).
+//! From targets to the goal of a frame: several targets are blended into one ([`blend`]); the policy for targets behind
+//! ([`behind`]) and the weight turn it into a goal ([`goal`]).
 
 pub(crate) mod behind;
 pub(crate) mod blend;

@@ -1,12 +1,12 @@
-//! Cholesky's factors of the symmetric band, in place: linear in the number of frames.
+//! In-place Cholesky factorisation of the symmetric band matrix, linear in the number of frames.
 
 use super::node::{BAND, Node};
 use crate::Scalar;
 
-/// What of a diagonal entry has to be left for the matrix to count as positive definite.
+/// Fraction of a diagonal entry that must remain as a pivot for the matrix to count as positive definite.
 const PIVOT: f64 = 1e-13;
 
-/// Replaces the rows by those of the lower factor; false where the matrix is not positive definite.
+/// Replaces the rows by those of the lower factor L of L·Lᵀ. Returns `false` if the matrix is not positive definite.
 pub(super) fn factor(nodes: &mut [Node]) -> bool {
     for row in 0..3 * nodes.len() {
         let mut entries = nodes[row / 3].rows[row % 3];
@@ -34,9 +34,10 @@ pub(super) fn factor(nodes: &mut [Node]) -> bool {
     true
 }
 
-/// The step that the factored matrix takes to minus the gradient.
+/// Sets the step: the solution of matrix · step = −gradient, from the factored matrix.
 pub(super) fn solve(nodes: &mut [Node]) {
     let rows = 3 * nodes.len();
+    // L·y = −gradient.
     for row in 0..rows {
         let entries = nodes[row / 3].rows[row % 3];
         let mut left = -nodes[row / 3].gradient[row % 3];
@@ -45,6 +46,7 @@ pub(super) fn solve(nodes: &mut [Node]) {
         }
         nodes[row / 3].step[row % 3] = left / entries[0];
     }
+    // Lᵀ·step = y.
     for row in (0..rows).rev() {
         let entries = nodes[row / 3].rows[row % 3];
         let solved = nodes[row / 3].step[row % 3] / entries[0];

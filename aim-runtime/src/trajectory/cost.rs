@@ -1,5 +1,5 @@
-//! The cost of a trajectory, its gradient and its second derivatives: sums of the derived term over all frames, and of the
-//! smoothing's.
+//! Cost of a trajectory, its gradient and its second derivatives: sums over all frames of the derived term, the
+//! smoothing term and the springs.
 
 use glam::Vec3;
 
@@ -8,19 +8,19 @@ use super::node::{BAND, Node, Point, dot, length, minus, plus, scaled, wide};
 use super::{Ends, Trajectory, Waypoint};
 use crate::Scalar;
 
-/// A trajectory made ready: each frame's node filled, whatever it held before.
+/// A trajectory prepared for minimisation, with each frame's node initialised.
 pub(super) struct Problem<'a> {
     pub(super) nodes: &'a mut [Node],
-    /// The weight of the change of acceleration, in frames to the fourth power.
+    /// Weight of the change of acceleration, in frames to the fourth power.
     pub(super) epsilon: f64,
-    /// How round the tips of terms are.
+    /// Radius by which the singular tips of the terms are rounded, in the trajectory's units.
     pub(super) delta: f64,
 }
 
-/// The tips' rounding, as a part of the mean step from frame to frame.
+/// Rounding radius of the tips, relative to the mean step from frame to frame.
 const ROUND: f64 = 0.1;
 
-/// Which of its two points of every node.
+/// Selects one of the two points of each node.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum At {
     Point,
@@ -28,7 +28,8 @@ pub(super) enum At {
 }
 
 impl<'a> Problem<'a> {
-    /// `None` for what is no number, no frame, or no time that increases.
+    /// Prepares a trajectory. `None` if an input is not finite, a waypoint's frame does not exist, or times do not
+    /// increase.
     pub(super) fn new(of: &Trajectory<'_>, waypoints: &[Waypoint], nodes: &'a mut [Node]) -> Option<Self> {
         for (node, &point) in nodes.iter_mut().zip(of.points) {
             let rest = wide(point);
@@ -47,7 +48,7 @@ impl<'a> Problem<'a> {
             if waypoint.weight.is_infinite() {
                 (node.fixed, node.spring) = (true, (0.0, goal));
             } else if !node.fixed {
-                // Several springs are one.
+                // Several springs of one frame combine into one, at their weighted mean.
                 let sum = node.spring.0 + weight;
                 let (old, new) = (node.spring.0 / sum, weight / sum);
                 node.spring = (sum, plus(scaled(old, node.spring.1), scaled(new, goal)));
@@ -57,7 +58,7 @@ impl<'a> Problem<'a> {
         let path = nodes.windows(2).map(|pair| length(minus(pair[1].rest, pair[0].rest))).sum::<f64>();
         let away = nodes.iter().map(|node| length(minus(node.spring.1, node.rest))).sum::<f64>();
         let delta = ROUND * (path + away) / steps(nodes.len()).max(1.0);
-        // A trajectory that goes nowhere has no size to go by.
+        // A trajectory that does not move has no scale of its own.
         let delta = if delta > 0.0 { delta } else { 1.0 };
         for i in 1..nodes.len().saturating_sub(1) {
             let points = [nodes[i - 1].rest, nodes[i].rest, nodes[i + 1].rest];
@@ -66,7 +67,7 @@ impl<'a> Problem<'a> {
         Some(Self { nodes, epsilon: smoothing * smoothing, delta })
     }
 
-    /// Starts from these points, where nothing is fixed elsewhere; from the animation where they are no numbers.
+    /// Starts from these points, except for fixed nodes; from the animated point where one is not finite.
     pub(super) fn start_at(&mut self, points: &[Vec3]) {
         for (node, &point) in self.nodes.iter_mut().zip(points) {
             node.point = if point.is_finite() { wide(point) } else { node.rest };
@@ -76,7 +77,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Σ (Δα² + Δβ²)
+    /// Returns the total change of places, Σ (Δα² + Δβ²).
     pub(super) fn distortion(&self) -> f64 {
         let changes = self.nodes.windows(3).map(|three| {
             let place = place(&[three[0].point, three[1].point, three[2].point]);
@@ -100,7 +101,7 @@ impl<'a> Problem<'a> {
         squared_difference(rounded_place(&points, &[self.delta]), three[1].rounded)
     }
 
-    /// The change of acceleration in frame `i`, times the root of its weight.
+    /// Returns the change of acceleration in frame `i`, scaled by the root of the frame's share of time.
     fn bend(&self, i: usize, at: At) -> Point {
         let offset = |i: usize| self.nodes.get(i).map_or([0.0; 3], |node| minus(node.at(at), node.rest));
         let [before, here, after] = self.nodes[i].stencil;
@@ -108,7 +109,7 @@ impl<'a> Problem<'a> {
         plus(sides, scaled(here, offset(i)))
     }
 
-    /// The gradient of places alone.
+    /// Sets the gradient of the term for places alone.
     pub(super) fn set_gradient_of_places(&mut self) {
         self.clear();
         for i in 1..self.nodes.len().saturating_sub(1) {
@@ -117,8 +118,8 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// Gradient and matrix at the point; `places` of no weight leave the smoothing alone. What is fixed has no gradient and
-    /// a row of its own.
+    /// Assembles gradient and matrix at the current point. Without `places`, only smoothing (with weight 1) and springs
+    /// enter. A fixed node gets gradient 0 and rows of the identity.
     pub(super) fn assemble(&mut self, places: bool) {
         self.clear();
         for i in 0..self.nodes.len() {
@@ -136,7 +137,7 @@ impl<'a> Problem<'a> {
         self.hold_fixed();
     }
 
-    /// The rounded term's gradient and second derivatives.
+    /// Adds the gradient and second derivatives of the rounded term of frame `i`.
     fn add_term(&mut self, i: usize) {
         let [along, beside] = self.nodes[i].rounded;
         let derivatives = rounded_term_hessian(&self.points_about(i), &[self.delta, along, beside]);
@@ -166,11 +167,11 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// The derivatives of `weight` times the square of the change of acceleration in frame `i`.
+    /// Adds the derivatives of `weight` times the squared change of acceleration in frame `i`.
     fn add_smoothing(&mut self, i: usize, weight: f64) {
         let (bend, stencil) = (self.bend(i, At::Point), self.nodes[i].stencil);
         for (row, &factor) in stencil.iter().enumerate() {
-            // The frames before the first and after the last do not move.
+            // Frames before the first and after the last are fixed.
             let Some(node) = (i + row).checked_sub(1).and_then(|at| self.nodes.get_mut(at)) else { continue };
             node.gradient = plus(node.gradient, scaled(2.0 * weight * factor, bend));
             let first = usize::from(i == 0);
@@ -196,7 +197,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// The points in single precision; false where one is no number.
+    /// Writes the points in single precision. Returns `false` if one is not finite.
     pub(super) fn write(&self, out: &mut [Vec3]) -> bool {
         for (out, node) in out.iter_mut().zip(&*self.nodes) {
             #[expect(clippy::cast_possible_truncation, reason = "the caller's points are single")]
@@ -224,12 +225,12 @@ impl Node {
     }
 }
 
-/// How far the points are spread.
+/// Returns the largest distance of a point from the first one.
 pub(super) fn extent(points: &[Vec3]) -> f64 {
     spread(points.iter().map(|&point| wide(point)))
 }
 
-/// How far the animated points are spread.
+/// Returns the largest distance of an animated point from the first one.
 pub(super) fn extent_of(nodes: &[Node]) -> f64 {
     spread(nodes.iter().map(|node| node.rest))
 }
@@ -239,16 +240,17 @@ fn spread(mut points: impl Iterator<Item = Point>) -> f64 {
     points.map(|point| length(minus(point, first))).fold(0.0, f64::max)
 }
 
-/// From the first to the last of so many.
+/// Returns the number of steps from the first to the last of `frames`.
 #[expect(clippy::cast_precision_loss, reason = "no trajectory has so many frames")]
 pub(super) fn steps(frames: usize) -> f64 {
     frames.saturating_sub(1) as f64
 }
 
-/// Frames nearer than this part of the mean count as that far apart.
+/// Lower bound of the interval between frames, relative to the mean.
 const NEAREST: f64 = 1e-3;
 
-/// Second differences over uneven times, in units of the mean step: exact for parabolas.
+/// Sets the stencils of second differences over uneven times, in units of the mean step; exact for parabolas. `None` if
+/// the times are not increasing.
 fn set_stencils(nodes: &mut [Node], times: &[f32], ends: Ends) -> Option<()> {
     let frames = nodes.len();
     let even = times.is_empty();

@@ -5,19 +5,20 @@ use super::cost::Problem;
 use super::node::{dot, minus, plus, scaled, wide};
 use crate::Scalar;
 
-/// How to descend.
+/// Parameters of [`Trajectory::descend`](super::Trajectory::descend).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Descent {
-    /// How many steps.
+    /// Number of steps.
     pub steps: usize,
-    /// The part of the gradient that each of them goes.
+    /// Step size: each step is this multiple of the negative gradient.
     pub rate: f64,
-    /// The weight of a waypoint.
+    /// Weight of every waypoint's spring.
     pub gamma: f64,
 }
 
 impl Problem<'_> {
-    /// From the animation.
+    /// Descends from the animated trajectory. Returns the number of steps, and the last gradient as a fraction of the
+    /// first.
     pub(super) fn descend(&mut self, waypoints: &[Waypoint], descent: Descent) -> (usize, f64) {
         let last = self.nodes.len().saturating_sub(1);
         let (mut first, mut left) = (None, 0.0);

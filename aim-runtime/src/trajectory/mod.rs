@@ -1,9 +1,10 @@
-//! The target constraint: a bone's trajectory is deformed as a whole, so that it comes through given points at given
-//! times and is otherwise as it was animated.
+//! Target constraints: deforms the whole trajectory of a bone so that it passes through given points at given times,
+//! and otherwise stays as it was animated.
 //!
-//! Every point of the trajectory has a place in the frame of its neighbours, α along their chord and β beside it. The
-//! deformed trajectory is that of the least change of these places, plus a little of its acceleration's change
-//! ([`Trajectory::smoothing`]): places alone leave torsion free, so that different starts would lead to different curves.
+//! Every point of the trajectory has a place in the frame of its two neighbours: α along their chord and β orthogonal
+//! to it. The deformed trajectory minimises the change of these places, plus a small multiple of the change of
+//! acceleration ([`Trajectory::smoothing`]). The second term is needed because places leave torsion undetermined;
+//! without it, different starts would lead to different curves.
 //!
 //! ```
 //! use aim_runtime::glam::Vec3;
@@ -22,8 +23,8 @@
 //! assert_eq!((through[0], through[60]), (slap[0], slap[60]));
 //! ```
 //!
-//! Points are `f32`; inside everything is `f64`: a place is the difference of two near points, and of a place's change
-//! nothing would be left in `f32`. The cost in time and memory is linear in the number of frames.
+//! Points are `f32`, but computations are in `f64`: a place is a difference of two near points, and its change would be
+//! lost in `f32` rounding. Time and memory are linear in the number of frames.
 
 mod banded;
 mod cost;
@@ -43,26 +44,26 @@ pub use descent::Descent;
 pub use node::Node;
 pub use place::Place;
 
-/// Where the trajectory has to be in a frame.
+/// A point that the trajectory should pass through in one frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Waypoint {
-    /// The frame.
+    /// Index of the frame.
     pub frame: usize,
     /// The point, in the space of the trajectory.
     pub point: Vec3,
-    /// How much being off counts, beside changes of places: infinite (as [`new`](Self::new) makes it) for a point that has
-    /// to be met. 0 or less, or NaN: not at all.
+    /// Weight of the squared distance to the point, relative to squared changes of places. Infinite (the value that
+    /// [`new`](Self::new) sets): the point must be met. Zero, negative or NaN: the waypoint is ignored.
     pub weight: f32,
 }
 
 impl Waypoint {
-    /// A point that has to be met.
+    /// Creates a waypoint that must be met.
     #[must_use]
     pub const fn new(frame: usize, point: Vec3) -> Self {
         Self { frame, point, weight: f32::INFINITY }
     }
 
-    /// Met as far as this weight is worth it.
+    /// Sets the [`weight`](Self::weight); with a finite one, the waypoint is met only approximately.
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
@@ -70,118 +71,122 @@ impl Waypoint {
     }
 }
 
-/// What becomes of the first and the last point.
+/// Boundary condition for the first and the last point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ends {
-    /// They stay, and what lies before and after them counts as unchanged, so that velocity hardly jumps there.
+    /// The ends stay fixed. The frames before and after the trajectory count as unchanged, so that the velocity hardly
+    /// jumps at the ends.
     #[default]
     Fixed,
-    /// They go where it is cheapest.
+    /// The ends move freely, to minimise the cost.
     Free,
 }
 
-/// A trajectory to deform.
+/// A trajectory to deform, with the parameters of the deformation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Trajectory<'a> {
-    /// As animated, a point a frame, in any one space and unit.
+    /// Animated points, one per frame, in any space and unit.
     pub points: &'a [Vec3],
-    /// The frames' times, increasing, in any unit; empty for frames at even times. Times make accelerations; frames nearer
-    /// than a thousandth of the mean count as that far apart.
+    /// Times of the frames, strictly increasing, in any unit; empty for evenly spaced frames. They enter the
+    /// accelerations. Intervals below a thousandth of the mean are treated as that long.
     pub times: &'a [f32],
-    /// What becomes of the ends.
+    /// Boundary condition for the ends. Default [`Ends::Fixed`].
     pub ends: Ends,
-    /// Over which part of the trajectory a change is spread rather than let it be sudden, 0…1; 0.04 by default. Less keeps
-    /// places better and adds more acceleration. At 0 the curve is not unique.
+    /// Fraction of the trajectory over which a change is spread, 0…1. Smaller values preserve places better and add
+    /// more acceleration; at 0 the curve is not unique. Default 0.04.
     pub smoothing: f32,
-    /// How often the cost is evaluated at most; 30 by default.
+    /// Maximum number of evaluations of the cost. Default 30.
     pub evaluations: usize,
-    /// The part of the first gradient that may be left; 1e-6 by default.
+    /// Fraction of the initial gradient at which the iteration stops. Default 1e-6.
     pub tolerance: f32,
 }
 
-/// Whether a trajectory comes through its waypoints.
+/// Status of a deformation: success, or the reason why the trajectory misses a waypoint or has not converged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
-    /// Through all of them, to 1e-6 of the trajectory's extent, and nothing cheaper is near.
+    /// It passes through all waypoints to within 1e-6 of the trajectory's extent, and has converged to a minimum of the
+    /// cost.
     Met,
-    /// Through all of them, but evaluations ran out before the gradient was small enough.
+    /// It passes through all waypoints, but the evaluations ran out before the gradient was small enough.
     Unsettled,
-    /// Past one: its weight is finite, or another waypoint of the same frame says otherwise. As near as that lets it.
+    /// It misses a waypoint, because its weight is finite or another waypoint of the same frame contradicts it. The
+    /// result is the best compromise.
     Missed,
-    /// Something is no number, a frame is not there, times do not increase, or a slice is too short: the output is the
-    /// trajectory as animated.
+    /// An input is not finite, a waypoint's frame does not exist, times do not increase, or a slice is too short. The
+    /// output is the animated trajectory.
     Degenerate,
 }
 
-/// What became of a trajectory.
+/// Result of a deformation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Whether it comes through the waypoints.
+    /// `Met` if the trajectory passes through its waypoints, otherwise the reason why not.
     pub status: Status,
-    /// How often the cost was evaluated.
+    /// Number of evaluations of the cost.
     pub evaluations: usize,
-    /// The gradient that is left, as a part of the first one.
+    /// Final gradient, as a fraction of the initial one.
     pub gradient: f64,
-    /// Σ (Δα² + Δβ²), in the trajectory's units squared.
+    /// Total change of places, Σ (Δα² + Δβ²), in the trajectory's units squared.
     pub distortion: f64,
-    /// The largest distance from a waypoint, in the trajectory's units.
+    /// Largest distance from a waypoint, in the trajectory's units.
     pub missed: f64,
 }
 
 impl<'a> Trajectory<'a> {
-    /// A trajectory at even times, its ends fixed.
+    /// Creates a trajectory with evenly spaced frames and fixed ends.
     #[must_use]
     pub const fn new(points: &'a [Vec3]) -> Self {
         Self { points, times: &[], ends: Ends::Fixed, smoothing: 0.04, evaluations: 30, tolerance: 1e-6 }
     }
 
-    /// With the frames' times.
+    /// Sets the [`times`](Self::times) of the frames.
     #[must_use]
     pub const fn with_times(mut self, times: &'a [f32]) -> Self {
         self.times = times;
         self
     }
 
-    /// With the ends fixed or free.
+    /// Sets the boundary condition for the [`ends`](Self::ends).
     #[must_use]
     pub const fn with_ends(mut self, ends: Ends) -> Self {
         self.ends = ends;
         self
     }
 
-    /// Spread over this part of the trajectory, 0…1.
+    /// Sets the [`smoothing`](Self::smoothing), 0…1.
     #[must_use]
     pub const fn with_smoothing(mut self, smoothing: f32) -> Self {
         self.smoothing = smoothing;
         self
     }
 
-    /// With this many evaluations at most.
+    /// Sets the maximum number of [`evaluations`](Self::evaluations).
     #[must_use]
     pub const fn with_evaluations(mut self, evaluations: usize) -> Self {
         self.evaluations = evaluations;
         self
     }
 
-    /// Until this part of the first gradient is left.
+    /// Sets the [`tolerance`](Self::tolerance), as a fraction of the initial gradient.
     #[must_use]
     pub const fn with_tolerance(mut self, tolerance: f32) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// The place of a frame's point as animated; `None` of the first and the last frame and of those that are not there.
+    /// Returns the place of a frame's animated point in the frame of its neighbours. `None` for the first and the last
+    /// frame and for frames that do not exist.
     #[must_use]
     pub fn place(&self, frame: usize) -> Option<Place> {
         let points = self.points.get(frame.checked_sub(1)?..)?;
         points.first_chunk().map(|points| Place::new(*points))
     }
 
-    /// Writes the trajectory through the waypoints to `out`. `workspace` and `out` are at least as long as the trajectory.
+    /// Writes the deformed trajectory to `out`. `workspace` and `out` must be at least as long as the trajectory.
     ///
-    /// It starts from [`smoothest`](Self::smoothest), so the same input gives the same curve.
+    /// The iteration starts from [`smoothest`](Self::smoothest), so the same input gives the same curve.
     pub fn deform(&self, waypoints: &[Waypoint], out: &mut [Vec3], workspace: &mut [Node]) -> Outcome {
         self.run(waypoints, out, workspace, |problem, _| {
             problem.smooth();
@@ -189,7 +194,8 @@ impl<'a> Trajectory<'a> {
         })
     }
 
-    /// The same from another start, which `out` holds. In the end it makes no difference.
+    /// Deforms the trajectory starting from the curve in `out`, and writes the result there. The result does not depend
+    /// on the start, up to the tolerance. Other arguments as for [`deform`](Self::deform).
     pub fn deform_from_here(&self, waypoints: &[Waypoint], out: &mut [Vec3], workspace: &mut [Node]) -> Outcome {
         self.run(waypoints, out, workspace, |problem, start| {
             problem.start_at(start);
@@ -197,8 +203,9 @@ impl<'a> Trajectory<'a> {
         })
     }
 
-    /// Adds the smoothest bump that meets the waypoints, that of the least change of acceleration, whatever becomes of
-    /// places: what [`deform`](Self::deform) starts from and is to be compared with.
+    /// Writes the trajectory that meets the waypoints with the least change of acceleration, regardless of places. The
+    /// starting point of [`deform`](Self::deform), and a baseline to compare it with. Arguments as for
+    /// [`deform`](Self::deform).
     pub fn smoothest(&self, waypoints: &[Waypoint], out: &mut [Vec3], workspace: &mut [Node]) -> Outcome {
         self.run(waypoints, out, workspace, |problem, _| {
             problem.smooth();
@@ -206,8 +213,8 @@ impl<'a> Trajectory<'a> {
         })
     }
 
-    /// Gradient descent as published: no smoothing, every waypoint as a spring. Kept as the reference; slow, and where it
-    /// ends depends on where it starts.
+    /// Writes the result of gradient descent as published: no smoothing, every waypoint as a spring. A reference only:
+    /// it is slow, and its result depends on its start. Arguments as for [`deform`](Self::deform).
     pub fn descend(
         &self,
         waypoints: &[Waypoint],
@@ -258,7 +265,7 @@ impl<'a> Trajectory<'a> {
     }
 }
 
-/// The largest distance of a waypoint that counts from the trajectory; ∞ where it has no number.
+/// Returns the largest distance of a waypoint of positive weight from the trajectory; ∞ if it is not finite.
 fn missed(waypoints: &[Waypoint], points: &[Vec3]) -> f64 {
     let distance = |waypoint: &Waypoint| match points.get(waypoint.frame) {
         Some(point) if point.is_finite() && waypoint.point.is_finite() => {

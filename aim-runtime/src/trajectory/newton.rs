@@ -1,27 +1,28 @@
-//! Newton's method with the derived second derivatives, damped where they are not positive definite or do not hold as far
-//! as the step goes.
+//! Newton's method with the derived second derivatives, damped if the matrix is not positive definite or if the
+//! quadratic model does not hold over the whole step.
 //!
-//! The blocks of Gauss–Newton are not enough. Torsion changes no place to first order, so they leave it out; only the smoothing
-//! holds it then, and steps overshoot: more than sixty evaluations where this takes ten.
+//! Gauss–Newton blocks are not sufficient. Torsion does not change places to first order, so Gauss–Newton ignores it.
+//! Only the smoothing term then resists it, and steps overshoot: more than sixty evaluations where this method takes
+//! ten.
 
 use super::banded::{factor, solve};
 use super::cost::{At, Problem, extent_of, steps};
 use super::node::{dot, plus};
 use crate::Scalar;
 
-/// What rounding of a point makes of a gradient, beside the extent and the weights that are on its second difference.
+/// Gradient that results from rounding a point, relative to the extent and to the weights of its second difference.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// No point has further to go than this part of the extent, where all is done.
+/// Largest step of a point, relative to the extent, at which the iteration counts as converged.
 const SETTLED: f64 = 1e-4;
-/// The least damping, beside second derivatives of a place, which are around 1.
+/// Damping below which it is set to 0; the second derivatives of a place are around 1.
 const LEAST: f64 = 1e-9;
-/// The damping after a step that led uphill, or without a positive definite matrix.
+/// Initial damping after a step that led uphill, and after a matrix that was not positive definite.
 const FIRST: [f64; 2] = [1e-4, 1e-6];
-/// As good as descending along the gradient without moving.
+/// Damping at which steps are negligible and the iteration gives up.
 const MOST: f64 = 1e12;
 
 impl Problem<'_> {
-    /// The smoothest curve through everything that is fixed or has a spring.
+    /// Sets the smoothest curve through everything that is fixed or has a spring.
     pub(super) fn smooth(&mut self) {
         for node in &mut *self.nodes {
             let is_held = node.fixed || node.spring.0 > 0.0;
@@ -29,7 +30,7 @@ impl Problem<'_> {
         }
         let mut damping = 0.0;
         self.assemble(false);
-        // Free ends may leave the whole curve free to turn.
+        // With free ends the smoothing alone may leave the curve free to rotate.
         while !self.factored(damping, false) && damping < MOST {
             damping = FIRST[1].max(8.0 * damping);
         }
@@ -40,7 +41,7 @@ impl Problem<'_> {
         }
     }
 
-    /// Assembles and factors the matrix with this much damping.
+    /// Assembles the matrix, adds the damping and factors it. Returns `false` if it is not positive definite.
     fn factored(&mut self, damping: f64, places: bool) -> bool {
         self.assemble(places);
         for node in self.nodes.iter_mut().filter(|node| !node.fixed) {
@@ -49,7 +50,8 @@ impl Problem<'_> {
         factor(self.nodes)
     }
 
-    /// Goes downhill from the point; the evaluations that it took and the part of the first gradient that is left.
+    /// Minimises the cost from the current point. Returns the number of evaluations, and the remaining gradient as a
+    /// fraction of the first.
     pub(super) fn minimise(&mut self, evaluations: usize, tolerance: f64) -> (usize, f64) {
         let (mut cost, mut evaluated) = (self.cost(At::Point), 1);
         let mut damping = 0.0;
@@ -72,16 +74,18 @@ impl Problem<'_> {
                 (slope, square, longest) = (slope + dot(node.gradient, node.step), square + step, longest.max(step));
                 node.trial = plus(node.point, node.step);
             }
-            // A start far away has so large a gradient that a small part of it says little.
+            // After a start far away the first gradient is so large that a small fraction of it means little, so steps
+            // must be small too.
             let is_settled = left <= tolerance && longest <= settled * settled;
             // The negation also catches NaN.
             if left == 0.0 || is_settled || evaluated >= evaluations || !(damping < MOST) || !(square < f64::MAX) {
                 return (evaluated, left);
             }
+            // Decrease of the cost that the quadratic model predicts for the damped step.
             let predicted = 0.5 * (damping * square - slope);
             let found = self.cost(At::Trial);
             evaluated += 1;
-            // A place is known to rounding of the extent, so a square of its change to that times the change.
+            // A place is known to within rounding of the extent, so a squared change to within that times the change.
             let noise = 2.0 * ROUNDING * extent * weight * <f64 as Scalar>::sqrt(cost);
             if found <= cost * (1.0 + 4.0 * f64::EPSILON) + noise {
                 let is_trusted = cost - found > 0.5 * predicted;

@@ -1,4 +1,4 @@
-//! What is kept of each frame, and the arithmetic of points.
+//! [`Node`]: the workspace of each frame, and the arithmetic of points.
 
 use glam::Vec3;
 
@@ -6,30 +6,37 @@ use crate::Scalar;
 
 pub(super) type Point = [f64; 3];
 
-/// The workspace of one frame. Make as many as there are frames, once, and keep them: their contents do not matter.
+/// Workspace of one frame. Allocate one per frame and reuse them: their contents do not matter.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
-    /// As animated.
+    /// Animated point.
     pub(super) rest: Point,
-    /// α and β as animated.
+    /// Animated place, α and β.
     pub(super) place: [f64; 2],
-    /// The same, rounded.
+    /// Animated place of the rounded term.
     pub(super) rounded: [f64; 2],
+    /// Current point.
     pub(super) point: Point,
+    /// Point after the step that is tried.
     pub(super) trial: Point,
+    /// Gradient of the cost by this point.
     pub(super) gradient: Point,
+    /// Step of the linear solve.
     pub(super) step: Point,
-    /// The acceleration of the frame before, of this and of the next one's offsets: factors, with the root of its weight.
+    /// Coefficients of the change of acceleration on the offsets of the previous, this and the next frame, scaled by
+    /// the root of the frame's share of time.
     pub(super) stencil: [f64; 3],
-    /// Does not move.
+    /// `true` if the point is fixed.
     pub(super) fixed: bool,
-    /// A spring to a point, and its weight.
+    /// Weight and anchor of a spring; for a fixed point, weight 0 and its position.
     pub(super) spring: (f64, Point),
-    /// Of the three rows of the symmetric matrix: the diagonal, then what is left of it, outward.
+    /// Three rows of the lower triangle of the symmetric matrix: the diagonal entry, then the entries left of it,
+    /// outward.
     pub(super) rows: [[f64; BAND]; 3],
 }
 
-/// The diagonal and what is beside it: a frame's number and two frames before.
+/// Band width including the diagonal: a point interacts with itself and the two points before it, three coordinates
+/// each.
 pub(super) const BAND: usize = 9;
 
 impl Default for Node {

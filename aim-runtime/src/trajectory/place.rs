@@ -1,11 +1,12 @@
-//! [`Place`]: where a point of a trajectory is in the frame of its neighbours.
+//! [`Place`]: the position of a trajectory's point in the frame of its neighbours.
 
 use glam::Vec3;
 
 use super::derived::place;
 use super::node::{length, minus, plus, scaled, wide};
 
-/// A point's place in the frame of its neighbours, `point = before + α·A + β·B`: what the deformation keeps.
+/// Position of a point in the frame of its neighbours, `point = before + α·A + β·B`. Deformation preserves α and β as
+/// far as possible.
 ///
 /// ```
 /// use aim_runtime::glam::Vec3;
@@ -19,18 +20,18 @@ use super::node::{length, minus, plus, scaled, wide};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Place {
-    /// α, how far the point is along A, in the trajectory's units.
+    /// α, the component along A, in the trajectory's units.
     pub alpha: f64,
-    /// β, how far it is beside A; not negative.
+    /// β, the distance from the line along A, in the trajectory's units; not negative.
     pub beta: f64,
-    /// A, the unit vector from the neighbour before to the one after; 0 where they are at one point.
+    /// A, the unit vector from the previous to the next neighbour; 0 if both are at one point.
     pub along: [f64; 3],
-    /// B, the unit vector square to A on the point's side; 0 where β is.
+    /// B, the unit vector orthogonal to A on the point's side; 0 if β is 0.
     pub beside: [f64; 3],
 }
 
 impl Place {
-    /// The place of the middle one of three points. What is not finite makes it not finite.
+    /// Returns the place of the middle one of three points. Not finite if a point is not.
     #[must_use]
     pub fn new(points: [Vec3; 3]) -> Self {
         let points = points.map(wide);
@@ -43,7 +44,7 @@ impl Place {
         Self { alpha, beta, along, beside }
     }
 
-    /// The point of this place after another neighbour.
+    /// Returns the point that has this place if the previous neighbour is at `before`.
     #[must_use]
     pub fn point(&self, before: [f64; 3]) -> [f64; 3] {
         plus(before, plus(scaled(self.alpha, self.along), scaled(self.beta, self.beside)))

@@ -1,4 +1,4 @@
-//! The gradient of a whole trajectory against central differences of the cost as it is written on paper.
+//! The gradient of a whole trajectory against central differences of an independent implementation of the cost.
 
 use glam::Vec3;
 
@@ -6,11 +6,11 @@ use super::cost::{At, Problem};
 use super::derived::term_gradient;
 use super::{Node, Trajectory, Waypoint};
 
-/// Six frames at uneven times, through a spring.
+/// Number of frames, at uneven times.
 const FRAMES: usize = 6;
 const TIMES: [f32; FRAMES] = [0.0, 0.1, 0.25, 0.3, 0.42, 0.5];
 
-/// A deterministic number within ±1.
+/// Returns a pseudo-random number within ±1.
 fn number(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     f64::from(u32::try_from(*seed >> 33).expect("31 bits are left")) / f64::from(1_u32 << 30) - 1.0
@@ -24,18 +24,19 @@ fn norm(a: [f64; 3]) -> f64 {
     <f64 as crate::Scalar>::sqrt(a.iter().map(|x| x * x).sum())
 }
 
-/// α and β by the cross product, lengths rounded by `delta`.
+/// Returns α and β, computed by the cross product, with lengths rounded by `delta`.
 fn place(p: &[[f64; 3]], delta: f64) -> [f64; 2] {
     let (a, c) = (sub(p[1], p[0]), sub(p[2], p[0]));
     let cross = [a[1] * c[2] - a[2] * c[1], a[2] * c[0] - a[0] * c[2], a[0] * c[1] - a[1] * c[0]];
     let dot: f64 = a.iter().zip(c).map(|(a, c)| a * c).sum();
     let long = norm([norm(c), delta, 0.0]);
-    // Beside the chord, and what of the way along it the rounding leaves.
+    // The component along the chord that rounding leaves in β, besides the component orthogonal to it.
     let left = dot / norm(c) * (1.0 - (norm(c) / long) * (norm(c) / long));
     [dot / long, norm([norm(cross) / norm(c), left, delta])]
 }
 
-/// The sum of the changes of places and `epsilon` times that of accelerations, by the slopes on either side.
+/// Returns the sum of the squared changes of places, `epsilon` times the squared changes of acceleration, computed from
+/// the slopes on either side, and the energy of the spring.
 fn cost(rest: &[[f64; 3]], p: &[[f64; 3]], [epsilon, delta]: [f64; 2], spring: (usize, [f64; 3], f64)) -> f64 {
     let mut sum = 0.0;
     for (now, before) in p.windows(3).zip(rest.windows(3)) {
@@ -103,7 +104,7 @@ fn gradient_by_central_differences() {
     }
 }
 
-/// The kernel of the published term, too.
+/// The published term's kernel against central differences.
 #[test]
 fn published_gradient_by_central_differences() {
     const STEP: f64 = 1e-4;

@@ -1,6 +1,6 @@
-//! The paper's solver: one frame of steepest ascent, joint by joint from the effector inward, each joint along its own
-//! unit gradient, as far as its rate allows, and only as far as needed. Never leaves the joints' reach, never makes the
-//! aim worse. Its settings ([`Ascent`]) are read here and nowhere else.
+//! The paper's solver: one frame of steepest ascent, joint by joint from the effector inward. Each joint moves along
+//! its own unit gradient, as far as its rate allows and only as far as needed. The ascent never leaves the joints'
+//! reach and never makes the aim worse. Its settings are [`Ascent`].
 
 use core::f32::consts::PI;
 
@@ -16,21 +16,21 @@ use crate::math::trig;
 use crate::target::goal::Goal;
 use crate::{Ascent, Joint, math};
 
-/// A joint that changes the angle to the target by less than this part of its own turning is left alone: its gradient
-/// is noise, and a unit gradient would follow noise at full rate.
+/// Least ratio of the change of the angle to the target to a joint's own turn. The gradient of a joint below it is
+/// noise, which a unit gradient would follow at full rate.
 const IDLE: f32 = 1e-3;
-/// Nearer than this to exactly behind, neither gradient nor residual has a direction to speak of.
+/// Angle from exactly behind, radians, below which neither gradient nor residual has a reliable direction.
 const OPPOSITE_RAD: f32 = 1e-3;
-/// More halvings than this leave nothing of a step.
+/// Largest number of halvings; further ones leave nothing of a step.
 const MOST_HALVINGS: u32 = 24;
 
-/// How near the aim has to be to 1 for the supporting joints to relax, radians.
+/// Angle to the target below which the supporting joints relax, radians.
 const AIMED_RAD: f32 = 1.0 * PI / 180.0;
-/// An ascent that gains less than this part of what its fastest joint could is as good as stuck.
+/// Gain of an ascent, relative to the largest possible one of its fastest joint, below which it counts as stuck.
 const STUCK: f32 = 0.1;
 
-/// Moves `joints` by one frame: relaxes the supporting joints, goes on turning round, or ascends and goes on where the
-/// ascent ends short of the goal. Returns whether the goal is within reach; `None` where the aim is undefined.
+/// Moves `joints` by one frame: relaxes the supporting joints, continues a turn-round, or ascends and then handles an
+/// ascent that ends short of the goal. Returns whether the goal is within reach; `None` if the aim is undefined.
 pub(crate) fn advance<const C: usize>(
     frame: &Frame<'_, C>,
     joints: &mut [Joint],
@@ -53,7 +53,7 @@ pub(crate) fn advance<const C: usize>(
     if remaining <= tolerance {
         return Some(true);
     }
-    // Where would the joints get from here, had they the time; and where from rest?
+    // Find where the joints would settle without rate limits: from here, and then from rest.
     let mut settled = rig.array(Joint::REST);
     settled.copy_from_slice(joints);
     let from_here = settle(rig, chain, motions, goal, &mut settled).unwrap_or(f32::INFINITY);
@@ -72,8 +72,8 @@ pub(crate) fn advance<const C: usize>(
     Some(within_reach)
 }
 
-/// The end of an ascent that stopped short of a goal within reach: all the way if this frame is enough for it, or
-/// towards it where the ascent is stuck.
+/// Finishes an ascent that stopped short of a goal within reach: moves all the way if this frame is long enough, or
+/// towards the goal if the ascent is stuck.
 fn finish_at<const C: usize>(
     frame: &Frame<'_, C>,
     settled: &[Joint],
@@ -94,7 +94,7 @@ fn finish_at<const C: usize>(
     }
     let mut straight = frame.rig.array(Joint::REST);
     for index in chain.clone() {
-        // The same part of its way for each, so that what makes up for each other moves together.
+        // The same part of the way for every joint, so that movements that compensate each other stay in step.
         straight[index] = reaches[index].part_way(&start[index], &settled[index], &motions[index], part);
     }
     if frame.angle(&straight).is_some_and(|angle| angle < remaining) {
@@ -104,10 +104,10 @@ fn finish_at<const C: usize>(
     }
 }
 
-/// Ascends towards `goal` for one frame; returns the remaining angle, radians. `None` where the aim is undefined: then
-/// the joints are as they were.
+/// Ascends towards `goal` for one frame. Returns the remaining angle, radians, or `None`, with the joints unchanged, if
+/// the aim is undefined.
 ///
-/// The joints are expected within the frame's reach. Those before the chain's first are not touched.
+/// The joints must be within the frame's reach. Joints outward of the chain's first are not touched.
 fn ascend<const C: usize>(frame: &Frame<'_, C>, joints: &mut [Joint], ascent: &Ascent) -> Option<f32> {
     let Frame { rig, chain, goal, tolerance, ref reaches, .. } = *frame;
     let infos = rig.joints;
@@ -115,7 +115,7 @@ fn ascend<const C: usize>(frame: &Frame<'_, C>, joints: &mut [Joint], ascent: &A
     let turns = chain.corrections(rig, joints);
     let mut remaining = chain.gaze(&turns).angle_to(target)?;
 
-    // Seen from the effector inward, what lies outward of a joint has not moved yet when its turn comes.
+    // Computed once: the joints inward of a joint, which carry its frame, have not moved yet when its turn comes.
     let mut frames = rig.array(Affine3A::IDENTITY);
     chain.frames(&turns, &mut frames);
     let mut rigid_frames = rig.array(Affine3A::IDENTITY);
@@ -170,7 +170,7 @@ fn ascend<const C: usize>(frame: &Frame<'_, C>, joints: &mut [Joint], ascent: &A
     Some(remaining)
 }
 
-/// The unit step (pitch, heading) of a joint, and its length in radians.
+/// Returns the unit step (pitch, heading) of a joint and its length in radians; `None` if it cannot improve the aim.
 fn step(
     goal: &Goal,
     joint: &Joint,
@@ -188,12 +188,12 @@ fn step(
             })
             .map(|direction| (direction, reach.step));
     }
-    // An angle that cannot follow the gradient leaves it before it is made a unit: the other then gets the full rate.
+    // Drop a blocked angle before normalising, so that the other gets the full rate.
     let [by_pitch, by_heading] = gradient;
     let by_pitch = if reach.pitch_at(joint.heading).blocks(joint.pitch, by_pitch) { 0.0 } else { by_pitch };
     let by_heading = if reach.heading.blocks(joint.heading, by_heading) { 0.0 } else { by_heading };
     let norm = math::sqrt(by_pitch * by_pitch + by_heading * by_heading);
-    // The aim is a cosine: its gradient over the sine is that of the angle.
+    // The aim is the cosine of the angle; dividing its gradient by the sine gives that of the angle.
     let (sin, _) = trig::sin_cos(remaining);
     if !(norm.is_finite() && norm > IDLE * sin) {
         return None;
@@ -202,10 +202,10 @@ fn step(
     Some(([by_pitch / norm, by_heading / norm], reach.step.min(needed)))
 }
 
-/// The joints behind the chain's first moved a little towards rest, by the part of their angles that the ascent's
-/// settings say, within their reach.
+/// Moves the joints inward of the chain's first towards rest, keeping the part `keep` of their angles per frame of 1/60
+/// s, within their reach.
 fn relax(chain_first: usize, keep: f32, dt: f32, joints: &mut [Joint], reaches: &[Reach]) {
-    // Linear in time, so that it is the stated part at 60 frames a second and nearly the same speed at others.
+    // Linear in time: exactly `keep` at 60 frames a second, and nearly the same speed at other rates.
     let keep = (1.0 - (1.0 - keep.max(0.0).min(1.0)) * 60.0 * dt).max(0.0);
     for (joint, reach) in joints.iter_mut().zip(reaches).skip(chain_first + 1) {
         *joint = reach.hold(&Joint { pitch: keep * joint.pitch, heading: keep * joint.heading, ..*joint });

@@ -1,4 +1,4 @@
-//! One frame of the exact solver: the optimum within this frame's reach, or round the other way.
+//! One frame of the exact solver: moves to the optimum within the frame's reach, or turns round.
 
 use super::Solver;
 use super::settle::{Blocked, Search, search, settle_from_elsewhere};
@@ -7,8 +7,8 @@ use crate::rig::Memory;
 use crate::solve::frame::Frame;
 use crate::solve::turn_round::turn_back_margin;
 
-/// Moves all joints at once to the optimum within their reach, or round the other way where their ranges block the one
-/// they are on. Returns whether the goal is within reach.
+/// Moves all joints at once to the optimum within their reach, or the other way round if their ranges block the present
+/// way. Returns whether the goal is within reach; `None` if the aim is undefined.
 pub(crate) fn advance<const C: usize>(
     frame: &Frame<'_, C>,
     joints: &mut [Joint],
@@ -21,7 +21,7 @@ pub(crate) fn advance<const C: usize>(
     let mut solver = Solver::new(rig, chain, goal);
     let remaining = match solver.advance(&mut advanced, &frame.reaches, dt, memory) {
         Some(remaining) => remaining,
-        // On the way it may be undefined, and yet be reached from elsewhere.
+        // The aim may be undefined along the way, but the goal reachable from another start.
         None => frame.angle(joints).map(|_| f32::INFINITY)?,
     };
     let was_reached = memory.blocked_s == 0.0;
@@ -34,13 +34,13 @@ pub(crate) fn advance<const C: usize>(
     if let Some(within_reach) = frame.keep_turning_round(joints) {
         return Some(within_reach);
     }
-    // Where would the joints get from here, had they the time; and where from elsewhere?
+    // Find where the joints would settle without rate limits: from here, and then from other starts.
     let mut settled = advanced;
     let stays = advanced.iter().zip(&*frame.start).all(|(new, old)| new.is_near(old, 1e-4));
     let pace = advanced.iter().zip(&*frame.start).zip(&*frame.reaches);
     let in_haste = pace.into_iter().any(|((new, old), reach)| !new.is_near(old, 0.99 * reach.step));
     let from_here = if solver.is_spent() && !stays && !in_haste {
-        // Nothing but the ranges holds them up.
+        // No rate limits the joints, only their ranges.
         remaining
     } else {
         let quick = Search::Quick { below: f32::INFINITY };
@@ -53,7 +53,7 @@ pub(crate) fn advance<const C: usize>(
         }
         return Some(true);
     }
-    // For a target that stands still, joints turn back for less.
+    // The longer the target has stood still, the smaller an improvement makes the joints turn back.
     let below = from_here - turn_back_margin(memory.still_s);
     let blocked = Blocked { tolerance, below, is_news: was_reached };
     let from_elsewhere = settle_from_elsewhere(rig, chain, motions, goal, &mut settled, blocked, memory);

@@ -1,34 +1,35 @@
-//! The least stiffness-weighted displacement that a linear model of the gaze allows: a quadratic problem over all angles
-//! whose dual has two unknowns, whatever the number of joints.
+//! Minimises the stiffness-weighted displacement that a linear model of the gaze requires: a quadratic program over all
+//! angles whose dual has two unknowns, regardless of the number of joints.
 //!
-//! Minimise `½ Σ (θᵢ − restᵢ)² / easeᵢ` subject to `J θ = wanted`, `loᵢ ≤ θᵢ ≤ hiᵢ`. Its dual is concave and piecewise
-//! quadratic in λ ∈ R², `θᵢ(λ) = clamp(restᵢ + easeᵢ Jᵢ·λ, loᵢ, hiᵢ)`, and its gradient is what the model still misses,
-//! `wanted − J θ(λ)`. Newton's method on that takes one or two steps from the λ of the frame before.
+//! Minimise `½ Σ (θᵢ − restᵢ)² / easeᵢ` subject to `J θ = wanted`, `loᵢ ≤ θᵢ ≤ hiᵢ`. The dual is concave and piecewise
+//! quadratic in λ ∈ R², with `θᵢ(λ) = clamp(restᵢ + easeᵢ Jᵢ·λ, loᵢ, hiᵢ)`. Its gradient is the remaining gap of the
+//! model, `wanted − J θ(λ)`. Newton's method converges in one or two steps from the λ of the last frame.
 //!
-//! Where the box leaves no solution λ would grow without bound. There the gap is *bought* instead: at most `dearest`
-//! of displacement a radian, the exact penalty `dearest · |gap|`. So one problem covers both cases, the solution of the
-//! second is as well determined as of the first, and it changes into the other without a jump.
+//! If the box contains no solution, λ would grow without bound. The constraint is then replaced by the exact penalty
+//! `dearest · |gap|`, which limits |λ| to `dearest`: a radian of gap is closed only if that costs at most `dearest` of
+//! displacement. The same problem covers both cases. Its solution is equally well determined in both, and changes
+//! continuously from one to the other.
 
 use crate::Scalar;
 
-/// An angle of the model.
+/// An angle of the linear model.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Angle {
-    /// Its column of the Jacobian.
+    /// The angle's column of the Jacobian.
     pub(crate) column: [f32; 2],
     pub(crate) lo: f32,
     pub(crate) hi: f32,
-    /// The angle that costs nothing.
+    /// The angle at which the displacement is 0.
     pub(crate) rest: f32,
-    /// One over its weight in the displacement; positive.
+    /// Reciprocal of the angle's weight in the displacement; positive.
     pub(crate) ease: f32,
 }
 
-/// What a joint without an angle has in its place.
+/// Placeholder for an angle that a joint lacks.
 pub(crate) const NO_ANGLE: Angle = Angle { column: [0.0; 2], lo: 0.0, hi: 0.0, rest: 0.0, ease: 1.0 };
 
 impl Angle {
-    /// The angle at a dual point.
+    /// Returns the angle at a dual point.
     #[inline(always)]
     fn at(&self, [x, y]: [f32; 2]) -> f32 {
         let [jx, jy] = self.column;
@@ -36,43 +37,44 @@ impl Angle {
     }
 }
 
-/// The displacement that a radian of gap may cost at most, in units of the most willing joint: so much always…
+/// Least price of a radian of gap: the displacement it may cost, in units of the joint of lowest stiffness.
 pub(crate) const DEAREST: f32 = 300.0;
-/// … and so much in units of the most reluctant one, who may have to make the last of the way…
+/// Price of a radian of gap in units of the joint of highest stiffness, which may have to close the rest of the gap
+/// alone.
 const DEAREST_TO_THE_RELUCTANT: f32 = 400.0;
-/// … as far as that can be told from the displacement in single precision.
+/// Largest price of a radian of gap; beyond it, single precision cannot resolve the displacement.
 const DEAREST_OF_ALL: f32 = 1e5;
 
-/// What a radian of gap may cost where this is the least ease.
+/// Returns the price of a radian of gap for angles of which this is the least ease.
 pub(crate) fn dearest(least_ease: f32) -> f32 {
     (DEAREST_TO_THE_RELUCTANT / least_ease).max(DEAREST).min(DEAREST_OF_ALL)
 }
 
-/// A gap this small is none, radians.
+/// A gap of at most this counts as closed, radians.
 pub(crate) const CLOSED: f32 = 1e-6;
-/// Plain Newton steps, before each is looked at more closely.
+/// Number of plain Newton steps before [`solve_with_care`] takes over.
 const PLAIN_STEPS: usize = 4;
 
-/// What the determinant of the free angles' normal matrix is to its squared trace at least, where they cover both
-/// directions of the gaze: a quarter if they do so equally.
+/// Ratio of the determinant of the free angles' normal matrix to its squared trace, below which they hardly cover both
+/// directions of the gaze. The ratio is 1/4 if they cover both equally.
 pub(crate) const STRAINED: f32 = 0.05;
 
-/// A solution.
+/// A solution of the dual.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solution {
     /// The dual point.
     pub(crate) lambda: [f32; 2],
-    /// The same where it took more digits.
+    /// The dual point in double precision, if plain Newton steps did not suffice.
     precise: Option<[f64; 2]>,
-    /// Whether nothing is missing any more.
+    /// `true` if no gap remains.
     pub(crate) closed: bool,
-    /// Whether the angles that are free to move hardly cover both directions of the gaze: in one of them a little of the
-    /// gaze takes much movement.
+    /// `true` if the free angles hardly cover both directions of the gaze, so that in one of them a small change of the
+    /// gaze takes a large movement.
     pub(crate) strained: bool,
 }
 
 impl Solution {
-    /// An angle of the model in this solution.
+    /// Returns an angle of the model in this solution.
     #[inline(always)]
     pub(crate) fn of(&self, angle: &Angle) -> f32 {
         match self.precise {
@@ -83,7 +85,7 @@ impl Solution {
     }
 }
 
-/// Solves for these angles, from the dual point `start`.
+/// Solves for these angles, starting from the dual point `start`.
 #[inline(always)]
 pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
     let mut lambda = start;
@@ -118,8 +120,8 @@ pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], de
     solve_with_care(angles, wanted, start, dearest)
 }
 
-/// The dual's first two derivatives at a point, less what the gap costs, in f64: multipliers may be large where the gap
-/// is bought.
+/// Gap and Hessian of the dual at a point, without the penalty, in f64: multipliers may be large when the gap is
+/// penalised.
 struct Dual {
     gap: [f64; 2],
     hessian: [f64; 3],
@@ -147,7 +149,7 @@ impl Dual {
 }
 
 impl Angle {
-    /// The angle at a dual point, free of its bounds and held by them.
+    /// Returns the angle at a dual point, before and after clamping to its bounds.
     #[inline(always)]
     fn precisely_at(&self, lambda: [f64; 2]) -> (f64, f64) {
         let free = f64::from(self.rest) + f64::from(self.ease) * dot(self.column.map(f64::from), lambda);
@@ -166,10 +168,10 @@ fn length(a: [f64; 2]) -> f64 {
     Scalar::sqrt(dot(a, a))
 }
 
-/// [`solve`] where plain Newton steps do not do: the gap is bought at a price that is raised until it is closed, or
-/// until λ has reached what it may cost.
+/// Solves where plain Newton steps fail: subtracts `½·price·|λ|²` from the dual and adjusts `price` until the gap
+/// closes or |λ| is near `dearest`.
 ///
-/// `price·λ` is the gap at the optimum, so the price that makes |λ| = dearest is gap / dearest.
+/// At the optimum the gap is `price·λ`, so the price for which |λ| = dearest is |gap| / dearest.
 #[cold]
 #[inline(never)]
 fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
@@ -180,7 +182,7 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dea
         lambda = [0.0; 2];
     }
     let mut here = Dual::at(angles, wanted, lambda);
-    // A start as dear as that had a gap to buy, and likely has it still.
+    // A start that large had a gap that is likely to remain.
     let there = if length(lambda) > 0.8 * dearest { here.gap } else { Dual::at(angles, wanted, [0.0; 2]).gap };
     let mut price = (length(there) / dearest).max(1e-6);
     for _ in 0..ROUNDS {
@@ -189,7 +191,7 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dea
         if length(here.gap) <= f64::from(CLOSED) || (0.9..=1.1).contains(&paid) {
             break;
         }
-        // Newton's step on 1 / |λ|, which is nearly straight in the price.
+        // Newton's step on 1 / |λ|, which is nearly linear in the price.
         let ([a, b], [xx, xy, yy]) = (lambda, here.priced_hessian(price));
         let bend = (yy * a * a - 2.0 * xy * a * b + xx * b * b) / (xx * yy - xy * xy);
         let step = (a * a + b * b) / bend * (paid - 1.0);
@@ -202,7 +204,7 @@ fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dea
     Solution { lambda: rounded, precise: Some(lambda), closed: gap <= 10.0 * CLOSED, strained }
 }
 
-/// Newton's method with an exact line search on the concave dual, less what the gap costs.
+/// Maximises the concave dual, less the quadratic penalty, by Newton's method with an exact line search.
 fn ascend(angles: &[[Angle; 2]], wanted: [f32; 2], price: f64, lambda: &mut [f64; 2], here: &mut Dual) {
     const STEPS: usize = 30;
     for _ in 0..STEPS {
@@ -230,8 +232,8 @@ fn ascend(angles: &[[Angle; 2]], wanted: [f32; 2], price: f64, lambda: &mut [f64
     }
 }
 
-/// The part of a step that leads highest, with the slopes at its start and at its end: between two points at which an
-/// angle meets a bound the slope is straight.
+/// Returns the part of a step at which the dual is highest, from the slopes at its start and end. The slope is
+/// piecewise linear, with kinks where an angle meets a bound.
 fn summit(
     angles: &[[Angle; 2]],
     wanted: [f32; 2],
@@ -302,7 +304,7 @@ mod tests {
             let angles: Vec<[Angle; 2]> = (0..joints).map(|_| [self.angle(), self.angle()]).collect();
             let mut wanted = [self.between(-2.0, 2.0), self.between(-2.0, 2.0)];
             if self.between(0.0, 1.0) < 0.6 {
-                // What some angles of the box come to.
+                // The image of a random point of the box, so that a solution exists.
                 wanted = [0.0; 2];
                 for angle in angles.as_flattened() {
                     let at = self.between(angle.lo, angle.hi);
@@ -334,8 +336,8 @@ mod tests {
         x.hypot(y)
     }
 
-    /// The least displacement that meets `wanted`, with its multiplier, by trying every set of angles at their lower and
-    /// upper ends; `None` where the box has no solution.
+    /// Returns the least displacement that meets `wanted`, with its multiplier, by enumerating every set of active
+    /// bounds; `None` if the box has no solution.
     fn by_every_active_set(angles: &[[Angle; 2]], wanted: [f32; 2]) -> Option<(f64, [f64; 2])> {
         let flat = angles.as_flattened();
         let sets = 3_usize.pow(u32::try_from(flat.len()).unwrap());
@@ -387,7 +389,7 @@ mod tests {
                     assert!(solution.closed && length(missed) < 3e-5, "case {case}: {solution:?} misses {missed:?}");
                     assert!((found - least).abs() < 1e-3 * least + 1e-4, "case {case}: {found} instead of {least}");
                 }
-                // It can be met, for more than is paid for it.
+                // A solution exists, but costs more than the price allows.
                 Some((least, lambda)) if length(lambda) > 1.3 * dearest => {
                     seen[1] += 1;
                     assert!(found <= least * 1.001 + 1e-4, "case {case}: {found} instead of {least}");
@@ -403,8 +405,8 @@ mod tests {
         assert!(seen[0] > 400 && seen[2] > 100, "{seen:?}");
     }
 
-    /// Optimality where the box has no solution: the gap is along λ, which is as long as it may be, and nothing at random
-    /// in the box is worth more.
+    /// Checks optimality where the box has no solution: the gap is parallel to λ, |λ| equals the price, and no random
+    /// point of the box has a lower cost.
     fn bought(random: &mut Random, angles: &[[Angle; 2]], wanted: [f32; 2], solution: &Solution) {
         let dearest = f64::from(DEAREST);
         let lambda = solution.lambda.map(f64::from);
@@ -422,7 +424,7 @@ mod tests {
         }
     }
 
-    /// Weights matter by their ratios alone, wherever the price of a gap has no say.
+    /// Only the ratios of weights matter, unless the price of a gap limits the solution.
     #[test]
     fn scaled_weights() {
         let mut random = Random(2);
@@ -442,7 +444,7 @@ mod tests {
         }
     }
 
-    /// Whatever the numbers: an angle of the box, or not a number where a number was none.
+    /// Whatever the input, every angle stays in the box.
     #[test]
     fn awkward_numbers() {
         const AWKWARD: [f32; 8] = [0.0, -0.0, 1e20, 1e-30, f32::INFINITY, f32::NAN, 1.0, -1.0];

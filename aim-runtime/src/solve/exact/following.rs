@@ -1,5 +1,5 @@
-//! Specialisation of the exact solver for a target that is followed: the same optimum on flat arrays, four angles at a
-//! time, with one linear model for the frame, and compiled for each number of joints.
+//! Specialisation of the exact solver for following a target: the same optimum on flat arrays, four angles at a time,
+//! with one linear model per frame, and monomorphised for each number of joints.
 //!
 //! Returns `None`, having changed nothing, unless all of these hold:
 //!
@@ -7,10 +7,10 @@
 //! - weight 1, effector 0, every range fixed and within ±π ([`Description::has_fixed_ranges`](crate::Description));
 //! - no second eye, no turn-round in progress, no strain remembered, target not behind in the last frame;
 //! - pose rigid with one uniform scale;
-//! - target in front of the innermost joint, neither on the effector nor a mere direction;
+//! - target in front of the innermost joint, at a distance from the effector between [`NEAR`] and [`FAR`];
 //! - every angle can be within its range at the end of this frame;
-//! - the linear model is closed by free angles that cover both directions of the gaze, and forward kinematics confirms the
-//!   result to [`ENOUGH_RAD`].
+//! - the linear model is closed by free angles that cover both directions of the gaze, and forward kinematics confirms
+//!   the result to [`ENOUGH_RAD`].
 
 use glam::{Affine3A, BVec4A, Mat3A, Quat, Vec3A, Vec4};
 
@@ -25,21 +25,22 @@ use crate::solve::call::{Call, upright_axis};
 use crate::solve::judge::Verdict;
 use crate::{Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math};
 
-/// An angle to the target that needs no mending, radians (2.6e-3°).
+/// Angle to the target below which no further correction is made, radians (2.6e-3°).
 const FINE_RAD: f32 = 4.5e-5;
-/// How often the linear model is used again on what it missed.
+/// Largest number of corrections with the same linear model.
 const MENDINGS: usize = 2;
-/// The largest number of Newton steps of its dual.
+/// Largest number of Newton steps on the dual of the linear model.
 const NEWTON_STEPS: usize = 4;
-/// The least distance of the target from the effector, and the greatest, in parts of the rig's extent; squared.
+/// Square of the least distance of the target from the effector, relative to the rig's extent.
 const NEAR: f32 = 1e-6;
+/// Square of the greatest distance of the target from the effector, relative to the rig's extent.
 const FAR: f32 = 1e8;
-/// The least residual that moves joints which need not move.
+/// Residual below which joints that hardly move stay where they are.
 const AT_REST: f32 = 1e-4;
-/// The start of sums: added to a number it leaves the very number, which 0 does not, and so costs nothing.
+/// Start value of sums: −0 + x is x for every x, so the compiler can drop the addition. For +0 it cannot.
 const NOTHING: f32 = -0.0;
 
-/// Aims for one frame, of positive length, if the conditions above hold.
+/// Aims for one frame of positive length, or returns `None` if one of the conditions above does not hold.
 #[inline(always)]
 pub(crate) fn aim<K: Rig + ?Sized>(
     kernels: &K,
@@ -67,14 +68,14 @@ pub(crate) fn aim<K: Rig + ?Sized>(
     }?;
     let tolerance = settings.effective_tolerance();
     let verdict = Verdict { remaining, tolerance, behind: false, within_reach: true };
-    // The cosine of an angle within ENOUGH_RAD is 1, to the last bit.
+    // The cosine of an angle within ENOUGH_RAD rounds to 1.
     Some(verdict.outcome_by(1.0, at_limit, JointSet::EMPTY))
 }
 
-/// Does something for each joint (or vector of joints), from the effector inward, or outward with `rev`.
+/// Runs a block for each joint (or vector of joints), from the effector inward, or outward with `rev`.
 ///
-/// Written out up to a count of four, so that every index is a constant: then the arrays of a frame are registers to the
-/// compiler, which does not unroll bodies as long as these by itself.
+/// Unrolled up to a count of four, so that every index is a constant and the compiler can keep a frame's arrays in
+/// registers. It does not unroll bodies of this size by itself.
 macro_rules! each {
     ($count:expr, $index:ident => $body:block) => {
         each!($count, $index => $body, (0, 1, 2, 3), (0..$count))
@@ -98,7 +99,7 @@ macro_rules! each {
     };
 }
 
-/// Moves the joints; returns the angle that remains and the joints at a limit.
+/// Moves the joints. Returns the remaining angle and the joints at a limit.
 #[inline(always)]
 fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     kernels: &K,
@@ -114,11 +115,11 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let corrections: &mut [Quat; N] = corrections.try_into().ok()?;
     let (lanes, dt) = (&rig.lanes, call.dt?);
     let scale = common_scale(animated, OFF)?;
-    // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
+    // The inverse of a rotated and uniformly scaled frame is its transpose divided by the squared scale.
     let (mut frames, mut per_square, mut tilts) = (animated, 1.0 / scale, None);
     let upright_pose;
     if rig.has_upright {
-        // Lengths are the pose's then.
+        // The upright frames have scale 1, so lengths are the pose's.
         upright_pose = UprightPose::new(infos, pose, animated, scale);
         (frames, per_square, tilts) = (&upright_pose.joints, 1.0, Some(&upright_pose.tilts));
     }
@@ -159,7 +160,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     angles.lambda = state.memory.lambda;
     let first = links.has_first.then_some(&flat[0]);
     let mut turns = [Quat::IDENTITY; N];
-    // The dual's optimum, which as a rule the first Newton step finds.
+    // The optimum of the dual, usually found by the first Newton step.
     let start = angles.start;
     angles.place(lanes);
     if !angles.step(lanes, residual, &start)? {
@@ -180,7 +181,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
             return None;
         }
     }
-    // So small an angle is its tangent.
+    // For such small angles the tangent equals the angle.
     let remaining = view.tangent();
     let far = view.forward * view.forward;
     if !(remaining <= call.settings.effective_tolerance() && far > NEAR * links.extent && far < FAR * links.extent) {
@@ -203,16 +204,16 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     Some((remaining, angles.limits_met(lanes)))
 }
 
-/// A pose with the joints that have an upright heading tilted.
+/// A pose in which the joints with an upright heading are replaced by their upright frames.
 struct UprightPose<const N: usize> {
     /// The joints' upright frames, of scale 1, at the joints' places.
     joints: [Affine3A; N],
-    /// How each stands in its bone.
+    /// The rotation of each upright frame in its bone.
     tilts: [Quat; N],
 }
 
 impl<const N: usize> UprightPose<N> {
-    /// `scale` is the square of the joints' common scale.
+    /// Creates the pose from `animated`; `scale` is the square of the joints' common scale.
     #[inline(never)]
     fn new(infos: &[JointInfo; N], pose: &PoseSlices<'_>, animated: &[Affine3A; N], scale: f32) -> Self {
         let per_scale = 1.0 / math::sqrt(scale);
@@ -232,11 +233,11 @@ impl<const N: usize> UprightPose<N> {
 /// The pose as rigid links, and the target, in lengths of the bones' own spaces.
 #[derive(Clone, Copy)]
 struct Links<const N: usize> {
-    /// The links from joint i − 1 to joint i; none for joint 0.
+    /// The link from joint i − 1 to joint i; unused for joint 0.
     links: [Affine3A; N],
-    /// Whether the first link, from the effector to joint 0, is more than the identity.
+    /// `true` if the first link, from the effector to joint 0, is not the identity.
     has_first: bool,
-    /// The sum of the squared steps from joint to joint, x, y and z apart.
+    /// The sum of the squared steps from joint to joint, separately for x, y and z.
     squares: Vec3A,
     /// The target in the innermost joint's upright space.
     target: Vec3A,
@@ -255,8 +256,8 @@ impl<const N: usize> Links<N> {
         extent: 0.0,
     };
 
-    /// Whether the pose and the target meet the conditions; `axes` are the last joint's, `frames` the joints' upright frames,
-    /// of a common scale whose square is one over `per_square`.
+    /// Computes the links. Returns `true` if the pose and the target meet the conditions. `axes` are the innermost
+    /// joint's, `frames` the joints' upright frames, `per_square` the reciprocal of their squared common scale.
     #[inline(always)]
     fn read(&mut self, axes: &Mat3A, frames: &[Affine3A; N], per_square: f32, target: Vec3A) -> bool {
         let to_target = target - frames[N - 1].translation;
@@ -276,31 +277,31 @@ impl<const N: usize> Links<N> {
         let View { forward: ahead, left, .. } = view(axes, self.target);
         self.side = Side::of_coordinate(left);
         self.extent = square * per_square;
-        // In front, and of lengths whose squares are plain numbers. NaN is none of these.
+        // In front, with lengths whose squares are normal numbers. NaN fails both comparisons.
         ahead > 0.0 && square > 1e-12
     }
 }
 
-/// The inverse of a frame that is turned and scaled, by one over the square of its scale.
+/// Returns the inverse of a rotated and uniformly scaled frame, given the reciprocal of its squared scale.
 #[inline(always)]
 fn inverse(frame: &Mat3A, per_square: f32) -> Mat3A {
     frame.transpose() * per_square
 }
 
-/// The product of two matrices. glam's own is not inlined.
+/// Returns the product of two matrices. glam's own is not inlined.
 #[inline(always)]
 fn product(a: &Mat3A, b: &Mat3A) -> Mat3A {
     Mat3A::from_cols(*a * b.x_axis, *a * b.y_axis, *a * b.z_axis)
 }
 
-/// The product of a transposed matrix and a vector: the sums over its columns' products, by rows of those.
+/// Returns the product of a transposed matrix and a vector. Transposes the products instead of taking three dots.
 #[inline(always)]
 fn transposed_product(m: &Mat3A, v: Vec3A) -> Vec3A {
     let rows = Mat3A::from_cols(m.x_axis * v, m.y_axis * v, m.z_axis * v).transpose();
     rows.x_axis + rows.y_axis + rows.z_axis
 }
 
-/// A vector turned back by a unit quaternion.
+/// Returns a vector rotated by the inverse of a unit quaternion.
 #[inline(always)]
 pub(crate) fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
     let axis = Vec3A::from_vec4(turn.into());
@@ -308,30 +309,35 @@ pub(crate) fn unturned(turn: Quat, v: Vec3A) -> Vec3A {
     v + across * turn.w + math::cross(across, axis)
 }
 
-/// All angles of N joints in V vectors of four: each joint's pitch and heading in turn, 0 where there is none.
+/// The angles of N joints in V vectors of four: pitch and heading of each joint in turn, 0 for an angle that is
+/// missing.
 #[derive(Clone, Copy)]
 struct Angles<const N: usize, const V: usize> {
     start: [Vec4; V],
-    /// Where this frame may take them.
+    /// The least angles that this frame can reach.
     lo: [Vec4; V],
+    /// The greatest angles that this frame can reach.
     hi: [Vec4; V],
-    /// The Jacobian.
+    /// Row of the Jacobian: derivatives of the residual's left component.
     left: [Vec4; V],
+    /// Row of the Jacobian: derivatives of the residual's up component.
     up: [Vec4; V],
-    /// The dual point, the angles there, and which of them are free.
+    /// The dual point.
     lambda: [f32; 2],
+    /// The angles at the dual point.
     now: [Vec4; V],
+    /// `true` for the angles that are not at a bound at the dual point.
     free: [BVec4A; V],
 }
 
-/// The angles after mending, and what follows from them.
+/// The angles after correction, and the quantities derived from them.
 struct Mended<const N: usize, const V: usize> {
     angles: Angles<N, V>,
     view: View,
     turns: [Quat; N],
 }
 
-/// Four lanes from pairs for the joints 2k and 2k + 1; 0 for a joint that there is not.
+/// Builds four lanes from the pairs of joints 2k and 2k + 1; 0 for a joint that does not exist.
 macro_rules! lanes {
     ($k:expr, $index:ident => $pair:expr) => {{
         let $index = 2 * $k;
@@ -352,7 +358,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         Self { start: zero, lo: zero, hi: zero, left: zero, up: zero, lambda: [0.0; 2], now: zero, free }
     };
 
-    /// Reads the angles; false where a joint is bound for somewhere.
+    /// Loads the angles. Returns `false` if a joint has a destination.
     #[inline(always)]
     fn start(&mut self, joints: &[Joint; N]) -> bool {
         each!(N, index => {
@@ -366,7 +372,8 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         true
     }
 
-    /// How far the angles get in a frame of `dt` seconds; false where that leaves one out of its range.
+    /// Computes the angles that a frame of `dt` seconds can reach. Returns `false` if an angle cannot get into its
+    /// range.
     #[inline(always)]
     fn bound(&mut self, lanes: &AllLanes, dt: f32) -> bool {
         let mut outside = BVec4A::FALSE;
@@ -380,7 +387,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         !outside.any()
     }
 
-    /// Makes the linear model where the angles are; returns the residual there, `None` where it is not small.
+    /// Evaluates the linear model at the start angles. Returns the residual there, or `None` if it is not small.
     #[inline(always)]
     fn linearise<K: Rig + ?Sized>(
         &mut self,
@@ -398,12 +405,12 @@ impl<const N: usize, const V: usize> Angles<N, V> {
                 sin_cos[2 * k + 1] = Vec4::new(sin.z, cos.z, sin.w, cos.w).to_array();
             }
         });
-        // The residual, then a row of derivatives by the declared angles, left and up.
+        // Layout: the residual, then one row of derivatives for left and one for up, by the declared angles.
         let mut out = [[0.0; 6]; N];
         let count = rig.angles;
         kernels.residual_jacobian(links, &target.to_array(), &sin_cos, &mut out.as_flattened_mut()[..2 + 2 * count]);
         let residual = [out[0][0], out[0][1]];
-        // Above this the residual has to be stretched.
+        // A larger residual would have to be converted to an angle by `Stretch`.
         if !(square(residual) < Stretch::SMALL * Stretch::SMALL) {
             return None;
         }
@@ -432,7 +439,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         Some(residual)
     }
 
-    /// Whether the dual's optimum moves an angle.
+    /// Returns `true` if the dual's optimum moves an angle by at least [`STILL_RAD`].
     #[inline(always)]
     fn moves(&self) -> bool {
         let mut moves = BVec4A::FALSE;
@@ -442,7 +449,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         moves.any()
     }
 
-    /// Leaves the angles where they are, as far as their ranges let them.
+    /// Leaves the angles where they are, clamped to the frame's bounds.
     #[inline(always)]
     fn rest(&mut self) {
         each!(V, k => {
@@ -450,8 +457,8 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         });
     }
 
-    /// The optimum where the linear model is used again on what it missed, until that is fine. Rarely needed: apart, so
-    /// that the other frames keep all of this in registers.
+    /// Corrects the angles with the same linear model until the error is below [`FINE_RAD`]. Rarely needed, and out of
+    /// line so that the common path keeps all of this in registers.
     #[cold]
     #[inline(never)]
     fn mended(
@@ -475,15 +482,15 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         Some(Mended { angles: self, view, turns })
     }
 
-    /// The dual's optimum by the Newton steps that are left after the first.
+    /// Finds the dual's optimum by the Newton steps that remain after the first.
     #[cold]
     #[inline(never)]
     fn after_more_steps(self, lanes: &AllLanes, residual: [f32; 2]) -> Option<Self> {
         self.after_steps(lanes, NEWTON_STEPS - 1, residual, &self.start)
     }
 
-    /// The dual's optimum by so many Newton steps at most, where the model has this residual at these angles; found when
-    /// the same angles are free before and after a step.
+    /// Finds the dual's optimum in at most `steps` Newton steps, for a model with this residual at the angles `at`. It
+    /// is found when a step leaves the set of free angles unchanged.
     fn after_steps(mut self, lanes: &AllLanes, steps: usize, residual: [f32; 2], at: &[Vec4; V]) -> Option<Self> {
         for _ in 0..steps {
             if self.step(lanes, residual, at)? {
@@ -493,7 +500,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         None
     }
 
-    /// One Newton step; tells whether the same angles are free as before.
+    /// Takes one Newton step. Returns `true` if the set of free angles is unchanged, `None` if the problem is strained.
     #[inline(always)]
     fn step(&mut self, lanes: &AllLanes, residual: [f32; 2], at: &[Vec4; V]) -> Option<bool> {
         let [mut left, mut up, mut ll, mut lu, mut uu] = [Vec4::splat(NOTHING); 5];
@@ -524,7 +531,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         Some(self.place(lanes))
     }
 
-    /// Puts the angles where the dual point has them; tells whether the same are free as before.
+    /// Sets the angles to those of the dual point. Returns `true` if the set of free angles is unchanged.
     #[inline(always)]
     fn place(&mut self, lanes: &AllLanes) -> bool {
         let (x, y) = (Vec4::splat(self.lambda[0]), Vec4::splat(self.lambda[1]));
@@ -540,8 +547,8 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         changed == 0
     }
 
-    /// The target as the effector sees it with the angles as they are now, and what the joints add; `first` is the link
-    /// from the effector to joint 0, where it is more than the identity.
+    /// Returns the target as seen from the effector at the present angles, and writes the joints' corrections. `first`
+    /// is the link from the effector to joint 0, unless it is the identity.
     #[inline(always)]
     fn see(
         &self,
@@ -578,10 +585,10 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         View { forward: forward.dot(target), left: left.dot(target), up: up.dot(target) }
     }
 
-    /// The joints with an angle at an end of its range.
+    /// Returns the joints with an angle at an end of its range.
     #[inline(always)]
     fn limits_met(&self, lanes: &AllLanes) -> JointSet {
-        // A bit for each angle: of joint i, bit 2i is the pitch's and bit 2i + 1 the heading's.
+        // One bit per angle: bit 2i is the pitch of joint i, bit 2i + 1 its heading.
         let mut at_end = 0;
         each!(V, k => {
             let ends = self.now[k].cmple(lanes[k].low) | self.now[k].cmpge(lanes[k].high);
@@ -595,34 +602,34 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     }
 }
 
-/// The numbers 2i and 2i + 1 of those that are three pairs a row.
+/// Returns elements 2i and 2i + 1 of an array stored in rows of six.
 #[inline(always)]
 fn pair<const N: usize>(rows: &[[f32; 6]; N], i: usize) -> [f32; 2] {
     let row = &rows[i / 3];
     [row[2 * (i % 3)], row[2 * (i % 3) + 1]]
 }
 
-/// A vector of the bone's space along its axes, which are columns.
+/// Returns a vector's components along the axes, which are the columns of `axes`.
 #[inline(always)]
 pub(crate) fn view(axes: &Mat3A, v: Vec3A) -> View {
     let [forward, left, up] = transposed_product(axes, v).to_array();
     View { forward, left, up }
 }
 
-/// A vector's squared length.
+/// Returns a vector's squared length.
 #[inline(always)]
 fn square([x, y]: [f32; 2]) -> f32 {
     x * x + y * y
 }
 
-/// The sum of the lanes, in one order on every machine.
+/// Returns the sum of the lanes, in the same order on every machine.
 #[inline(always)]
 fn sum(v: Vec4) -> f32 {
     let [a, b, c, d] = v.to_array();
     (a + c) + (b + d)
 }
 
-/// [`sum`] of four vectors at a time.
+/// Returns the [`sum`] of each of four vectors.
 #[inline(always)]
 fn sums([a, b, c, d]: [Vec4; 4]) -> [f32; 4] {
     let pairs = |v: Vec4, w: Vec4| Vec4::new(v.x, v.y, w.x, w.y) + Vec4::new(v.z, v.w, w.z, w.w);

@@ -1,5 +1,5 @@
-//! Solves that leave a gap between the gaze and the target, as it is out of reach, beyond this frame's rates or beyond the linear
-//! model; and solves without rates.
+//! Solves that leave a gap between the gaze and the target, because the target is out of reach, beyond this frame's
+//! rates, or because the linear model is too inaccurate; and solves without rate limits.
 
 use super::dual;
 use super::settle::Search;
@@ -10,42 +10,45 @@ use crate::limits::reach::Reach;
 use crate::rig::Memory;
 use crate::{Joint, math};
 
-/// How many Jacobians joints without rates take at most.
+/// Largest number of Jacobians for joints without rate limits.
 const MOST_ROUNDS: usize = 24;
-/// The largest change of an angle in one round, radians: beyond it the linear model says nothing.
+/// Largest change of an angle in one round, radians. The linear model is not valid further away.
 const LONGEST_STEP_RAD: f32 = 1.2;
-/// How much a step may be shortened before it is given up.
+/// Number of times that a step is halved before it is given up.
 const HALVINGS: usize = 5;
-/// After this time without reaching the target, seconds…
+/// Time without reaching the target after which a frame takes at most [`BLOCKED_ROUNDS`] Jacobians, seconds.
 const BLOCKED_S: f32 = 1.0;
-/// … a frame takes so many Jacobians at most.
+/// Largest number of Jacobians in a frame of joints that have been blocked for [`BLOCKED_S`].
 const BLOCKED_ROUNDS: usize = 2;
-/// Where a gap remains a step as short as this is none, radians (6e-3°).
+/// Step below which joints with a remaining gap count as settled, radians (6e-3°).
 const SLIGHT_RAD: f32 = 1e-4;
-/// Displacement of a joint from where it is costs this much of the gap it closes, radians a second and radian: where a
-/// gap remains, what gains next to nothing does not move.
+/// Damping of joints while a gap remains, seconds: a movement Δ costs as much as a gap of `½·Δ²·INERTIA_S/dt`, so that
+/// joints that would gain next to nothing do not move.
 const INERTIA_S: f32 = 3.0 / 60.0;
-/// Nearer to the best than this the joints move slowly where a gap remains, radians (0.34°).
+/// Distance from the optimum below which joints move slowly if a gap remains, radians (0.34°).
 const SLOW_RAD: f32 = 0.006;
 
-/// How far from the effector a target has to be where joints come to rest, as a part of how far the animation has it; of
-/// the rig's size, if the animation has it on the effector.
+/// Least distance of the target from the effector of settled joints, relative to its distance in the animation, or to
+/// the rig's size if the animation puts the effector on it.
 const BESIDE: f32 = 1e-3;
-/// How well a remaining angle is known, radians.
+/// Rounding error of a remaining angle, radians.
 const ROUNDING_RAD: f32 = 4e-7;
 
-/// How a round ended.
+/// The result of a round.
 struct Round {
+    /// The remaining angle, radians.
     remaining: f32,
+    /// `true` if the linear model closed its gap.
     closed: bool,
-    /// The longest change of an angle, radians.
+    /// The largest change of an angle, radians.
     step: f32,
+    /// The number of times that the step was halved.
     halvings: usize,
 }
 
 impl<const C: usize> Solver<'_, C> {
-    /// The rest of a frame in which the reach has no solution: rates or ranges end it, or the linear model is too far
-    /// off to tell.
+    /// Finishes a frame in which the linear model has no solution within reach, because rates or ranges prevent one or
+    /// because the model is too inaccurate.
     #[cold]
     #[inline(never)]
     pub(super) fn advance_with_a_gap(
@@ -56,14 +59,14 @@ impl<const C: usize> Solver<'_, C> {
         memory: &mut Memory,
     ) -> Option<f32> {
         if memory.strain == 0.0 {
-            // Else it has been watched already.
+            // A strained gaze has been watched in `recover` already.
             self.watch(memory, dt);
         }
         let mut start = self.rig.array(Joint::REST);
         start.copy_from_slice(joints);
-        // As near as it gets; there a linear model may find a solution after all.
+        // Approach the goal as far as possible; at that point the linear model may find a solution after all.
         let mut remaining = f32::INFINITY;
-        // What is blocked frame after frame has had its rounds.
+        // Joints that have been blocked for long have already been optimised over many frames.
         let rounds = if memory.blocked_s > BLOCKED_S { BLOCKED_ROUNDS } else { ROUNDS };
         let mut rides = false;
         for _ in 0..rounds {
@@ -82,8 +85,8 @@ impl<const C: usize> Solver<'_, C> {
         if Self::is_calm(memory) {
             return Some(remaining);
         }
-        // What gains next to nothing does not move: a target out of reach overhead would set the head turning with
-        // every tremble.
+        // Damp movements that gain next to nothing: otherwise a jittering target out of reach overhead would keep
+        // turning the head.
         let offset = self.linearise(&start, reaches)?;
         let inertia = self.dearest * INERTIA_S / dt.max(1e-4);
         for (angles, joint) in self.model.iter_mut().zip(&*start) {
@@ -99,17 +102,18 @@ impl<const C: usize> Solver<'_, C> {
         let Some(slow) = self.ease_in(&start, offset, reaches, dt, slow) else { return Some(remaining) };
         let (before, slow) = (length(offset), slow.angle());
         if before.max(remaining) < LOOSE_RAD {
-            // The edge of what can be reached runs through here.
+            // The edge of reach is near.
             memory.strain = 1.0;
         }
-        // As near as the reach gets, or nearly: then slowly.
+        // At or near the best angles within reach, move slowly.
         if slow <= before + 0.1 * SLOW_RAD && slow - remaining < SLOW_RAD {
             self.accept(joints);
         }
         Some(remaining)
     }
 
-    /// Moves `joints` to the optimum within `reaches`, whatever it takes (within bounds); returns what remains.
+    /// Moves `joints` to the optimum within `reaches`, in a bounded number of rounds. Returns the remaining angle, or
+    /// `None` if the aim is undefined.
     pub(crate) fn settle(&mut self, joints: &mut [Joint], reaches: &[Reach], search: Search) -> Option<f32> {
         self.hold(joints, reaches);
         let mut lambda = [0.0; 2];
@@ -129,7 +133,7 @@ impl<const C: usize> Solver<'_, C> {
                 rides = true;
             }
         }
-        // With the target on the effector the joints may come to rest, but they aim at nothing.
+        // If the effector ends up on the target, its aim has no direction.
         let view = self.see(joints)?;
         let animated = (self.goal.aimed - self.chain.animated_gaze().origin).length();
         let usual = if animated > TOO_NEAR { animated } else { 1.0 };
@@ -141,8 +145,9 @@ impl<const C: usize> Solver<'_, C> {
         })
     }
 
-    /// One round: the optimum of the linear model, mended, and shortened until it is an improvement. With `rides` one in
-    /// which pitches [go along](Self::ride) with headings, or none where there are no such.
+    /// Runs one round: takes the optimum of the linear model, corrects it with the same Jacobian, and halves the step
+    /// until it is an improvement. With `rides`, pitches [move with the headings](Self::ride) that limit them; such a
+    /// round does nothing if there are none.
     fn improve(
         &mut self,
         joints: &mut [Joint],
@@ -201,21 +206,21 @@ impl<const C: usize> Solver<'_, C> {
         Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
     }
 
-    /// Whether a round that came from this displacement and angle to that lessened their sum, the angle at its price.
-    /// Angles are known so well and no better: what seems less of one is not to be paid for.
+    /// Returns `true` if a round reduced the cost: displacement plus angle times its price. Each argument is a
+    /// (displacement, angle) pair. Changes of the angle below its rounding error are ignored.
     fn is_gain(&self, before: (f32, f32), there: (f32, f32)) -> bool {
         let nearer = before.1 - there.1;
         let nearer = if nearer.abs() < ROUNDING_RAD { 0.0 } else { nearer };
         before.0 - there.0 + self.dearest * nearer > 0.0
     }
 
-    /// The displacement of the angles that can move.
+    /// Returns the displacement cost of the angles that can move.
     fn cost(&self, joints: &[Joint]) -> f32 {
         let mut cost = 0.0;
         for (index, (angles, joint)) in self.model.iter().zip(joints).enumerate() {
             let mut angles = *angles;
             if self.rides[index] != 0.0 {
-                // The model counts the pitch's displacement with the heading's.
+                // `ride` has merged the pitch's displacement into the heading's.
                 let Home { rest, ease } = self.homes[index][1];
                 (angles[1].rest, angles[1].ease) = (rest, ease);
             }

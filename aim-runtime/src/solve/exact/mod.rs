@@ -1,9 +1,9 @@
-//! The whole chain at once: of all angles within reach that put the gaze on the target, those of the least
-//! stiffness-weighted displacement.
+//! The exact solver: of all angles within reach that put the gaze on the target, those of least stiffness-weighted
+//! displacement, over the whole chain at once.
 //!
-//! Each round takes the derived residual and Jacobian at the present angles, solves the linear model to its optimum
-//! within the reach ([`dual`]), and judges the result by forward kinematics. What the linear model missed is mended with
-//! the same Jacobian, which costs a fraction of a new one.
+//! Each round evaluates the derived residual and Jacobian at the present angles, solves the linear model to its optimum
+//! within the reach ([`dual`]), and measures the result by forward kinematics. The remaining error is corrected with
+//! the same Jacobian (a simplified Newton step, called *mending* here), which costs a fraction of a new one.
 
 pub(crate) mod advance;
 pub(crate) mod dual;
@@ -27,21 +27,22 @@ use crate::rig::{ChainRig, Memory, PerJoint};
 use crate::target::goal::Goal;
 use crate::{Joint, math};
 
-/// An angle to the target that needs no mending, radians (6e-4°).
+/// Angle to the target below which no further correction is made, radians (6e-4°).
 const FINE_RAD: f32 = 1e-5;
-/// An angle to the target after which no new Jacobian is worth its while, radians (6e-3°).
+/// Angle to the target below which a new Jacobian is not worth its cost, radians (6e-3°).
 pub(crate) const ENOUGH_RAD: f32 = 1e-4;
-/// How often a Jacobian is used again.
+/// Largest number of corrections with the same Jacobian.
 const MENDINGS: usize = 3;
-/// How often it is where the pose is not rigid: then it learns from each step.
+/// Largest number of corrections with the same Jacobian for a pose that is not rigid. There the Jacobian is updated
+/// after each step.
 const BENT_MENDINGS: usize = 8;
-/// How many Jacobians a frame takes at most.
+/// Largest number of Jacobians in a frame.
 const ROUNDS: usize = 4;
-/// Nearer than this to exactly behind, the residual has no length to speak of.
+/// Angle from exactly behind, radians, below which the residual is unreliable.
 const OPPOSITE_RAD: f32 = 0.03;
-/// The part of the way to the optimum that joints go in a frame, where the target leaves them free.
+/// Part of the way to the optimum that joints move in a frame along directions that leave the gaze on the target.
 const USUAL_PART: f32 = 0.5;
-/// Joints that would all move by less than this stay where they are, radians.
+/// Joints stay where they are if every angle would change by less than this, radians.
 pub(crate) const STILL_RAD: f32 = 1e-6;
 
 /// The chain, its target, and the linear model of the gaze.
@@ -49,28 +50,30 @@ pub(crate) struct Solver<'a, const C: usize> {
     rig: &'a ChainRig<'a, C>,
     chain: &'a Chain<C>,
     goal: &'a Goal,
-    /// The target in the last joint's levelled space, for a rigid pose.
+    /// The target in the innermost joint's upright space; used if the pose is rigid.
     target: Vec3A,
     links: PerJoint<[f32; 12], C>,
-    /// Pitch and heading of each joint.
+    /// The linear model: pitch and heading of each joint.
     model: PerJoint<[Angle; 2], C>,
-    /// How much a pitch moves with its joint's heading because it is at an end that does.
+    /// Derivative of each joint's pitch limit by its heading, for a pitch at a limit that depends on the heading; else
+    /// 0.
     rides: PerJoint<f32, C>,
-    /// What displacement means for them.
+    /// Zero points and weights of the angles' displacements.
     homes: PerJoint<[Home; 2], C>,
-    /// What a radian of gap may cost.
+    /// Largest displacement cost for a radian of gap.
     dearest: f32,
     /// The number of declared angles.
     declared: usize,
-    /// What the residual is measured along in effector space: forward, left, up.
+    /// Axes in effector space along which the residual is measured: forward, left, up.
     axes: [Vec3A; 3],
+    /// The angles under trial.
     trial: PerJoint<Joint, C>,
-    /// Whether a gap remained and another round would hardly have lessened it.
+    /// `true` if a gap remained and another round would hardly have reduced it.
     spent: bool,
 }
 
 impl<'a, const C: usize> Solver<'a, C> {
-    /// A solver for a goal, with every joint's displacement counted from the animation.
+    /// Creates a solver for a goal, with every joint's displacement measured from the animation.
     #[inline]
     pub(crate) fn new(rig: &'a ChainRig<'a, C>, chain: &'a Chain<C>, goal: &'a Goal) -> Self {
         let infos = rig.joints;
@@ -79,7 +82,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
         for (index, info) in infos.iter().enumerate().skip(chain.first) {
             links[index] = chain.links[index].to_cols_array();
-            // A quotient that is not a number counts as the least ease.
+            // A NaN quotient gives the smallest ease.
             let ease = (rig.least_stiffness / info.stiffness).max(1e-6).min(1.0);
             least_ease = least_ease.min(ease);
             homes[index] = [Home { rest: 0.0, ease }; 2];
@@ -101,15 +104,16 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The solver with one joint's displacement counted from these angles, pitch and heading.
+    /// Sets the pitch and heading from which one joint's displacement is measured.
     pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2]) {
         for (home, rest) in self.homes[joint].iter_mut().zip(angles) {
             home.rest = rest;
         }
     }
 
-    /// Moves `joints` to the optimum within `reaches`, as far as one frame needs it; returns the angle that remains, or
-    /// would if they were not slow. `None` where the aim is undefined.
+    /// Moves `joints` to the optimum within `reaches`, with the work limited to one frame's. Returns the remaining
+    /// angle; if a gap remains, the one that joints would leave that are not slowed down. `None` if the aim is
+    /// undefined.
     #[inline]
     pub(crate) fn advance(
         &mut self,
@@ -144,14 +148,15 @@ impl<'a, const C: usize> Solver<'a, C> {
         Some(self.see(joints)?.angle())
     }
 
-    /// Whether [`advance`](Self::advance) went as near as it gets within its reaches.
+    /// Returns `true` if [`advance`](Self::advance) came as near to the goal as its reaches allow.
     pub(crate) fn is_spent(&self) -> bool {
         self.spent
     }
 
-    /// Counts displacement from this part of the way from where the joints are to where they rest: as far as the target
-    /// leaves them free they go this part of the way to the optimum in a frame. All of it would be too far where the
-    /// gaze bends much (the model does not know), and joints would swing from side to side of the optimum for ever.
+    /// Shifts the zero point of each displacement to `part` of the way from the present angle to its rest angle. Where
+    /// the target leaves the joints free, they then move this part of the way to the optimum in a frame. The whole way
+    /// would be too far where the gaze is strongly curved, which the linear model ignores: joints would oscillate about
+    /// the optimum.
     #[inline]
     fn go_part_way(&mut self, joints: &[Joint], part: f32) {
         for (angles, joint) in self.model.iter_mut().zip(joints) {
@@ -162,14 +167,14 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The trial of a solution, and what is seen from it.
+    /// Puts a solution's angles under trial and returns the view from them.
     #[inline]
     fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) -> Option<View> {
         self.try_dual(joints, reaches, solution);
         self.see(&self.trial)
     }
 
-    /// The longest change of an angle from `joints` to the trial.
+    /// Returns the largest change of an angle from `joints` to the trial.
     fn step(&self, joints: &[Joint]) -> f32 {
         let pairs = self.trial.iter().zip(joints);
         pairs.fold(0.0, |step, (a, b)| step.max((a.pitch - b.pitch).abs()).max((a.heading - b.heading).abs()))
@@ -182,7 +187,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The joints as they will be: those of the trial, or as they are if that is no movement at all.
+    /// Copies the trial to `joints`, unless its largest change is below [`STILL_RAD`].
     #[inline]
     fn accept(&self, joints: &mut [Joint]) {
         if self.step(joints) >= STILL_RAD {
@@ -190,7 +195,8 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// Mends the trial, which came from `joints` and their offset, with the same Jacobian until it is fine.
+    /// Corrects the trial, which was computed from `joints` and their `offset`, with the same Jacobian until it is
+    /// within [`FINE_RAD`].
     #[inline]
     fn mend(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], lambda: &mut [f32; 2], view: &mut View) {
         if !view.is_within(FINE_RAD) {
@@ -235,8 +241,8 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// Bends the Jacobian so that it says what happened between `joints`, with this offset, and the trial: the least
-    /// change that does (Broyden). Under shear and non-uniform scale the kernels' Jacobian is not that of the pose.
+    /// Updates the Jacobian by Broyden's method: the smallest change that reproduces the observed change of offset
+    /// between `joints` and the trial. Under shear and non-uniform scale the kernels' Jacobian is not that of the pose.
     fn learn(&mut self, joints: &[Joint], before: [f32; 2], after: [f32; 2]) {
         let trial = &self.trial;
         let mut missed = [after[0] - before[0], after[1] - before[1]];
@@ -262,7 +268,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The trial: the model's angles in a solution, within reach.
+    /// Puts the model's angles in a solution under trial, within reach.
     #[inline]
     fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) {
         let (trial, model, rides) = (&mut self.trial, &self.model, &self.rides);
@@ -279,7 +285,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// The trial: a part of the way from `joints` to `goal`, within reach.
+    /// Puts `part` of the way from `joints` to `goal` under trial, within reach.
     fn try_part(&mut self, joints: &[Joint], goal: &[Joint], reaches: &[Reach], part: f32) {
         let trial = &mut self.trial;
         trial.copy_from_slice(goal);
@@ -295,7 +301,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
     }
 
-    /// What the model has to come to so that the offset at `joints` is gone.
+    /// Returns the right-hand side `J θ − offset` of the linear model at `joints`.
     #[inline]
     fn wanted(&self, joints: &[Joint], offset: [f32; 2]) -> [f32; 2] {
         let mut wanted = [-offset[0], -offset[1]];
@@ -307,7 +313,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         wanted
     }
 
-    /// Makes the linear model at `joints`; returns the offset of the target there: its angle, left and up.
+    /// Evaluates the linear model at `joints`. Returns the target's offset there: its angle, left and up.
     #[inline]
     fn linearise(&mut self, joints: &[Joint], reaches: &[Reach]) -> Option<[f32; 2]> {
         let mut sin_cos = self.rig.array([0.0, 1.0, 0.0, 1.0]);
@@ -322,7 +328,7 @@ impl<'a, const C: usize> Solver<'a, C> {
             [out[0], out[1]]
         };
         let mut residual = kernel(target);
-        // None at all: straight ahead, or so far behind that the kernel sees nothing.
+        // A zero residual is either straight ahead or so nearly exactly behind that the kernel gives 0.
         let far = residual[0] * residual[0] + residual[1] * residual[1] > FAR_RESIDUAL;
         if far || residual == [0.0; 2] {
             if let Some(aside) = self.aside(joints) {
@@ -361,7 +367,8 @@ impl<'a, const C: usize> Solver<'a, C> {
                 }
             }
         }
-        // A target nearly on the effector makes derivatives large, and the first step would leave it. Also catches NaN.
+        // Derivatives are large for a target nearly on the effector, which the first step would leave. The negation
+        // also catches NaN.
         let largest = out.iter().fold(0.0, |largest: f32, x| largest + x.abs());
         if !(largest < SUSPICIOUS) {
             self.see(joints)?;
@@ -369,8 +376,8 @@ impl<'a, const C: usize> Solver<'a, C> {
         largest.is_finite().then_some(offset)
     }
 
-    /// Lets pitches at an end that narrows with the heading go along with it: within a box the heading could not make
-    /// room for them. Returns whether there are any.
+    /// Lets pitches at a limit that depends on the heading move with it. In an axis-aligned box, such a pitch would
+    /// block the heading from widening its range. Returns `true` if there are any.
     #[cold]
     fn ride(&mut self, joints: &[Joint], reaches: &[Reach]) -> bool {
         let mut any = false;
@@ -383,7 +390,7 @@ impl<'a, const C: usize> Solver<'a, C> {
             any = true;
             let [pitch, heading] = &mut self.model[index];
             heading.column = [0, 1].map(|k| heading.column[k] + ride * pitch.column[k]);
-            // The displacement of both, as functions of the heading.
+            // Combine the quadratic displacement costs of both angles as functions of the heading.
             let [own, along] = [1.0 / heading.ease, ride * ride / pitch.ease];
             let rest = joint.heading + (pitch.rest - joint.pitch) / ride;
             heading.rest = (own * heading.rest + along * rest) / (own + along);
@@ -392,7 +399,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         any
     }
 
-    /// The target that the rigid links are to see, in the last joint's levelled space.
+    /// Returns the target as the rigid links have to see it, in the innermost joint's upright space.
     #[inline]
     fn target_seen(&self, joints: &[Joint]) -> Option<Vec3A> {
         if self.chain.is_rigid() { Some(self.target) } else { self.target_seen_bent(joints) }
@@ -408,7 +415,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         Some(self.chain.base.matrix3.transpose() * seen)
     }
 
-    /// The effector as the rigid links have it, in solver space.
+    /// Returns the effector's ray by the rigid links' kinematics, in solver space.
     fn rigid_gaze(&self, joints: &[Joint]) -> Ray {
         let (infos, links) = (self.rig.joints, &self.chain.links);
         let mut ray = rigid_effector(&self.rig.effector, &links[self.chain.first]);
@@ -422,7 +429,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         ray
     }
 
-    /// The target as the effector sees it; `None` where it has no direction.
+    /// Returns the target as seen from the effector; `None` if it has no direction.
     #[inline]
     pub(crate) fn see(&self, joints: &[Joint]) -> Option<View> {
         let mut target = self.target_seen(joints)?;
@@ -441,8 +448,8 @@ impl<'a, const C: usize> Solver<'a, C> {
         Some(View { forward, left, up })
     }
 
-    /// A target to the side for one exactly behind, where neither residual nor derivative says which way: on the side
-    /// that it is remembered on. `None` where it is not behind.
+    /// Returns a substitute target slightly off exactly behind, where neither residual nor Jacobian has a direction. It
+    /// is moved towards the remembered side. `None` if the target is not nearly behind.
     #[cold]
     #[inline(never)]
     fn aside(&self, joints: &[Joint]) -> Option<Vec3A> {
@@ -459,7 +466,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         let distance = to_target.length();
         let front = self.chain.base.matrix3 * Vec3A::from(self.rig.joints[self.chain.count - 1].axes.left);
         let side = front - forward * forward.dot(front);
-        // Near the opposite the lateral part is noise; the remembered side is not.
+        // Nearly opposite, the lateral part is dominated by rounding, so the remembered side outweighs it.
         let lateral = math::direction(lateral * 1e-3 + side * (self.goal.side.sign() * distance))
             .or_else(|| math::direction(forward.any_orthonormal_vector()))?;
         let (sin, cos) = trig::sin_cos(PI - OPPOSITE_RAD);
@@ -468,23 +475,25 @@ impl<'a, const C: usize> Solver<'a, C> {
     }
 }
 
-/// What an angle's displacement is counted from, and one over its weight.
+/// The zero point and weight of an angle's displacement.
 #[derive(Clone, Copy, Debug)]
 struct Home {
+    /// The angle at which the displacement is 0.
     rest: f32,
+    /// The reciprocal of the weight.
     ease: f32,
 }
 
-/// Derivatives that only a target near the effector, or behind it, has.
+/// Sum of absolute derivatives beyond which the target is nearly on the effector, or behind it.
 const SUSPICIOUS: f32 = 1e3;
 
-/// The square of the residual of a target at [`OPPOSITE_RAD`] from exactly behind.
+/// Square of the residual of a target at [`OPPOSITE_RAD`] from exactly behind.
 const FAR_RESIDUAL: f32 = 17_000.0;
 
-/// What stands in for the links of joints that have no part in the chain.
+/// Placeholder link of joints outward of the aimed one.
 const IDENTITY_LINK: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// The reaches of joints that have all the time they need.
+/// Returns the reaches of joints without rate limits: their whole ranges.
 pub(crate) fn unhurried<const C: usize>(
     rig: &ChainRig<'_, C>,
     motions: &[crate::limits::RangeOfMotion],

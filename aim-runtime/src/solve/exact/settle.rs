@@ -1,5 +1,5 @@
-//! Where the joints come to rest if they have all the time they need. It serves `snap`, and tells a target out of reach
-//! from one that only takes longer.
+//! Finds the angles at which joints without rate limits come to rest. Serves `snap`, and distinguishes a target out of
+//! reach from one that only takes longer.
 
 use super::{Solver, unhurried};
 use crate::Joint;
@@ -10,12 +10,12 @@ use crate::limits::motion::wrap;
 use crate::rig::{ChainRig, Memory};
 use crate::target::goal::Goal;
 
-/// How a search ends where a gap remains.
+/// Termination criterion of a search that leaves a gap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Search {
-    /// At the best there is.
+    /// Ends at the best result.
     Thorough,
-    /// When little more is gained, or when too little to come below this angle.
+    /// Ends when a round gains little, or too little for the angle to fall below this one.
     Quick {
         /// The angle, radians.
         below: f32,
@@ -23,12 +23,13 @@ pub(crate) enum Search {
 }
 
 impl Search {
-    /// Whether it ends with a round that gained so much and left so much.
+    /// Returns `true` if the search ends after a round with this gain and remaining angle.
     pub(crate) fn is_over(self, gained: f32, remaining: f32) -> bool {
-        /// This little is too little (0.11°), or this part of what remains.
+        /// Smallest gain of a round for the search to continue (0.11°).
         const LITTLE_RAD: f32 = 2e-3;
+        /// Smallest gain of a round for the search to continue, relative to the remaining angle.
         const LITTLE: f32 = 0.1;
-        /// So many more such rounds are hoped for.
+        /// Number of further rounds with the same gain that are assumed possible.
         const HOPE: f32 = 3.0;
         match self {
             Self::Thorough => false,
@@ -37,8 +38,8 @@ impl Search {
     }
 }
 
-/// Moves `joints` to where they aim best at the goal with the least displacement, from where they are, within their
-/// ranges; returns the remaining angle, radians, or `None` where the aim is undefined. Bounded work.
+/// Moves `joints` from their present angles to the best aim at the goal with the least displacement, within their
+/// ranges. Returns the remaining angle, radians, or `None` if the aim is undefined. The work is bounded.
 pub(crate) fn settle<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
@@ -49,7 +50,7 @@ pub(crate) fn settle<const C: usize>(
     search(rig, chain, motions, goal, joints, Search::Thorough)
 }
 
-/// [`settle`], which takes less trouble where a gap remains.
+/// [`settle`] with a choice of the effort spent if a gap remains.
 pub(crate) fn search<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
@@ -65,7 +66,7 @@ pub(crate) fn search<const C: usize>(
     Some(remaining)
 }
 
-/// Starts as parts of the ranges, heading on the target's side and pitch; then the other side.
+/// Starts as parts of the ranges: heading on the target's side, negative for the other side, and pitch.
 const STARTS: [[f32; 2]; 10] = [
     [0.7, 0.0],
     [-0.7, 0.0],
@@ -79,12 +80,11 @@ const STARTS: [[f32; 2]; 10] = [
     [-0.5, -0.5],
 ];
 
-/// [`settle`] from rest, so that the result does not depend on where the joints are.
+/// [`settle`] from rest, so that the result does not depend on the present angles.
 ///
-/// The way that the gradient starts out on may end at a limit although another leads to the target: over the top
-/// instead of round the side for a target behind, or with two hinges bent the wrong way. So where the target is not
-/// reached the joints are also started to either side, up and down, and from the corners of their ranges, and the best
-/// result wins.
+/// The path of steepest descent may end at a limit although another path leads to the target: over the top instead of
+/// round the side for a target behind, or with two hinges bent the wrong way. If the target is not reached, the search
+/// therefore also starts to either side, up and down, and from the corners of the ranges, and the best result wins.
 pub(crate) fn settle_from_rest<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
@@ -116,20 +116,21 @@ pub(crate) fn settle_from_rest<const C: usize>(
     best.is_finite().then_some(best)
 }
 
-/// What is known of joints that are blocked.
+/// The state of joints that are blocked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Blocked {
-    /// Nearer than this the target counts as reached, radians.
+    /// Angle within which the target counts as reached, radians.
     pub(crate) tolerance: f32,
-    /// What is worth going elsewhere for, radians.
+    /// Remaining angle that another solution has to beat, radians.
     pub(crate) below: f32,
-    /// Whether they were not in the frame before.
+    /// `true` if the joints were not blocked in the last frame.
     pub(crate) is_news: bool,
 }
 
-/// [`settle_from_rest`] for joints that are blocked frame after frame: all of it where the target is not where it was
-/// when that was done last; else from rest where that they are is news and now and then, and from one of many other
-/// places in turn, as far as that promises to be worth it.
+/// [`settle_from_rest`] for joints that are blocked frame after frame, spread over time. Repeats the full search when
+/// the target has moved far since the last one. Otherwise searches from rest when the joints have just become blocked
+/// and now and then, or from one of many other starts in turn, unless that start cannot be worth it. Returns `None` in
+/// frames without a search.
 pub(crate) fn settle_from_elsewhere<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
@@ -139,24 +140,24 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
     blocked: Blocked,
     memory: &mut Memory,
 ) -> Option<f32> {
-    /// How far a target goes, as a part of its distance, before all is searched again (17°).
+    /// Movement of a target, relative to its distance, after which the full search is repeated (17°).
     const FAR: f32 = 0.3;
-    /// For how many frames the search is busy.
+    /// Number of blocked frames in which the search is frequent.
     const BUSY: u16 = 128;
-    /// So many places are started from in turn.
+    /// Number of starts that are tried in turn.
     const MOST_STARTS: usize = 128;
     let Blocked { tolerance, below, is_news } = blocked;
     let target = chain.base.matrix3.transpose() * goal.aimed;
     let moved = target - memory.searched();
     if memory.turn == 0 || !(moved.dot(moved) < FAR * FAR * target.dot(target)) {
-        // Where the joints have been blocked all the way here they were busy enough.
+        // Joints that have been blocked all the while keep their place in the schedule.
         memory.turn = if is_news { 1 } else { memory.turn.max(1) };
         memory.set_searched(target);
         return settle_from_rest(rig, chain, motions, goal, joints, tolerance);
     }
     let turn = memory.turn;
     memory.turn = turn.checked_add(1).unwrap_or(BUSY);
-    // Three frames in four at first, then one in six of those.
+    // Search in three of four frames at first; later, only every sixth frame counts.
     let stride = if turn < BUSY { 1 } else { 6 };
     let (number, is_turn) = (turn / stride, turn % stride == 0);
     if is_news || (is_turn && number % 4 == 0) {
@@ -164,10 +165,11 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
     } else if !is_turn || number % 4 == 2 || goal.behind {
         return None;
     } else {
-        // Those that were never started from first.
+        // Begin with the starts that were not part of the full search.
         let number = (usize::from(number / 2) + STARTS.len()) % MOST_STARTS;
         start(number, motions, goal, &mut joints[chain.first..chain.count], chain.first);
-        // What is nearest to there first: on the way to the least displacement all starts would meet.
+        // First find the solution nearest to the start: with the usual displacement, all starts would converge to the
+        // same one.
         let mut solver = Solver::new(rig, chain, goal);
         for (index, joint) in joints.iter().enumerate().skip(chain.first) {
             solver.prefer(index, [joint.pitch, joint.heading]);
@@ -180,8 +182,8 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
     search(rig, chain, motions, goal, joints, Search::Quick { below })
 }
 
-/// Puts joints, the first of which has this index, where the search of this number starts: the regular starts first,
-/// then anywhere.
+/// Puts `joints`, the first of which has index `first`, at the start with this number: one of the regular starts, or a
+/// pseudo-random point of the ranges.
 fn start(number: usize, motions: &[RangeOfMotion], goal: &Goal, joints: &mut [Joint], first: usize) {
     for (index, joint) in joints.iter_mut().enumerate() {
         let motion = &motions[first + index];
@@ -200,7 +202,7 @@ fn start(number: usize, motions: &[RangeOfMotion], goal: &Goal, joints: &mut [Jo
     }
 }
 
-/// A number in 0…1 for each of a start's coordinates, none like another.
+/// Returns a pseudo-random number in 0…1 for a coordinate of a start.
 fn scattered(number: usize, coordinate: usize) -> f32 {
     #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
     let mut bits = (number as u32).wrapping_mul(0x9e37_79b9) ^ (coordinate as u32).wrapping_mul(0x85eb_ca6b);
@@ -211,7 +213,7 @@ fn scattered(number: usize, coordinate: usize) -> f32 {
     scattered
 }
 
-/// Every angle 0; what else a joint knows stays.
+/// Sets every angle to 0; the rest of a joint's state is kept.
 pub(crate) fn at_rest(joints: &mut [Joint]) {
     for joint in joints {
         (joint.heading, joint.pitch) = (0.0, 0.0);

@@ -1,9 +1,10 @@
-//! Specialisation of the exact solver for a single joint that looks along its own forward from its own origin, as an eye
-//! does: the nearest gaze in closed form.
+//! Specialisation of the exact solver for a single joint that looks along its own forward from its own origin, such as
+//! an eye: the nearest gaze in closed form.
 //!
-//! Heading and pitch are the target's, each as near to it as range and rate let it come. For a target in front the gaze
-//! comes the nearer the nearer the heading comes, whatever the pitch; so the heading first, and then the best pitch at
-//! it, is the nearest gaze there is, also where a bound is in the way. Where none is, no other angles meet the target.
+//! Heading and pitch are the target's, each clamped to range and rate. For a target in front, the best angle to the
+//! target at a given heading improves monotonically as the heading approaches the target's, whatever the pitch bounds.
+//! Choosing the heading first and then the best pitch at it therefore gives the nearest gaze, even at a bound. If no
+//! bound is active, the solution is unique.
 //!
 //! Returns `None`, having changed nothing, unless all of these hold:
 //!
@@ -30,15 +31,15 @@ use crate::solve::call::Call;
 use crate::solve::judge::Verdict;
 use crate::{Description, Joint, JointInfo, JointSet, Outcome, Scalar};
 
-/// The squared tangent of the elevation, 60°, beyond which headings tremble with their target.
+/// The squared tangent of 60°, the elevation beyond which headings are too sensitive to the target.
 const STEEP: f32 = 3.0;
-/// How far ahead of a heading, in parts of its distance, a target has to be: within 80° or so, beyond which pitches tremble
-/// with it.
+/// Least forward component of a target, relative to its level distance, after the heading is applied: within about 80°
+/// of it. Beyond that, pitches are too sensitive to the target.
 const FAR_OFF: f32 = 0.173_648_18;
-/// The distance of an ordinary target, in lengths of the bone's own space; squared.
+/// Squared distances of the targets that are handled here, in lengths of the bone's own space.
 const ORDINARY: Range<f32> = 1e-6..1e8;
 
-/// Aims for one frame, of positive length, if the conditions above hold.
+/// Aims for one frame of positive length, or returns `None` if one of the conditions above does not hold.
 #[inline(always)]
 pub(crate) fn aim(
     rig: &Description<'_>,
@@ -59,7 +60,7 @@ pub(crate) fn aim(
     let dt = call.dt?;
     let gaze = eye.gaze(joint, eye.reach(joint, dt))?;
     let tolerance = call.settings.effective_tolerance();
-    // Does the rate keep it from there, or in the end its ranges too?
+    // If the target is not reached: is the rate the reason, or do the ranges exclude it as well?
     let within_reach = gaze.remaining > tolerance && !gaze.is_nearest && eye.remaining_in_time(*joint)? <= tolerance;
     let verdict = Verdict { remaining: gaze.remaining, tolerance, behind: false, within_reach };
     let outcome = verdict.outcome_by(gaze.sight.aim(), eye.limits_met(gaze.angles), JointSet::EMPTY);
@@ -72,16 +73,17 @@ pub(crate) fn aim(
     Some(outcome)
 }
 
-/// Such a joint, and its target.
+/// A single joint that meets the conditions, and its target.
 #[derive(Clone, Copy)]
 struct Eye<'a> {
     info: &'a JointInfo,
-    /// Its axes as columns.
+    /// The joint's axes as columns.
     axes: &'a Mat3A,
-    /// Of pitch and heading, as all pairs here.
+    /// Declared ranges of pitch and heading, in this order like all pairs in this module.
     ranges: [[f32; 2]; 2],
-    /// In lengths of the bone's own space, and along its axes.
+    /// The target relative to the joint's origin, in lengths and coordinates of the bone's own space.
     target: Vec3A,
+    /// The target along the animated forward, left and up.
     animated: View,
     distance: f32,
 }
@@ -101,7 +103,7 @@ impl<'a> Eye<'a> {
             return None;
         }
         let square_scale = common_scale(slice::from_ref(animated), OFF)?;
-        // The inverse of a frame that is turned and scaled is its transpose, divided by the square of its scale.
+        // The inverse of a rotated and uniformly scaled frame is its transpose divided by the squared scale.
         let to_target = (target_ps - animated.translation) / square_scale;
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;
         let products = Mat3A::from_cols(x * to_target, y * to_target, z * to_target).transpose();
@@ -117,7 +119,7 @@ impl<'a> Eye<'a> {
         })
     }
 
-    /// How far pitch and heading get in a frame.
+    /// Returns the intervals of pitch and heading that one frame can reach.
     #[inline(always)]
     fn reach(&self, joint: &Joint, dt: f32) -> [[f32; 2]; 2] {
         let step = greater(self.info.rate, 0.0) * dt;
@@ -126,26 +128,26 @@ impl<'a> Eye<'a> {
         [within(pitches, joint.pitch), within(headings, joint.heading)]
     }
 
-    /// The angle that would be left to the target, had the joint all the time it needs. Apart, and of a copy, so that the
-    /// other frames keep all of this in registers.
+    /// Returns the angle to the target that would remain without rate limits. Out of line and by copy, so that the
+    /// common path keeps `self` in registers.
     #[cold]
     #[inline(never)]
     fn remaining_in_time(self, joint: Joint) -> Option<f32> {
         Some(self.gaze(&joint, self.ranges)?.remaining)
     }
 
-    /// The gaze within these bounds that comes nearest to the target; `None` where the heading is so far off that this is
-    /// no matter of heading first, or where bounds leave nothing, as on the way back into a range.
+    /// Returns the gaze within these bounds that comes nearest to the target. `None` if the heading is so far off that
+    /// choosing it first is not optimal, or if the bounds are empty, as on the way back into a range.
     #[inline(always)]
     fn gaze(&self, joint: &Joint, [pitches, headings]: [[f32; 2]; 2]) -> Option<Gaze> {
         let up = self.animated.up;
-        // No `or_else`: that is a call, and what it takes has to be in memory.
+        // Not `or_else`: its call would force the operands into memory.
         let sideways = match self.stays(joint) {
             Some(sideways) => sideways,
             None => self.sideways(headings)?,
         };
         let Sideways { heading, mut is_nearest, half: (sin_h, cos_h), ahead } = sideways;
-        // Pitches are mostly within bounds: their arctangent is taken together with the one that is needed in the end.
+        // Pitches are usually within bounds, so their arctangent is computed together with that of the remaining angle.
         let half_tangent = up / (ahead + length(ahead, up));
         let mut sight = self.sight(trig::half_by_tangent(half_tangent), (sin_h, cos_h));
         let [wanted_pitch, mut remaining] = trig::twice_atan_of_both([half_tangent, sight.half_tangent]);
@@ -163,10 +165,10 @@ impl<'a> Eye<'a> {
         Some(Gaze { angles: [pitch, heading], is_nearest, remaining, sight })
     }
 
-    /// The heading of a joint that is at an end of its range already, when the target is further that way.
+    /// Returns the present heading if it is at an end of its range and the target lies beyond it.
     #[inline(always)]
     fn stays(&self, joint: &Joint) -> Option<Sideways> {
-        // The very end, bit by bit.
+        // Compare bits: the joint must be exactly at the end.
         let ([rightmost, leftmost], heading) = (self.ranges[1], joint.heading.to_bits());
         let (is_rightmost, is_leftmost) = (rightmost.to_bits() == heading, leftmost.to_bits() == heading);
         if !(is_rightmost || is_leftmost) {
@@ -180,7 +182,7 @@ impl<'a> Eye<'a> {
         (is_beyond && ahead > FAR_OFF * aside.abs()).then_some(stays)
     }
 
-    /// The heading within these bounds that comes nearest to the target.
+    /// Returns the heading within these bounds that comes nearest to the target.
     #[inline(always)]
     fn sideways(&self, headings: [f32; 2]) -> Option<Sideways> {
         let View { forward, left, .. } = self.animated;
@@ -198,7 +200,8 @@ impl<'a> Eye<'a> {
         (ahead > FAR_OFF * level).then_some(Sideways { heading, is_nearest, half, ahead })
     }
 
-    /// What a gaze with these halves of pitch and heading sees of the target.
+    /// Returns the correction with these half-angle sines and cosines of pitch and heading, and the target's angle from
+    /// it.
     #[inline(always)]
     fn sight(&self, (sin_p, cos_p): (f32, f32), (sin_h, cos_h): (f32, f32)) -> Sight {
         let halves = [sin_p, cos_p, sin_h, cos_h];
@@ -208,7 +211,7 @@ impl<'a> Eye<'a> {
         Sight { turn, half_tangent }
     }
 
-    /// Whether one of these angles is at an end of its range.
+    /// Returns the set of joint 0 if one of these angles is at an end of its range, else the empty set.
     #[inline(always)]
     fn limits_met(&self, angles: [f32; 2]) -> JointSet {
         let ends = |[lo, hi]: [f32; 2], angle: f32| (angle <= lo + AT_LIMIT_RAD) | (angle >= hi - AT_LIMIT_RAD);
@@ -220,50 +223,51 @@ impl<'a> Eye<'a> {
     }
 }
 
-/// A heading.
+/// A heading and the target's position relative to it.
 struct Sideways {
     heading: f32,
-    /// Whether it would be no other, had the joint all of its range.
+    /// `true` if the joint's whole range contains no better heading.
     is_nearest: bool,
-    /// The sine and cosine of its half.
+    /// Sine and cosine of half the heading.
     half: (f32, f32),
-    /// How far ahead the target is then, seen from above.
+    /// Forward component of the target at this heading, projected onto the level plane.
     ahead: f32,
 }
 
-/// A pitch and a heading, and what follows from them.
+/// A pitch and a heading, and the quantities derived from them.
 struct Gaze {
+    /// Pitch and heading, radians.
     angles: [f32; 2],
-    /// Whether it would be no other, had the joint all of its ranges.
+    /// `true` if the joint's whole ranges contain no better angles.
     is_nearest: bool,
-    /// The angle that is left to the target, by forward kinematics.
+    /// Remaining angle to the target, by forward kinematics, radians.
     remaining: f32,
     sight: Sight,
 }
 
-/// A correction, and how far off forward the target then is by forward kinematics.
+/// A correction, and the angle that it leaves between forward and the target, by forward kinematics.
 struct Sight {
     turn: Quat,
-    /// The tangent of half that angle.
+    /// Tangent of half the remaining angle.
     half_tangent: f32,
 }
 
 impl Sight {
-    /// The cosine of that angle.
+    /// Returns the cosine of the remaining angle.
     #[inline(always)]
     fn aim(&self) -> f32 {
         2.0 / (1.0 + self.half_tangent * self.half_tangent) - 1.0
     }
 }
 
-/// How far ahead of a heading with these halves a target is, seen from above, and how far aside to the left.
+/// Returns the target's forward and left components after a heading with this half-angle sine and cosine.
 #[inline(always)]
 fn turned_from(&View { forward, left, .. }: &View, (sin_half, cos_half): (f32, f32)) -> (f32, f32) {
     let (sin, cos) = (2.0 * sin_half * cos_half, 1.0 - 2.0 * sin_half * sin_half);
     (forward * cos + left * sin, left * cos - forward * sin)
 }
 
-/// Whether a target is in front, not steep, and neither near nor far. NaN is none of these.
+/// Returns `true` if a target is in front, not steep, and neither near nor far. NaN gives `false`.
 #[inline(always)]
 fn is_ordinary(&View { forward, left, up }: &View) -> bool {
     let level = forward * forward + left * left;
@@ -271,31 +275,31 @@ fn is_ordinary(&View { forward, left, up }: &View) -> bool {
     forward > 0.0 && up * up < STEEP * level && is_within_positive(far, ORDINARY)
 }
 
-/// Whether an angle is within bounds.
+/// Returns `true` if an angle is within bounds.
 #[inline(always)]
 fn is_within([lo, hi]: [f32; 2], angle: f32) -> bool {
     lo <= angle && angle <= hi
 }
 
-/// The angle nearest to `angle` within bounds, if those leave any.
+/// Clamps an angle to bounds; `None` if they are empty.
 #[inline(always)]
 fn held(angle: f32, [lo, hi]: [f32; 2]) -> Option<f32> {
     (lo <= hi).then(|| lesser(greater(angle, lo), hi))
 }
 
-/// The length of a vector of a plane.
+/// Returns the length of a vector in the plane.
 #[inline(always)]
 fn length(x: f32, y: f32) -> f32 {
     <f32 as Scalar>::sqrt(x * x + y * y)
 }
 
-/// The greater of two numbers: what to do about NaN takes the library's own as many instructions again.
+/// Returns the larger of two numbers. The standard library's NaN handling would double the number of instructions.
 #[inline(always)]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// The lesser of two numbers.
+/// Returns the smaller of two numbers.
 #[inline(always)]
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }

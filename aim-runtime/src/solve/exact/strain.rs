@@ -1,9 +1,9 @@
-//! A strained gaze: near the edge of reach the free angles barely span both directions of the gaze, so that a small change of
-//! the gaze takes a large movement.
+//! A strained gaze: near the edge of reach, the free angles barely span both directions of the gaze, so that a small
+//! change of the gaze takes a large movement.
 //!
-//! There a trembling target would set the joints trembling many times as far: they are slowed down while it may tremble. The
-//! linear model's optimum may also be worse than where the joints are: once the target stands still, each step has to reduce
-//! the error.
+//! A jittering target would there make the joints jitter with a much larger amplitude, so they are slowed down as long
+//! as the target may jitter. The optimum of the linear model may also be worse than the present angles, so once the
+//! target stands still, each step has to reduce the cost.
 
 use glam::Vec3A;
 
@@ -14,26 +14,28 @@ use crate::kinematics::view::View;
 use crate::limits::reach::Reach;
 use crate::rig::Memory;
 
-/// Nearer to the target than this a strained gaze takes its time, radians (0.095°)…
+/// Angle to the target below which a strained gaze moves slowly, radians (0.095°).
 pub(super) const LOOSE_RAD: f32 = 1.66e-3;
-/// … and moves no joint faster than this while it is near, rad/s.
+/// Largest speed of a joint in a strained gaze near its target, rad/s.
 const EASY_RATE: f32 = 0.12;
-/// A target that moved by less than this part of its distance since the last frame may stand still (6e-3°)…
+/// Movement since the last frame, relative to its distance, below which a target may be standing still (6e-3°).
 const STILL_TARGET: f32 = 1e-4;
-/// … and does when it goes on for so long, seconds: it does not tremble, so there is nothing to be slow for.
+/// Time without movement after which a target counts as standing still, seconds. It does not jitter, so joints need not
+/// be slow.
 const CALM_S: f32 = 0.06;
-/// For how long a strain is remembered, seconds.
+/// Time for which a strain is remembered, seconds.
 const STRAIN_S: f32 = 0.5;
-/// How often the usual part of the way is halved at most where all of it is no gain.
+/// Largest number of times that the usual part of the way is halved to obtain a gain.
 const MOST_CAUTION: u8 = 6;
-/// What a step has to gain of what the linear model promised, and what it gains where a longer one would do.
+/// Least gain of a step, relative to the linear model's prediction, for it to be accepted.
 const FAIR: f32 = 0.25;
+/// Gain of a step, relative to the linear model's prediction, above which a longer step is tried in the next frame.
 const GOOD: f32 = 0.75;
-/// How well the residual is known, radians.
+/// Rounding error of the residual, radians.
 const ROUNDING_RAD: f32 = 4e-7;
 
 impl<const C: usize> Solver<'_, C> {
-    /// What is left of a strain after this time.
+    /// Lets the remembered strain decay over `dt` and keeps track of the target.
     #[cold]
     pub(super) fn recover(&self, memory: &mut Memory, dt: f32) {
         memory.strain = (memory.strain - dt / STRAIN_S).max(0.0);
@@ -43,7 +45,7 @@ impl<const C: usize> Solver<'_, C> {
         self.watch(memory, dt);
     }
 
-    /// For how long the target has stood still.
+    /// Updates the time for which the target has stood still.
     pub(super) fn watch(&self, memory: &mut Memory, dt: f32) {
         let moved = self.target - Vec3A::from(memory.target);
         let is_still = moved.dot(moved) < STILL_TARGET * STILL_TARGET * self.target.dot(self.target);
@@ -51,12 +53,13 @@ impl<const C: usize> Solver<'_, C> {
         memory.target = self.target.to_array();
     }
 
-    /// Whether the target stands still, as far as it has been watched.
+    /// Returns `true` if the target has stood still for [`CALM_S`].
     pub(super) fn is_calm(memory: &Memory) -> bool {
         memory.still_s >= CALM_S
     }
 
-    /// The trial of a strained gaze made slow, or such that it is a gain. Returns whether it was made slow.
+    /// Adjusts the trial of a strained gaze: shortens it to a slow step, or, for a target that stands still, until it
+    /// is a gain. Returns `true` if it was made slow.
     #[cold]
     #[inline(never)]
     pub(super) fn take_care(
@@ -76,7 +79,7 @@ impl<const C: usize> Solver<'_, C> {
         Some(true)
     }
 
-    /// The trial shortened to a slow step while the gaze is near the target.
+    /// Shortens the trial to a slow step while the gaze is near the target.
     pub(super) fn ease_in(
         &mut self,
         joints: &[Joint],
@@ -96,7 +99,7 @@ impl<const C: usize> Solver<'_, C> {
         self.see(&self.trial)
     }
 
-    /// The trial, or one that goes a smaller part of the way, such that it gains about what the linear model promised.
+    /// Shortens the trial until it gains at least [`FAIR`] of what the linear model predicts.
     fn descend(
         &mut self,
         joints: &[Joint],
@@ -105,7 +108,7 @@ impl<const C: usize> Solver<'_, C> {
         memory: &mut Memory,
         view: &mut View,
     ) -> Option<()> {
-        // Whatever was stored.
+        // A stored memory may hold any value.
         let before = memory.caution.min(MOST_CAUTION);
         let mut caution = 0;
         let mut part = USUAL_PART;
@@ -138,16 +141,16 @@ impl<const C: usize> Solver<'_, C> {
         }
     }
 
-    /// What the trial gains over `joints`, and what the linear model says it gains, of the displacement and of the
-    /// residual at its price.
+    /// Returns the trial's actual gain over `joints` and the gain predicted by the linear model, each the reduction of
+    /// the displacement cost plus the penalised residual.
     ///
-    /// Both by differences: of two sums too little would be left.
+    /// Both are summed from differences, to avoid the cancellation of two large sums.
     fn gain(&self, joints: &[Joint], offset: [f32; 2], part: f32, lambda: [f32; 2], view: View) -> [f32; 2] {
         let (mut gained, mut moved) = (0.0, 0.0);
         for ((angles, joint), trial) in self.model.iter().zip(joints).zip(&*self.trial) {
             let pairs = [(joint.pitch, trial.pitch), (joint.heading, trial.heading)];
             for (angle, (from, to)) in angles.iter().zip(pairs) {
-                // What the whole way counts from, and its weight.
+                // Undo `go_part_way`: the rest and weight for the whole way.
                 let rest = from + (angle.rest - from) / part;
                 let weight = part / angle.ease;
                 gained += weight * (from - to) * (0.5 * (from + to) - rest);

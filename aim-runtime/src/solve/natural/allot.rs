@@ -1,4 +1,4 @@
-//! Where the regions belong: the way from the animated gaze to the target, shared out between them.
+//! Allotment: sharing the way from the animated gaze to the target between the regions.
 
 use core::f32::consts::PI;
 
@@ -14,31 +14,33 @@ use crate::math::trig;
 use crate::rig::PerJoint;
 use crate::{Joint, math};
 
-/// The most rounds in which the shares are corrected by what the leading joint could not do.
+/// Largest number of rounds that adjust the shares to the range of the leading joint.
 pub(super) const ROUNDS: usize = 16;
-/// The same of a frame that goes on from the last one.
+/// Largest number of such rounds in a frame, which continues from the result of the last one.
 pub(super) const FRAME_ROUNDS: usize = 2;
-/// A correction is at most so many times what is left.
+/// Largest adjustment in a round, as a multiple of the remaining error.
 const MOST_STEPS: f32 = 5.0;
-/// What has to be left of a correction for another to be tried.
+/// Ratio to the last round's error above which another round is not worth trying.
 const GAIN: f32 = 0.95;
-/// The part of its range that an eye is given: what its angles miss of headings and elevations stays within the rest.
+/// Part of an eye's range that it is allotted. The margin covers the error of adding headings and elevations.
 const EYE_PART: f32 = 0.98;
-/// The part of its range within which the leading joint surely does what headings and elevations leave to it, below this
-/// elevation.
+/// Part of its range within which the leading joint can certainly cover what headings and elevations leave to it, at
+/// elevations below [`STEEP_RAD`].
 const PLAIN_PART: f32 = 0.8;
+/// Elevation above which headings are a poor measure of the joints' angles.
 const STEEP_RAD: f32 = 50.0 * PI / 180.0;
-/// A way that finds no room for more than this is out of reach, radians: a rounding below that elevation, above it what angles
-/// of joints may make of headings that say little there.
+/// Remainder of the way that counts as out of reach at elevations below [`STEEP_RAD`], radians: a rounding error.
 const OUT_OF_REACH_RAD: f32 = 2e-4;
+/// Remainder of the way that counts as out of reach at elevations above [`STEEP_RAD`], radians. Joint angles may still
+/// cover a smaller one, because headings say little there.
 const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
 
 /// The lanes of a pair.
 const HEADING: usize = 0;
 const PITCH: usize = 1;
 
-/// How far eyes whose headings are these, in a head of one elevation, look aside from it at another: at
-/// tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η) towards elevation ε, the head's being η.
+/// Converts eye headings h, relative to a head at elevation η = `head`, into headings ψ relative to the head's for
+/// directions at `elevation` ε. Inverts tan h = cos ε·sin ψ/(cos ε·cos ψ·cos η + sin ε·sin η).
 fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] {
     let half_turn = Vec4::splat(PI);
     let [sines, cosines] = trig::sin_cos_4(Vec4::new(right, left, head, elevation).max(-half_turn).min(half_turn));
@@ -58,30 +60,32 @@ fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] 
     [a + c, b + d]
 }
 
-/// The way from the animated gaze to the target, heading and elevation each.
+/// The way from the animated gaze to the target, as headings and elevations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
     from: Pair,
     to: Pair,
     way: Pair,
-    /// The part of it that is the regions'.
+    /// The part of the way that the regions cover.
     part: f32,
 }
 
-/// Where the regions belong.
+/// The directions allotted to the regions.
 pub(super) struct Allotment<const C: usize> {
-    /// The heading and elevation of each region's outermost forward, from the innermost region outward.
+    /// Heading and elevation of each region's outermost forward, from the innermost region outward.
     pub(super) directions: PerJoint<Pair, C>,
-    /// The point that the leading joint looks at: the target, or what heading and elevation have room for of the way there.
+    /// The point that the leading joint looks at: the target, or the nearest direction within reach if it is out of
+    /// reach.
     pub(super) point: Vec3A,
     pub(super) fit: Fit,
 }
 
-/// Whether heading and elevation of a target fit what ranges and budgets allow.
+/// The result of fitting a target's heading and elevation into ranges and budgets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
+    /// `true` if heading and elevation fit.
     pub(super) within_reach: bool,
-    /// How far the body would have to turn for its heading to fit, radians, positive to the left.
+    /// Turn of the body that would make the heading fit, radians, positive to the left.
     pub(super) body_turn: f32,
 }
 
@@ -96,13 +100,13 @@ impl<const C: usize> Allotment<C> {
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// The way to what is aimed at.
+    /// Returns the way to the point that is aimed at.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn way(&self) -> Option<Way> {
         self.way_to(self.goal.aimed)
     }
 
-    /// How far the body would have to turn for a target behind, which is not what is aimed at, to come into reach.
+    /// Returns the turn of the body that would bring a target behind into reach, which differs from the point aimed at.
     #[cold]
     pub(super) fn turn_for_behind(&self) -> Option<f32> {
         let (_, unfit) = self.share(&self.way_to(self.goal.wanted)?, Vec4::ZERO);
@@ -118,8 +122,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
     }
 
-    /// Where the regions belong where that is plain: the leading joint can surely do the rest, or the target is out of reach. Else
-    /// `None`, and [`settle`](Self::settle) tries.
+    /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest, or the target is out
+    /// of reach. Otherwise returns `None`, and [`settle`](Self::settle) has to iterate.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
         let (directions, unfit) = self.share(way, Vec4::ZERO);
@@ -140,19 +144,20 @@ impl<const C: usize> Gaze<'_, C> {
             let inside = if head > 0 { turned(head - 1) } else { Vec4::ZERO };
             (turned(head) - inside, self.regions[head].lo, self.regions[head].hi)
         };
-        // Where an angle has nowhere to go this is no number, or infinite.
+        // NaN or infinite if an angle cannot move.
         let used = rest / Vec4::select(rest.cmpgt(Vec4::ZERO), hi, lo);
         let is_plain = square(used) < PLAIN_PART * PLAIN_PART;
         is_plain.then_some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
-    /// Out of reach to the side, the gaze keeps the target's elevation; too high or low, its heading.
+    /// Returns the allotment for a target out of reach. To the side, the gaze keeps the target's elevation; too high or
+    /// too low, its heading.
     fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
         let nearest = way.from + way.way - unfit;
         let to_target = self.goal.aimed - self.pivot;
         let distance = to_target.length();
         let mut to_point = self.bearings.direction(nearest) * distance;
-        // An eye looks where the target is, though the others turn to what is steep by way of the front.
+        // Near the zenith, the eye looks towards the target itself, although the regions turn by way of the front.
         let steep = (way.to.y.abs() - BY_THE_FRONT_RAD[0]) / (BY_THE_FRONT_RAD[1] - BY_THE_FRONT_RAD[0]);
         if self.has_eye && steep > 0.0 {
             to_point += (to_target - to_point) * steep.at_most(1.0);
@@ -161,7 +166,7 @@ impl<const C: usize> Gaze<'_, C> {
         Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit.x } }
     }
 
-    /// Finds where the regions belong, and puts the joints there; `more` is what the regions make beyond their part.
+    /// Finds the allotment and puts the joints there. `more` is what the regions cover beyond their part.
     pub(super) fn settle(
         &self,
         way: Way,
@@ -180,8 +185,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some(allotment)
     }
 
-    /// The same where it is not plain: each round the regions make `more`, until the leading joint can just do the rest, in so many
-    /// rounds at most.
+    /// Finds the allotment by iteration, where it is not plain: in each of at most `rounds` rounds, adjusts `more`
+    /// until the leading joint can just cover the rest.
     pub(super) fn settle_in_rounds(
         &self,
         way: &Way,
@@ -195,13 +200,13 @@ impl<const C: usize> Gaze<'_, C> {
         for round in 0..rounds {
             let seen = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?;
             let left = seen.left();
-            // What the regions need not make after all.
+            // The part of `more` that the regions need not cover.
             let spare =
                 (seen.wanted - own.hi).max(-*more).min(Vec4::ZERO) + (seen.wanted - own.lo).min(-*more).max(Vec4::ZERO);
             let needs = if self.has_eye {
                 spare.cmpeq(Vec4::ZERO)
             } else {
-                // The region's end may hold a head that its own range would not.
+                // A head without eyes may be stopped by its region's limits instead of its own range.
                 left.abs().cmpgt(Vec4::splat(SAME_RAD))
             };
             let off = Vec4::select(needs, left, spare);
@@ -216,7 +221,7 @@ impl<const C: usize> Gaze<'_, C> {
                 *more -= step;
                 return Some(self.out_of_reach(way, directions, left));
             }
-            // By the secant through the last two rounds, each angle for itself.
+            // A secant step through the last two rounds, separately for each angle.
             let per = step / (before - off);
             step = off * Vec4::select(per.cmpgt(Vec4::ZERO), per.min(Vec4::splat(MOST_STEPS)), Vec4::ONE);
             before = off;
@@ -226,8 +231,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
     }
 
-    /// Shares a way out; its part is the regions', and `more` on top. Returns the directions that the regions' outermost
-    /// joints come to have, and what of the way finds no room.
+    /// Shares a way out between the regions, which cover its `part` and `more` on top. Returns the resulting directions
+    /// of the regions' outermost joints, and the remainder of the way that does not fit.
     fn share(&self, &Way { to, way, part, .. }: &Way, more: Pair) -> (PerJoint<Pair, C>, Pair) {
         let mut directions = self.rig.array(Vec4::ZERO);
         let (lo, hi) = if self.has_eye {
@@ -236,6 +241,7 @@ impl<const C: usize> Gaze<'_, C> {
         } else {
             (Vec4::ZERO, Vec4::ZERO)
         };
+        // The regions' part, but at least what the eye's range cannot cover.
         let done =
             self.turn_regions((way * part).max(way - hi * EYE_PART).min(way - lo * EYE_PART) + more, &mut directions);
         let rest = way - done;
@@ -255,7 +261,7 @@ impl<const C: usize> Gaze<'_, C> {
         (directions, unfit)
     }
 
-    /// Turns what is steep towards its front as it is raised.
+    /// Corrects the directions of steep regions by way of their front.
     #[cold]
     #[inline(never)]
     fn raise(&self, directions: &mut [Pair]) {
@@ -267,18 +273,18 @@ impl<const C: usize> Gaze<'_, C> {
         }
     }
 
-    /// Turns the regions by `wanted` together, each by its compliance; what one has no room for is left to the others. Returns
-    /// how far they turn.
+    /// Turns the regions by a total of `wanted`, each by its compliance; what one cannot cover passes to the others.
+    /// Returns the total turn.
     ///
-    /// A pitch p under a head turned aside by β lifts the gaze by no more than p·cos β, and rolls the head by p·sin β: a region
-    /// complies with it the less, the farther the head is turned out of it.
+    /// A pitch p under a head turned aside by β lifts the gaze by at most p·cos β and rolls the head by p·sin β, so a
+    /// region's compliance in pitch decreases, the further the head is turned out of it.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_regions(&self, wanted: Pair, directions: &mut [Pair]) -> Pair {
         let heading = self.turn_axis::<HEADING>(wanted.x, directions);
         pair([heading, self.turn_axis::<PITCH>(wanted.y, directions)])
     }
 
-    /// The same for one axis; heading comes first.
+    /// Turns the regions about one axis. The headings must be set before the pitches.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_axis<const AXIS: usize>(&self, wanted: f32, directions: &mut [Pair]) -> f32 {
         let (regions, head) = (self.regions, self.regions.len() - 1);
@@ -290,7 +296,7 @@ impl<const C: usize> Gaze<'_, C> {
             gives[number] = region.part.compliance[AXIS] / calm(out);
             total += gives[number];
         }
-        // Mostly all have room for their parts.
+        // Usually every region has room for its part.
         let each = wanted / total;
         let (mut sum, mut fits) = (0.0, true);
         for ((gives, region), direction) in gives.iter().zip(regions).zip(&mut *directions) {
@@ -302,7 +308,7 @@ impl<const C: usize> Gaze<'_, C> {
         if fits { sum } else { self.turn_within_room::<AXIS>(wanted, &gives, directions) }
     }
 
-    /// The same where not all have room for the parts that they would give: a function for each axis.
+    /// Turns the regions where some have no room for their parts. Monomorphised for each axis.
     #[cfg_attr(not(aim_small), inline(never))]
     fn turn_within_room<const AXIS: usize>(
         &self,

@@ -1,17 +1,18 @@
-//! [`Body`]: the animated pose as a natural gaze sees it.
+//! [`Body`]: the animated pose as the natural solver uses it.
 //!
-//! A joint's *frame* has its forward, left and up as columns, in solver space, upright where its heading is: so no axes are
-//! needed any more. Its corrections by heading h and pitch p turn the frame (f, l, u) to
+//! A joint's *frame* has its forward, left and up as columns, in solver space. It is upright if the joint has an
+//! upright heading. The bones' axes are then no longer needed. Corrections by heading h and pitch p turn the frame (f,
+//! l, u) to
 //!
 //! ```text
 //! f′ = (f·cos h + l·sin h)·cos p + u·sin p,   l′ = l·cos h − f·sin h,   u′ = u·cos p − (f·cos h + l·sin h)·sin p
 //! ```
 //!
-//! which is `R_heading·R_pitch` also where the axes are mirrored.
+//! which equals `R_heading·R_pitch` even for mirrored axes.
 //!
-//! The pose is not carried outward along the chain. A joint's turn F·R·Fᵀ about its animated place x is
-//! [taken back](Body::take_back) from what is looked at instead, x + F·Rᵀ·Fᵀ·(point − x), which comes to the same. So each joint
-//! is turned in its animated frame.
+//! The pose is not carried outward along the chain. Instead, each joint's turn F·R·Fᵀ about its animated place x is
+//! [taken back](Body::take_back) from the point that is looked at: x + F·Rᵀ·Fᵀ·(point − x). This is equivalent, and
+//! each joint is turned in its animated frame.
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
@@ -25,28 +26,31 @@ use crate::rig::{ChainRig, PerJoint};
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
     pub(super) rig: &'a ChainRig<'a, C>,
-    /// The joint that carries the effector; those before it do not matter.
+    /// The joint that carries the effector; joints outward of it do not matter.
     pub(super) first: usize,
-    /// The joints' frames, the same as rows, and where they are; the innermost is the origin.
+    /// The joints' frames.
     pub(super) frames: PerJoint<Mat3A, C>,
+    /// The transposed frames.
     pub(super) rows: PerJoint<Mat3A, C>,
+    /// The joints' positions; the innermost joint is the origin.
     pub(super) places: PerJoint<Vec3A, C>,
-    /// How each joint's upright frame stands in its bone.
+    /// The rotation of each joint's upright frame in its bone.
     pub(super) tilts: PerJoint<Quat, C>,
-    /// The innermost joint's frame before it is tilted upright.
+    /// The innermost joint's frame before it is made upright.
     pub(super) trunk: Mat3A,
-    /// The effector, its direction a unit vector, and the same in the aimed joint's frame.
+    /// The effector in solver space; its direction is a unit vector.
     pub(super) gaze: Ray,
+    /// The effector in the aimed joint's frame.
     pub(super) effector: Ray,
-    /// Whether the effector looks along its joint's forward from its origin.
+    /// `true` if the effector looks along its joint's forward from its origin.
     pub(super) is_plain: bool,
-    /// How far the pose is from frames and positions alone, by shear and non-uniform scale.
+    /// Deviation of the pose, by shear and non-uniform scale, from what frames and positions can represent.
     pub(super) off: Off,
     pub(super) space: Space,
 }
 
 impl<'a, const C: usize> Body<'a, C> {
-    /// A body of which nothing is known.
+    /// Creates a body before a pose is read.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn unseen(rig: &'a ChainRig<'a, C>) -> Self {
         let ray = Ray { origin: Vec3A::ZERO, direction: Vec3A::X };
@@ -66,19 +70,19 @@ impl<'a, const C: usize> Body<'a, C> {
         }
     }
 
-    /// The number of joints.
+    /// Returns the number of joints.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn count(&self) -> usize {
         self.rig.count()
     }
 
-    /// What was declared of the joints.
+    /// Returns the declared properties of the joints.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn infos(&self) -> &'a [JointInfo] {
         &self.rig.joints[..self.rig.count()]
     }
 
-    /// Reads `pose` with `first` as the joint that is aimed; `None` where it is not finite or does not span space.
+    /// Reads `pose` with `first` as the aimed joint; `None` if it is not finite or is singular.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn read(&mut self, pose: &[Affine3A], first: usize, about: Upright) -> Option<()> {
         let infos = self.infos();
@@ -121,25 +125,25 @@ impl<'a, const C: usize> Body<'a, C> {
         Some(())
     }
 
-    /// Whether a joint's frame is not that of its bone.
+    /// Returns `true` if a joint's upright frame differs from that of its bone.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_tilted(&self, joint: usize) -> bool {
         self.rig.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
     }
 
-    /// A direction of a joint's bone in its upright frame.
+    /// Transforms a direction of a joint's bone to its upright frame.
     #[cold]
     fn upright_direction(&self, joint: usize, direction: Vec3A) -> Vec3A {
         self.rig.joints[joint].planes.basis.transpose() * math::turned(self.tilts[joint].conjugate(), direction)
     }
 
-    /// A joint's own forward in its upright frame.
+    /// Returns a joint's declared forward in its upright frame.
     #[cold]
     pub(super) fn own_forward(&self, joint: usize) -> Vec3A {
         self.upright_direction(joint, self.infos()[joint].axes.forward.into())
     }
 
-    /// Takes the effector from the true kinematics of a pose that is not rigid; `None` where it looks nowhere.
+    /// Sets the effector from the true kinematics of a pose that is not rigid; `None` if its direction is zero.
     pub(super) fn look_along(&mut self, gaze: Ray) -> Option<()> {
         self.gaze = Ray { direction: math::unit(gaze.direction)?, ..gaze };
         self.effector.direction = self.rows[self.first] * self.gaze.direction;
@@ -147,8 +151,8 @@ impl<'a, const C: usize> Body<'a, C> {
         Some(())
     }
 
-    /// The angle between the effector and the direction to a point from which the turns of the joints inside are taken back, the
-    /// leading joint turned like this; `None` where that is undefined.
+    /// Returns the angle between the effector, with the leading joint turned by `turn`, and the direction to a point,
+    /// from which the turns of the joints inward are taken back; `None` if it is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
         let first = self.first;
@@ -165,7 +169,7 @@ impl<'a, const C: usize> Body<'a, C> {
         Some(trig::atan2(math::root(aside), seen.x))
     }
 
-    /// Whether a joint turns all the way round.
+    /// Returns `true` if any joint can turn all the way round.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn turns_round(&self) -> bool {
         let all = [f32::NEG_INFINITY, f32::INFINITY];
@@ -174,13 +178,13 @@ impl<'a, const C: usize> Body<'a, C> {
         !rig.has_fixed_ranges && rig.joints[self.first..].iter().any(is_free)
     }
 
-    /// A direction from which a joint's turn is taken back.
+    /// Takes a joint's turn back from a direction.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn take_back(&self, joint: usize, turn: &Turn, direction: Vec3A) -> Vec3A {
         self.frames[joint] * turn.back(self.rows[joint] * direction)
     }
 
-    /// A point from which a joint's turn is taken back.
+    /// Takes a joint's turn back from a point.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn take_back_point(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
         let place = self.places[joint];
@@ -203,7 +207,7 @@ impl Turn {
         Self(trig::doubled(halves))
     }
 
-    /// A vector along forward, left and up as it is along those that are turned.
+    /// Takes the turn back from a vector along forward, left and up: applies its inverse.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(in crate::solve) fn back(&self, v: Vec3A) -> Vec3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
@@ -212,7 +216,7 @@ impl Turn {
         Vec3A::new(level * cos_p + up * sin_p, left * cos_h - ahead * sin_h, up * cos_p - level * sin_p)
     }
 
-    /// The frame (f, l, u) turned.
+    /// Turns the frame (f, l, u).
     pub(super) fn of_frame(&self, frame: &Mat3A) -> Mat3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let Mat3A { x_axis: forward, y_axis: left, z_axis: up } = *frame;
@@ -221,7 +225,7 @@ impl Turn {
     }
 }
 
-/// A joint's angles as a pair.
+/// Returns a joint's angles as a pair.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn angles(joint: &crate::Joint) -> Pair {
     Vec4::new(joint.heading, joint.pitch, 0.0, 0.0)

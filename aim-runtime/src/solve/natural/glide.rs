@@ -1,8 +1,8 @@
-//! How joints get to where they belong: regions [glide](Glide), eyes [leap](saccade).
+//! Motion over time: regions [glide](Glide) to their goals, eyes make [saccades](saccade).
 //!
-//! Both go along with what their goal does smoothly and make up for what it does at once by an offset that dies away:
-//! angle = goal + offset. So a gaze follows a moving target without lag, and a target that leaps sets off one smooth
-//! movement, whatever the frame rate.
+//! In both, angle = goal + offset. The smooth part of a goal's movement is followed directly (fed forward), while
+//! anything sudden goes into the offset, which decays. A gaze therefore follows a moving target without lag, and a
+//! target that jumps starts one smooth movement, whatever the frame rate.
 
 use core::f32::consts::PI;
 
@@ -12,12 +12,12 @@ use crate::math;
 use crate::math::Bounded;
 use crate::rig::Led;
 
-/// Heading and pitch in the first two lanes; what the others hold does not matter.
+/// Heading and pitch in the first two lanes; the other lanes are unspecified.
 pub(super) type Pair = Vec4;
 
-/// The offset of a region from its goal: its mean speed in the last frame and its acceleration at the end of that. It dies away
-/// as (c₀ + c₁t + c₂t²)·e^(−ωt): speed and acceleration never jump, the speed is bell-shaped, and its peak is at 32 % of the way,
-/// 2/ω after the start.
+/// A region's offset from its goal, with its mean velocity in the last frame and its acceleration at the end of that
+/// frame. The offset decays as (c₀ + c₁t + c₂t²)·e^(−ωt). Velocity and acceleration are continuous; the speed is
+/// bell-shaped, with its peak 2/ω after the start, at 32 % of the way.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Glide {
     pub(super) offset: Pair,
@@ -25,31 +25,36 @@ pub(super) struct Glide {
     pub(super) acceleration: Pair,
 }
 
-/// What bounds a glide in a frame.
+/// The bounds of a glide in one frame.
 pub(super) struct Bounds {
     pub(super) dt: f32,
     pub(super) per_dt: f32,
-    /// ω.
+    /// The pace of the decay, ω, 1/s.
     pub(super) pace: f32,
+    /// The largest speed of the region, rad/s.
     pub(super) rate: f32,
-    /// The largest speed at which an offset dies away.
+    /// The largest speed at which an offset decays, rad/s.
     pub(super) approach: f32,
+    /// The largest change of the region's speed, rad/s².
     pub(super) acceleration: f32,
 }
 
-/// So many times its acceleration brake a region before an end that comes too fast for it.
+/// Braking before an end that approaches too fast may exceed the acceleration by this factor.
 const LATE: f32 = 2.0;
-/// The part of its acceleration with which a region brakes before an end that comes nearer, which may come faster yet.
+/// Part of the acceleration used to brake before an end that comes nearer; the rest is in reserve, as the end may speed
+/// up.
 const WARY: f32 = 0.5;
 
 impl Glide {
-    /// The glide a frame later, while the goal goes on at speed `with` after `before`. From frame to frame, the region's
-    /// speed as it is seen, that of goal and offset together, changes by no more than its acceleration allows.
+    /// Returns the glide one frame later, for a goal with the velocity `before` in the last frame and `with` in this
+    /// one. From frame to frame, the region's total velocity, that of goal and offset, changes by at most the
+    /// acceleration.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn after(&self, bounds: &Bounds, before: Pair, with: Pair) -> Self {
         let &Bounds { dt, per_dt, pace, rate, approach, acceleration } = bounds;
         let far = length(self.offset);
-        // While the offset stays the same, the speed comes to ω·offset/3; what the goal's own leaves of the rate.
+        // A constant offset would decay at speed ω·offset/3. Limit that speed to what the goal's velocity leaves of the
+        // rate.
         let near = 3.0 * (rate - length(with)).at_least(0.0).at_most(approach);
         let part = if far * pace > near { near / (pace * far) } else { 1.0 };
         let fade = exp_of_minus(pace * dt);
@@ -70,14 +75,15 @@ impl Glide {
         Self { offset: self.offset + speed * dt, speed, acceleration }
     }
 
-    /// The glide after a frame at this mean speed.
+    /// Returns the glide after a frame at this mean velocity.
     #[cfg_attr(not(aim_small), inline(always))]
     fn at_speed(&self, speed: Pair, bounds: &Bounds) -> Self {
         Self { offset: self.offset + speed * bounds.dt, speed, acceleration: (speed - self.speed) * bounds.per_dt }
     }
 
-    /// The glide where the region would not stop before the ends of its room any more, which move: braked. `sum` is where the
-    /// frame began, as `before`, with the goal's speed `begins`; `ends` are those of the joints' ranges and of the budget.
+    /// Returns the glide, braked if the region could no longer stop before its limits, which may move. `before` is the
+    /// glide and `sum` the region's angles at the start of the frame; `begins` and `with` are the goal's velocities.
+    /// `ends` computes the limits by the joints' ranges and by the budget.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn braked(
         self,
@@ -94,7 +100,7 @@ impl Glide {
             return self;
         }
         let most = room.most_speeds(ends(), sums, speeds, bounds);
-        // Where that is too late, too, the range ends the movement.
+        // If even the increased braking is too late, the range stops the movement.
         let start = before.speed + begins;
         let held = end.min(most).max(-most.zwxy());
         let late = Vec4::splat(LATE * bounds.acceleration * bounds.dt);
@@ -108,7 +114,7 @@ impl Glide {
         Self { offset: before.offset + speed * bounds.dt, speed, acceleration }
     }
 
-    /// Whether nothing is left of it that could be seen.
+    /// Returns `true` if no visible movement remains.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_over(&self, pace: f32) -> bool {
         const STILL_RAD: f32 = 2e-5;
@@ -116,47 +122,49 @@ impl Glide {
     }
 }
 
-/// The ends of a region's room, which its joints' ranges and its budget limit: the greatest sums of headings and pitches, then the
-/// least with their signs changed.
+/// A region's limits by its joints' ranges and its budget: the upper limits of heading and pitch, then the lower limits
+/// negated.
 pub(super) struct Room {
+    /// The tighter limit of each lane, at least 0.
     at: Vec4,
-    /// The speeds at which the animation brings the ranges' and the budget's ends nearer, negative.
+    /// The velocities at which the animation moves the ranges' and the budget's limits; negative for approaching ones,
+    /// else 0.
     speeds: [Vec4; 2],
 }
 
-/// A pair, and the same with its signs changed.
+/// Returns a pair, followed by its negation.
 #[cfg_attr(not(aim_small), inline(always))]
 fn both_ways(pair: Pair) -> Vec4 {
     pair.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)
 }
 
 impl Room {
-    /// The sums between `lo` and `hi`.
+    /// Returns the limits for sums between `lo` and `hi`.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn ends([lo, hi]: [Pair; 2]) -> Vec4 {
         Vec4::new(hi.x, hi.y, -lo.x, -lo.y).max(Vec4::ZERO)
     }
 
-    /// The room whose ends the animation has shifted by these pairs, where it had shifted them by `before` in the last frame.
+    /// Creates the limits `at`. The animation has shifted them by `shifts`, and in the last frame by `before`.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(at: Vec4, shifts: [Pair; 2], before: Option<[[f32; 2]; 2]>, bounds: &Bounds) -> Self {
         let Some(before) = before else { return Self { at, speeds: [Vec4::ZERO; 2] } };
         let speeds = [0, 1].map(|limit| {
             let speed = both_ways(shifts[limit] - pair(before[limit])) * bounds.per_dt;
-            // An end that leaps has no speed, and one that goes away may stop at any time.
+            // A limit that jumps has no velocity, and a receding one may stop at any time.
             Vec4::select(speed.cmpge(Vec4::splat(-bounds.rate)), speed.min(Vec4::ZERO), Vec4::ZERO)
         });
         Self { at, speeds }
     }
 
-    /// The distances at which something with these speeds has to begin to stop before ends that come nearer.
+    /// Returns the distances needed to stop at these speeds before limits that approach.
     #[cfg_attr(not(aim_small), inline(always))]
     fn stops(speeds: Vec4, coming: Vec4, acceleration: Vec4, dt: f32) -> Vec4 {
         let closing = (speeds - coming).max(Vec4::ZERO);
         closing * (closing * 0.5 / acceleration + Vec4::splat(dt))
     }
 
-    /// True if what has these speeds is surely farther away from all ends than it takes to stop.
+    /// Returns `true` if every limit is certainly further away than the distance needed to stop.
     #[cfg_attr(not(aim_small), inline(always))]
     fn leaves_room(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
         let coming = self.speeds[0].min(self.speeds[1]);
@@ -164,13 +172,14 @@ impl Room {
         (self.at - sums).cmpgt(stops).bitmask() == 15
     }
 
-    /// The largest speeds from which it is possible to stop before the ends.
+    /// Returns the largest speeds from which it is possible to stop before the limits.
     #[cold]
     #[inline(never)]
     fn most_speeds(&self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
         let mut most = [f32::INFINITY; 4];
         for (end, coming) in ends.iter().zip(&self.speeds) {
-            // As the end was when the frame began; where the animation is at it, it stays.
+            // Measure the distance from the limit's position at the start of the frame. A limit already at the
+            // animation stays.
             let coming = Vec4::select(end.cmpgt(Vec4::ZERO), *coming, Vec4::ZERO);
             let left = *end - coming * bounds.dt - sums;
             let wary = Vec4::select(coming.cmplt(Vec4::ZERO), Vec4::splat(WARY), Vec4::ONE);
@@ -179,7 +188,7 @@ impl Room {
             for lane in (0..4).filter(|lane| is_near.test(*lane)) {
                 let mut speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + coming[lane];
                 if speed < 0.0 {
-                    // No end comes nearer than the animation, at which the region has to stop in its turn.
+                    // A limit comes no nearer than the animation, so a retreating region has to be able to stop there.
                     speed = speed.at_least(-braking(sums[lane], bounds.acceleration * bounds.dt, bounds.dt));
                 }
                 most[lane] = most[lane].at_most(speed);
@@ -189,9 +198,10 @@ impl Room {
     }
 }
 
-/// The mean speed in a frame from which something that slows down by `gain` from frame to frame still stops at this distance.
+/// Returns the largest mean speed in a frame from which a movement that loses at most `gain` of its speed per frame can
+/// stop within `distance`.
 ///
-/// A speed of n + r gains, 0 ≤ r ≤ 1, takes n(n + 1)/2 + (n + 1)·r times gain·dt.
+/// A speed of n + r gains, with integer n and 0 ≤ r ≤ 1, takes a distance of n(n + 1)/2 + (n + 1)·r times gain·dt.
 fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
     let distance = (distance / (gain * dt)).at_least(0.0);
     let whole = 0.5 * (math::sqrt(1.0 + 8.0 * distance) - 1.0);
@@ -203,14 +213,16 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
     gain * (frames + (distance - 0.5 * frames * (frames + 1.0)) / (frames + 1.0))
 }
 
-/// What a leading goal did in a frame: the speed that its region goes along with, and the offset that is left. Returns the
-/// speed with which the frame begins, and what the goal did at once.
+/// Splits the movement of the head's goal in a frame into a velocity that the region follows (feed-forward) and an
+/// offset. Returns the feed-forward velocity at the start of the frame, and the jump of the goal.
 ///
-/// A change of the goal's speed is gone along with as far as this `part` of the acceleration goes; one that lasts, from the
-/// second frame on, as far as the rate goes, with the region's own speed going on evenly; a leap is all offset, and so is a hop from
-/// which the goal has come back. A change that the acceleration makes up for comes over two frames where it is a jerk, as at a key:
-/// jerks to and fro would throw the head from end to end of its acceleration. A region that is shaken goes along with the goal's
-/// mean speed.
+/// - A change of the goal's velocity is followed at once up to `part` of the acceleration.
+/// - A velocity that lasts, from its second frame on, is followed up to the rate, without a step in the region's own
+///   velocity.
+/// - A jump becomes offset entirely, and so does a hop from which the goal returns.
+/// - A sudden change within the acceleration, as at an animation key, is followed over two frames. Alternating ones
+///   would otherwise drive the head from one end of its acceleration to the other.
+/// - A goal that shakes is followed by its mean velocity.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn follow(
     led: &mut Led,
@@ -219,8 +231,9 @@ pub(super) fn follow(
     part: f32,
     bounds: &Bounds,
 ) -> [Pair; 2] {
-    /// The part of the acceleration that makes up for a jerk at once; what is less than this part before it is no gain of speed.
+    /// Part of the acceleration that follows a sudden change at once.
     const AT_ONCE: f32 = 0.5;
+    /// Part of the acceleration up to which a change does not count as a gain of speed.
     const GAINS: f32 = 0.25;
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
@@ -228,7 +241,7 @@ pub(super) fn follow(
     let change = (goal - led_goal) * per_dt;
     let is_near = |other: Pair| is_near_to(change, other, most);
     let lasts = is_near(led_change);
-    // The goal hops where its speeds of two frames lie on either side of what is gone along with.
+    // The goal hops if its velocities in two frames lie on either side of the feed-forward velocity.
     let gain = change - led_speed;
     let hops = (gain * (led_change - led_speed)).cmplt(Vec4::ZERO);
     let gain = match (lasts, led.gains) {
@@ -259,15 +272,15 @@ pub(super) fn follow(
     [begins, leap]
 }
 
-/// True if both angles are within `most` of others.
+/// Returns `true` if both angles are within `most` of the others.
 #[cfg_attr(not(aim_small), inline(always))]
 fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
     (pair - other).abs().cmple(most * 1.0001).bitmask() & 3 == 3
 }
 
 impl Led {
-    /// Notes a goal that moves because weight or attention change. A fade ends at once, and whoever goes along
-    /// with it overshoots: all of it is offset, which dies away on one side.
+    /// Follows a goal that moves because weight or attention changes. Such a fade ends abruptly, and following its
+    /// velocity would overshoot. All of its movement therefore becomes offset, which decays without overshoot.
     #[cold]
     #[inline(never)]
     pub(super) fn fade(&mut self, [sum, goal]: [Pair; 2], glide: &mut Glide, dt: f32) {
@@ -277,35 +290,39 @@ impl Led {
         (self.goal, self.speed, self.change) = (ends(goal), [0.0; 2], [0.0; 2]);
     }
 
-    /// The part of its pace with which the head follows: less where its goal leaps to and fro.
+    /// Returns the factor on the head's pace, below 1 if its goal jumps to and fro.
     pub(super) fn haste(&self) -> f32 {
         const LEAST: f32 = 0.4;
         (1.0 - self.tired).at_least(LEAST).at_most(1.0)
     }
 
-    /// A goal that goes on leaving the speed that is gone along with, by v, faster than the acceleration a makes up for shakes the
-    /// head: going along overshoots by v²/2a. So does one that turns back at once. The more it is shaken, the more it goes along with
-    /// the mean of its goal's speed alone.
+    /// Limits how a shaking goal is followed, and updates `tired`.
     ///
-    /// Returns what it goes along with instead of `speed`, and whether that is within the acceleration; `lasts` tells whether the
-    /// goal's last change was.
+    /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow,
+    /// then following overshoots by v²/2a and shakes the head. A goal that turns back at once does the same. The higher
+    /// `tired` is, the more the head follows only the mean of the goal's velocity.
+    ///
+    /// Returns the feed-forward velocity that replaces `speed`, and whether its change is within the acceleration.
+    /// `lasts` tells whether the goal's last change was.
     #[cold]
     #[inline(never)]
     fn shake(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
-        /// The time over which the mean is taken, and that in which shaking comes to count in full, seconds.
+        /// Time constant of the mean, seconds.
         const MEAN_S: f32 = 0.25;
+        /// Time of shaking after which it counts in full, seconds.
         const SHAKEN_S: f32 = 0.1;
-        /// From how far going along overshoots it counts as shaking, and from where in full.
+        /// Overshoots from which movement begins to count as shaking, and from which it counts in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
-        /// From how far on one turn back counts most, whatever the frame rate, and what that is.
+        /// Overshoot from which one reversal counts most, regardless of the frame rate.
         const TURN_BACK_RAD: f32 = 14.0 * PI / 180.0;
+        /// The most that one reversal counts.
         const TURN_BACK: f32 = 1.1;
         let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.speed);
         if !lasts {
             let off = square(change - before);
-            // What is faster than the head is a leap.
+            // A goal faster than the head's rate has jumped instead.
             let turns_back = change.x * before.x + change.y * before.y < 0.0 && square(change) <= rate * rate;
             self.tired += if turns_back {
                 TURN_BACK * (off / (2.0 * acceleration * TURN_BACK_RAD)).at_most(1.0)
@@ -318,22 +335,22 @@ impl Led {
         if !(self.tired > 0.0) {
             return (speed, is_near_to(speed, before, most));
         }
-        // A leap is no motion: little of its speed counts. What swings faster one way than the other does, or it would drift.
+        // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
+        // than forth would otherwise make the mean drift.
         let counted = change * (3.0 * rate / length(change)).at_most(1.0);
         let mean = before + (counted - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.tired.at_most(1.0);
-        // Sudden changes one way alone would push the head that way.
+        // Without this limit, sudden changes in one direction only would push the head that way.
         (before + (speed - before).max(-most).min(most), true)
     }
 
-    /// A goal that leaps back before the head has come makes it slow for a while: it stays near the middle.
-    ///
-    /// `leap` is what the goal did at once, and `ahead` how far off it was before.
+    /// Makes the head slower for a while if its goal jumps back before the head has arrived, so that it stays near the
+    /// middle. `leap` is the goal's jump, and `ahead` its distance from the head before it.
     #[cfg_attr(not(aim_small), inline(always))]
     fn tire(&mut self, leap: Pair, ahead: Pair, dt: f32) {
         const MOST: f32 = 1.5;
         const RESTS_S: f32 = 0.8;
-        // What counts as trembling, and what counts in full.
+        // Jumps up to the first angle count as jitter and are ignored; from the second angle on they count in full.
         const TREMBLING_RAD: f32 = 5.0 * PI / 180.0;
         const WHOLE_RAD: f32 = 15.0 * PI / 180.0;
         let back = -(leap.x * ahead.x + leap.y * ahead.y);
@@ -346,11 +363,12 @@ impl Led {
     }
 }
 
-/// An eye's offset from its goal and that offset's speed a frame later: speeding up evenly and braking evenly.
+/// Returns an eye's offset from its goal and the offset's velocity one frame later, with constant acceleration and
+/// constant braking.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, Pair) {
-    /// An eye's acceleration, rad/s²: 10° take 58 ms and come to 340°/s, as the main sequence has it (Bahill, Clark and
-    /// Stark, *Math. Biosci.* 24, 1975).
+    /// An eye's acceleration, rad/s²: 10° take 58 ms and reach 340°/s, in agreement with the main sequence (Bahill,
+    /// Clark and Stark, *Math. Biosci.* 24, 1975).
     const ACCELERATION: f32 = 11_500.0 * PI / 180.0;
     let gain = ACCELERATION * dt;
     let (far, most) = (square(offset), gain * gain);
@@ -361,7 +379,7 @@ pub(super) fn saccade(offset: Pair, speed: Pair, dt: f32, rate: f32) -> (Pair, P
     }
     let distance = math::sqrt(far);
     let along = offset * (-1.0 / distance);
-    // The speed at the end of the frame from which it still stops: v² = 2a·(distance − (speed + v)·dt/2).
+    // The speed v at the end of the frame from which the eye can still stop: v² = 2a·(distance − (speed + v)·dt/2).
     let (half, towards) = (0.5 * gain, along.x * speed.x + along.y * speed.y);
     let wanted = (math::sqrt(half * half + gain * (2.0 * distance / dt - towards)) - half).at_most(rate);
     let change = along * wanted - speed;
@@ -389,7 +407,7 @@ pub(super) fn length(pair: Pair) -> f32 {
     math::root(square(pair))
 }
 
-/// e^(−x) of x ≥ 0, to 1e-6: the 16th power of a series.
+/// Returns e^(−x) for x ≥ 0, accurate to 1e-6: the 16th power of a series.
 #[cfg_attr(not(aim_small), inline(always))]
 fn exp_of_minus(x: f32) -> f32 {
     let x = x.at_most(40.0) * (-1.0 / 16.0);

@@ -1,18 +1,19 @@
-//! A gaze as people have it: the eye leaps to the target and holds it, head and chest follow by their share, and the eye
-//! returns as they arrive.
+//! The natural solver: a human-like gaze. The eye jumps to the target and fixates it, head and chest follow by their
+//! share, and the eye turns back as they arrive.
 //!
-//! Directions are headings and elevations about the character's up ([`Bearings`]), the joints are *regions* of the body with
-//! budgets ([`region`]). A call goes in two steps:
+//! Directions are headings and elevations about the character's up ([`Bearings`]). The joints form *regions* of the
+//! body with budgets ([`region`]). A call takes two steps:
 //!
-//! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]): the regions make g·max(0, E − D)/E of
-//!    it, E being its angle, and more where the eye could not do the rest; each by its compliance as far as its room goes,
-//!    heading and elevation each for itself. So a target out of reach to the side is followed level. A trunk bends the less,
-//!    the farther the head is turned out of it, which it would tip.
-//! 2. Each region, from the root outward, turns its outermost forward to the direction that it was allotted, measured in the
-//!    frame that the corrected joints inside it carry: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
-//!    there; the eye turns exactly to what is left ([`sight`], [`glide`]).
+//! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]). The regions cover
+//!    g·max(0, E − D)/E of it, where E is its angle, and more if the eye cannot cover the rest. Each region takes a
+//!    part by its compliance, within its range and budget, separately for heading and elevation. A target out of reach
+//!    to the side is therefore followed level. The further the head is turned aside, the less the trunk bends, which
+//!    would tilt the head.
+//! 2. Each region, from the root outward, turns its outermost forward to its allotted direction, measured in the frame
+//!    carried by the corrected joints inward of it: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
+//!    there ([`glide`]); the eye turns exactly to the remainder ([`sight`]).
 //!
-//! Nothing here depends on how often a second it is called. Sources: Freedman and Sparks, *J. Neurophysiol.* 77 (1997) for the
+//! The result does not depend on the frame rate. Sources: Freedman and Sparks, *J. Neurophysiol.* 77 (1997) for the
 //! zone and the slope of the head's part; Freedman, *Exp. Brain Res.* 190 (2008) for coordination as a whole.
 
 mod allot;
@@ -48,15 +49,16 @@ use crate::target::behind::Front;
 use crate::target::goal::{Course, Goal, Scene};
 use crate::{Joint, Outcome, Role, Settings};
 
-/// Angles that differ by less do so by rounding.
+/// Difference of angles that counts as rounding, radians.
 const SAME_RAD: f32 = 1e-5;
-/// Nearer to its goal than this a region has arrived, radians (0.01°), if it is no faster than to lose as much by the time it
-/// rests.
+/// Distance from its goal below which a region has arrived, radians (0.01°), if its speed is at most this times the
+/// pace.
 const THERE_RAD: f32 = 2e-4;
-/// In a shorter time than this nothing moves, seconds.
+/// Shortest frame in which anything moves, seconds.
 const LEAST_S: f32 = 1e-5;
 
-/// Moves `joints` by a natural gaze: by a frame, or with a call's `dt` of `None` at once. `None` where there is nothing to aim.
+/// Moves `joints` by a natural gaze: by one frame, or at once if the call's `dt` is `None`. Returns `None` if there is
+/// nothing to aim.
 #[inline(never)]
 pub(super) fn aim<const C: usize>(
     rig: &ChainRig<'_, C>,
@@ -88,7 +90,7 @@ pub(super) fn aim<const C: usize>(
         has_two_eyes: pose.other_eye.is_some(),
     };
     let mut before = *memory;
-    // Of a snap nothing but the side is remembered: it is to depend on the past as little as it can.
+    // A snap keeps only the side from the memory: it should depend on the past as little as possible.
     before.behind &= call.dt.is_some();
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
     let first = body.first;
@@ -145,7 +147,7 @@ pub(super) fn aim<const C: usize>(
     let outcome = task.finish(joints, memory, |_| match &chain {
         Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
         None if body.off.is_nothing() => body.angle_to(wanted, &leading),
-        // A rotation that is taken back from skewed axes is off by the skew.
+        // Taking a rotation back in skewed axes is inexact by the skew, so use true kinematics.
         None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
     })?;
     if let Some(found) = found {
@@ -155,27 +157,28 @@ pub(super) fn aim<const C: usize>(
     Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
 }
 
-/// A number that tells by its change that the weight or the attention changes: all their bits in eight.
+/// Returns a hash of weight and attention, to detect their changes: all their bits folded into eight.
 fn fade_of(settings: &Settings) -> u8 {
     let bits = settings.weight.to_bits() ^ settings.attention.to_bits().rotate_left(4);
     let halves = bits ^ bits >> 16;
     (halves ^ halves >> 8).to_le_bytes()[0]
 }
 
-/// The joints as they are turned in a call, from the root outward.
+/// The joints' turns in a call, assigned from the root outward.
 struct Posture<'a, const C: usize> {
     joints: &'a mut PerJoint<Joint, C>,
-    /// What each joint adds in its bone.
+    /// The correction of each joint, in its bone.
     corrections: &'a mut [Quat],
-    /// What is looked at and what the outcome is measured against, the turns of the joints that had theirs taken back.
+    /// The point that is looked at, with the turns of the joints assigned so far taken back.
     point: Vec3A,
+    /// The point that the outcome is measured against, with the turns of the joints assigned so far taken back.
     wanted: Vec3A,
-    /// How the leading joint is turned.
+    /// The turn of the leading joint.
     leading: Turn,
 }
 
 impl<const C: usize> Posture<'_, C> {
-    /// Notes what a joint adds.
+    /// Writes a joint's correction and returns its turn.
     #[cfg_attr(not(aim_small), inline(always))]
     fn correct(&mut self, body: &Body<'_, C>, joint: usize) -> Turn {
         let (info, halves) = (&body.infos()[joint], trig::halves_of(angles(&self.joints[joint])));
@@ -185,34 +188,35 @@ impl<const C: usize> Posture<'_, C> {
     }
 }
 
-/// What moves the joints in a frame.
+/// The inputs and the results of one frame's movement.
 struct Motion<'a, const C: usize> {
     memory: &'a mut Memory,
-    /// What the head's goal did so far; `None` where this is the first frame.
+    /// The movement of the head's goal so far; `None` in the first frame.
     led: Option<Led>,
-    /// How far each joint gets in the frame.
+    /// The angles that each joint can reach in this frame.
     reaches: &'a PerJoint<Range<'a>, C>,
     dt: f32,
     per_dt: f32,
-    /// Whether the regions are to come to rest where they are.
+    /// `true` if the regions come to a stop.
     stays: bool,
-    /// True while the goal moves because weight or attention change.
+    /// `true` while the goal moves because weight or attention changes.
     fades: bool,
-    /// Whether every region has arrived, and how far they are off together.
+    /// `true` if every region has arrived.
     arrived: bool,
+    /// The sum of the regions' distances from their goals, radians.
     lag: f32,
 }
 
-/// Where regions and eye are to turn.
+/// The goals of the regions and the eye.
 #[derive(Clone, Copy)]
 enum Aims<'a> {
-    /// Each region's outermost forward in its direction, the leading joint to the point.
+    /// Each region's outermost forward turns to its direction, the leading joint to the point.
     At(&'a [Pair], Vec3A),
-    /// The regions nowhere, the leading joint to the point.
+    /// The leading joint turns to the point, the regions keep their angles.
     EyeAt(Vec3A),
-    /// Back to the animation as far as the ranges let them; the eye keeps to the point.
+    /// The regions return to the animation as far as their ranges allow; the eye keeps looking at the point.
     Rest(Vec3A),
-    /// Nowhere.
+    /// Nothing moves.
     Stay,
 }
 
@@ -225,24 +229,23 @@ struct Gaze<'a, const C: usize> {
     ranges: &'a PerJoint<Range<'a>, C>,
     goal: &'a Goal,
     sharing: Sharing,
-    /// After this time out of reach the gaze returns to the animation, seconds.
+    /// Time out of reach after which the gaze returns to the animation, seconds.
     patience: f32,
-    /// Changes with weight and attention.
+    /// A hash of weight and attention, to detect their changes.
     fade: u8,
     bearings: &'a Bearings,
-    /// From the innermost outward, without the eye.
+    /// The regions from the innermost outward, without the eye.
     regions: &'a [Region<'a>],
     count: usize,
-    /// Whether an eye leads: a joint without inertia.
+    /// `true` if the leading joint is an eye, which has no inertia.
     has_eye: bool,
-    /// From where the target's heading and elevation are seen: the effector, moved back along the gaze to beside the joint that
-    /// turns the head, which is where it looks from once the head has turned.
+    /// The point from which the target's heading and elevation are measured: the effector, moved back along the gaze to
+    /// beside the joint that turns the head. The effector will look from there once the head has turned.
     pivot: Vec3A,
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// Moves the joints by a frame of `dt` seconds. `None` where the aim is
-    /// undefined.
+    /// Moves the joints by a frame of `dt` seconds. `None` if the aim is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
     fn move_joints(
         &self,
@@ -255,7 +258,7 @@ impl<const C: usize> Gaze<'_, C> {
         let mut reaches = rig.array(Range::REST);
         for (index, reach) in reaches.iter_mut().enumerate() {
             let (joint, info) = (&mut posture.joints[index], &rig.joints[index]);
-            // NaN and negative rates stand still.
+            // A NaN or negative rate does not move.
             let step = (info.rate * dt).at_least(0.0).at_most(PI);
             *reach = self.ranges[index].within(angles(joint), step);
             from[index] = *joint;
@@ -341,7 +344,7 @@ impl<const C: usize> Gaze<'_, C> {
     ) -> Option<Fit> {
         let seen = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
-        // The eye does it alone.
+        // The eye alone reaches the target.
         if let Some(seen) = seen
             && motion.stays
             && seen.is_within()
@@ -358,10 +361,10 @@ impl<const C: usize> Gaze<'_, C> {
             Some(allotment) => allotment,
             None if self.has_eye => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
             None => {
-                // What a head lacks near the zenith is all heading, and would add up from frame to frame.
+                // Near the zenith, a head lacks only heading, and `more` would accumulate it from frame to frame.
                 let mut made = Vec4::ZERO;
                 let allotment = self.settle_in_rounds(&way, from, posture, (&mut made, ROUNDS))?;
-                // Where nothing helps the next frame tries again, and does not take it for plain.
+                // If nothing helps, keep the last value, so that the next frame does not take the plain path.
                 more = if allotment.fit.within_reach || square(made) > 0.0 { made } else { more };
                 allotment
             }
@@ -373,7 +376,8 @@ impl<const C: usize> Gaze<'_, C> {
             let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
             self.rest(&seen, motion);
             if is_plain {
-                // What the eye lacks, and the regions are not on their way to bring, they are to make from the next frame on.
+                // From the next frame on, the regions have to cover what the eye lacks and their current movement will
+                // not bring.
                 let left = seen.left();
                 let brought = SAME_RAD + motion.lag;
                 let lacks = allotment.fit.within_reach && square(left) >= brought * brought;
@@ -384,14 +388,14 @@ impl<const C: usize> Gaze<'_, C> {
         Some(allotment.fit)
     }
 
-    /// Lets the regions rest once they have arrived and the eye's angles are small.
+    /// Lets the regions rest once they have arrived and the eye is near the middle of its range.
     fn rest(&self, seen: &Seen, motion: &mut Motion<'_, C>) {
         if self.has_eye && motion.arrived && seen.is_within() && seen.off() < self.sharing.release {
             motion.memory.support = Support::Rests;
         }
     }
 
-    /// Decides whether the regions take part. Returns how an eye that has done without them sees the goal.
+    /// Decides whether the regions take part. If they have rested so far, returns the eye's view of the goal.
     fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<Seen>> {
         let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
         if !self.has_eye {
@@ -415,15 +419,15 @@ impl<const C: usize> Gaze<'_, C> {
         Some(seen)
     }
 
-    /// A point where the animation looks, as far as the goal is.
+    /// Returns a point on the animated gaze at the goal's distance.
     fn ahead(&self) -> Vec3A {
         let gaze = self.body.gaze;
         gaze.origin + gaze.direction * (self.goal.aimed - gaze.origin).length().at_least(1.0)
     }
 
-    /// Puts the joints where they belong for a goal, whatever the rates. `None` where the aim is undefined.
+    /// Puts the joints at their final angles for a goal, regardless of rates. `None` if the aim is undefined.
     fn snap(&self, joints: &PerJoint<Joint, C>, memory: &mut Memory, posture: &mut Posture<'_, C>) -> Option<Fit> {
-        // A target on the animated effector has no direction, whatever the joints could make of it.
+        // A target on the animated effector has no direction, even if the joints could give it one.
         self.body.gaze.angle_to(self.goal.aimed)?;
         let first = self.body.first;
         let mut found = self.rig.array(Joint::REST);
@@ -457,16 +461,16 @@ impl<const C: usize> Gaze<'_, C> {
         }
         self.stand(&found, posture);
         *memory = after;
-        // What a snap has not reached it does not reach.
+        // A snap is final: what it did not reach is out of reach.
         Some(self.of_wanted(Fit { within_reach: false, body_turn }))
     }
 
-    /// The fit of the target itself, where what is aimed at is another point.
+    /// Returns the fit of the target itself if the joints aim at a substitute for it.
     fn of_wanted(&self, fit: Fit) -> Fit {
         if self.goal.behind { Fit { body_turn: self.turn_for_behind().unwrap_or(0.0), ..fit } } else { fit }
     }
 
-    /// Leaves the joints like this.
+    /// Sets the joints to these angles.
     #[cold]
     fn stand(&self, joints: &[Joint], posture: &mut Posture<'_, C>) {
         let first = self.body.first;
@@ -481,13 +485,13 @@ impl<const C: usize> Gaze<'_, C> {
     }
 }
 
-/// A joint at other angles.
+/// Returns the joint at other angles.
 #[cfg_attr(not(aim_small), inline(always))]
 fn at(joint: &Joint, angles: Pair) -> Joint {
     joint.turned_to(angles.x, angles.y)
 }
 
-/// The sums of headings and pitches of a part's joints.
+/// Returns the sums of headings and pitches of a part's joints.
 #[cfg_attr(not(aim_small), inline(always))]
 fn sum(joints: &[Joint], part: &BodyPart) -> Pair {
     let mut sum = angles(&joints[part.outer]);

@@ -1,4 +1,4 @@
-//! [`Range`]: a joint's range of motion, both angles at once.
+//! [`Range`]: a joint's range of motion, both angles in one vector.
 
 use glam::{Vec4, Vec4Swizzles};
 
@@ -7,13 +7,13 @@ use crate::limits::reach::AT_LIMIT_RAD;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
 
-/// A joint's range of motion: intervals of heading and pitch, and in the third lane where a rate lets the pitch be; and where it
-/// is more than those, what it is.
+/// A joint's range of motion: the lanes are heading, pitch, and the interval that a rate allows the pitch regardless of
+/// its range. Ranges that do not fit this form refer to the full [`RangeOfMotion`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Range<'a> {
     pub(super) lo: Pair,
     pub(super) hi: Pair,
-    /// The range where the pitch's part of it narrows with the heading, or the heading is free.
+    /// The full range, if the pitch range depends on the heading or if the heading is free.
     more: Option<&'a RangeOfMotion>,
 }
 
@@ -30,13 +30,14 @@ impl<'a> Range<'a> {
         }
     }
 
-    /// The least and the greatest sums that the ranges of several joints allow, of at least one.
+    /// Returns the sums of the lower and of the upper ends of one or more joints' ranges.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sums(several: &[Self]) -> [Pair; 2] {
         several[1..].iter().fold([several[0].lo, several[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi])
     }
 
-    /// What is left of it within a step of either angle; where that is nothing, the step's end nearest to it.
+    /// Returns the part of the range within `step` of either angle; if there is none, the reachable angle nearest to
+    /// it.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn within(&self, angles: Pair, step: f32) -> Self {
         let (angles, step) = (angles.xyyy(), Vec4::splat(step));
@@ -44,7 +45,7 @@ impl<'a> Range<'a> {
         Self { lo: self.lo.max(least).min(most), hi: self.hi.min(most).max(least), more: self.more }
     }
 
-    /// The nearest angles in the range, heading first.
+    /// Clamps the angles to the range, heading first.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold(&self, angles: Pair) -> Pair {
         let held = angles.max(self.lo).min(self.hi);
@@ -64,7 +65,7 @@ impl<'a> Range<'a> {
         Vec4::new(heading, range.hold(pitch), 0.0, 0.0)
     }
 
-    /// The same for a joint that is `from` there: a free heading turns the shorter way round.
+    /// Clamps the angles of a joint that is now at `from`: a free heading turns the shorter way round.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold_from(&self, from: Pair, angles: Pair) -> Pair {
         match self.more {
@@ -84,7 +85,8 @@ impl<'a> Range<'a> {
         Vec4::new(heading, motion.pitch_at(heading).hold(angles.y), 0.0, 0.0)
     }
 
-    /// Whether angles are not at the ends of the range, nor near them, however it narrows.
+    /// Returns `true` if the angles are certainly not near the ends of the range. `false` for every range that refers
+    /// to the full [`RangeOfMotion`].
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn holds_well(&self, angles: Pair) -> bool {
         let near = Vec4::splat(AT_LIMIT_RAD);
@@ -92,7 +94,7 @@ impl<'a> Range<'a> {
         self.more.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
     }
 
-    /// The nearest angles to rest within a step from these.
+    /// Returns the angles within `step` of these that are nearest to rest.
     pub(super) fn towards_rest(&self, angles: Pair, step: f32) -> Pair {
         let step = Vec4::splat(step);
         self.hold(angles - angles.max(-step).min(step))

@@ -1,4 +1,4 @@
-//! [`Region`]: neighbouring joints of one part of the body, which share a turn.
+//! [`Region`]: neighbouring joints of one body part, which share a turn.
 
 use core::f32::consts::PI;
 
@@ -12,37 +12,41 @@ use crate::kinematics::bearing::Bearings;
 use crate::math::{self, Bounded, trig};
 use crate::rig::BodyPart;
 
-/// By how much less of a pitch is made by what is inside of a head that is turned out of it by β, radians: 1 + 8·β², 2 at 20°.
+/// Returns the factor by which inner joints make less of a pitch when the head is turned out of them by β = `aside`,
+/// radians: 1 + 8·β², which is 2 at 20°.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn calm(aside: f32) -> f32 {
     1.0 + 8.0 * aside * aside
 }
 
-/// Between these elevations, up or down, the front of a region comes to be told by its up instead of its forward.
+/// Elevations, up or down, between which the measure of a steep region's front changes from its forward to its up.
 const FACING_RAD: [f32; 2] = [45.0 * PI / 180.0, 60.0 * PI / 180.0];
-/// Between these, what lies comes to turn about a level axis.
+/// Elevations, up or down, between which the heading range of a steep region shrinks to 0.
 const LEVEL_AXIS_RAD: [f32; 2] = [45.0 * PI / 180.0, 75.0 * PI / 180.0];
 
-/// The part of the way from the one end to the other.
+/// Returns the position of `x` between `from` and `to`, clamped to 0…1.
 fn ramp(x: f32, [from, to]: [f32; 2]) -> f32 {
     ((x - from) / (to - from)).at_least(0.0).at_most(1.0)
 }
 
-/// A part of the body in a pose.
+/// A body part in a pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Region<'a> {
     pub(super) part: &'a BodyPart,
     /// Heading and elevation of the outermost joint's forward in the animation.
     pub(super) animated: Pair,
-    /// The outermost joint's animated forward in its own frame and in the innermost one's.
+    /// The outermost joint's animated forward in its own frame.
     pub(super) own_forward: Vec3A,
+    /// The outermost joint's animated forward in the innermost joint's frame.
     pub(super) forward: Vec3A,
-    /// The heading of the latter.
+    /// The heading of `forward`, radians.
     ahead: f32,
-    /// The shifts by the pose: of the middle of the joints' ranges, where those have ends, and of the budget.
+    /// The shifts of the limits by the pose: of the middle of the joints' ranges, if these are finite, and of the
+    /// budget.
     pub(super) shifts: [Pair; 2],
-    /// The sums that the joints' ranges allow, and the budget in this pose.
+    /// The least turn: the sum of the joints' ranges, limited by the budget in this pose.
     pub(super) lo: Pair,
+    /// The greatest turn: the sum of the joints' ranges, limited by the budget in this pose.
     pub(super) hi: Pair,
 }
 
@@ -58,7 +62,8 @@ impl Region<'_> {
         hi: Vec4::ZERO,
     };
 
-    /// The heading of its front where the forward is steep, by its up: of one that is pitched by ε that is f·cos ε − u·sin ε.
+    /// Returns the heading of a front whose forward is steep, taken from its up: at elevation ε the front is f·cos ε −
+    /// u·sin ε.
     #[cold]
     #[inline(never)]
     fn facing(&self, frame: &Mat3A, bearings: &Bearings) -> f32 {
@@ -68,20 +73,22 @@ impl Region<'_> {
         self.animated.x + off * ramp(self.animated.y.abs(), FACING_RAD)
     }
 
-    /// The part that is left of the heading's room: what is steep turns about a level axis, which rolls what is carried.
+    /// Returns the part of the heading range that remains. A steep region turns about a nearly level axis, which rolls
+    /// the joints that it carries.
     #[cold]
     #[inline(never)]
     fn heading_room(&self) -> f32 {
         1.0 - ramp(self.animated.y.abs(), LEVEL_AXIS_RAD)
     }
 
-    /// Whether its forward is so steep that its heading says little of its front.
+    /// Returns `true` if the forward is so steep that its heading is a poor measure of the front.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_steep(&self) -> bool {
         self.animated.y.abs() > FACING_RAD[0]
     }
 
-    /// The direction of a forward that is steep, raised as much by a pitch alone, and turned.
+    /// Corrects the direction of a steep forward for the heading that a pitch alone changes on the way to its
+    /// elevation.
     #[cold]
     #[inline(never)]
     pub(super) fn raised(&self, frame: &Mat3A, bearings: &Bearings, direction: Pair) -> Pair {
@@ -91,10 +98,10 @@ impl Region<'_> {
         direction + off * ramp(self.animated.y.abs(), FACING_RAD)
     }
 
-    /// The part of the region's turn that an inner joint makes.
+    /// Returns the part of the region's turn that an inner joint makes.
     ///
-    /// A pitch p under a forward that is turned aside by β rolls it by p·sin β: the inner joint makes the less of the region's, the
-    /// farther the forward is turned out of it.
+    /// A pitch p under a forward that is turned aside by β rolls it by p·sin β, so an inner joint makes less of the
+    /// region's pitch, the further the forward is turned out of it.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn share_of(&self, turn: Pair, info: &JointInfo) -> Pair {
         let own = pair(info.compliance());
@@ -103,15 +110,15 @@ impl Region<'_> {
         share * turn * Vec4::new(1.0, 1.0 / calm(aside), 1.0, 1.0)
     }
 
-    /// The part that inner joints make of a pitch which the outermost lacks, in a turn of the region: beyond 60° aside it would roll the
-    /// forward, and hardly lift it.
+    /// Returns the part of a pitch lacking in the outermost joint that inner joints make, for a turn of the region.
+    /// Beyond 60° aside their pitch would roll the forward and hardly lift it.
     pub(super) fn part_inside(&self, turn: Pair) -> f32 {
         let cos = trig::sin_cos(self.ahead + turn.x).1.at_least(0.0);
         (4.0 * cos * cos).at_most(1.0)
     }
 }
 
-/// Finds the regions of a body, one for each of its parts.
+/// Evaluates the regions of a body, one for each of its parts.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn find_regions<'a, const C: usize>(
     body: &Body<'_, C>,
@@ -150,7 +157,7 @@ pub(super) fn find_regions<'a, const C: usize>(
         if is_steep {
             animated.x = region.facing(&body.frames[part.outer], bearings);
         }
-        // How far the animation turns the region out of what is inside it counts too.
+        // The budget also covers the animation's own turn of the region out of the one that carries it.
         let turned = animated - inside;
         inside = animated;
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);

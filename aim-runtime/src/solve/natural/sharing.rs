@@ -1,9 +1,9 @@
-//! [`Sharing`]: how a gaze is shared between the eye and the regions in a call.
+//! [`Sharing`]: the gaze-sharing parameters of a call.
 
 use crate::math::Bounded;
 use crate::{GazeSharing, Settings};
 
-/// How a gaze is shared, as the settings count.
+/// The gaze-sharing parameters that apply to a call: declared or overridden, clamped, and scaled by the attention.
 pub(super) struct Sharing {
     pub(super) eyes_only: f32,
     pub(super) head_share: f32,
@@ -14,7 +14,7 @@ pub(super) struct Sharing {
 
 impl Sharing {
     pub(super) fn new(declared: &GazeSharing, settings: &Settings) -> Self {
-        // `max` and `min` return the number where the other is NaN.
+        // The comparisons return the bound for NaN.
         let attention = settings.attention.at_least(0.0).at_most(1.0);
         let sharing = settings.sharing.as_ref().unwrap_or(declared);
         let share = sharing.head_share.at_least(0.0).at_most(1.0);
@@ -28,7 +28,7 @@ impl Sharing {
         }
     }
 
-    /// The part of a gaze shift that the regions make: g·max(0, E − D)/E.
+    /// Returns the part of a gaze shift that the regions make: g·max(0, E − D)/E.
     pub(super) fn head_part(&self, shift: f32) -> f32 {
         let beyond = shift - self.eyes_only;
         if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }

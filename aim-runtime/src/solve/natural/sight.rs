@@ -1,4 +1,4 @@
-//! How the leading joint sees a point.
+//! The leading joint's view of a point.
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
@@ -17,21 +17,22 @@ use crate::solve::exact::settle::Search;
 use crate::target::goal::Goal;
 use crate::{Joint, math};
 
-/// How often the closed form of an effector that is not at its joint is repeated, at most.
+/// Largest number of fixed-point iterations for an effector that is offset from its joint.
 const SIGHT_ROUNDS: usize = 24;
 
-/// How the leading joint sees a point.
+/// The leading joint's view of a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
-    /// The heading and the pitch that look there, and the nearest that the joint's range holds.
+    /// The heading and pitch that look at the point.
     pub(super) wanted: Pair,
+    /// `wanted` clamped to the joint's range.
     pub(super) held: Pair,
 }
 
 impl Seen {
     pub(super) const NOTHING: Self = Self { wanted: Vec4::ZERO, held: Vec4::ZERO };
 
-    /// What the range does not hold.
+    /// Returns the part of the turn that the range does not allow.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn left(&self) -> Pair {
         let left = self.wanted - self.held;
@@ -48,7 +49,7 @@ impl Seen {
         Self::is_nothing(self.left())
     }
 
-    /// How far the point is off the middle of the range.
+    /// Returns the angle between the point and the middle of the range, radians.
     pub(super) fn off(&self) -> f32 {
         let cos = trig::sin_cos(self.wanted.x).1 * trig::sin_cos(self.wanted.y).1;
         trig::atan2(math::sqrt(1.0 - cos * cos), cos)
@@ -56,7 +57,7 @@ impl Seen {
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// How the leading joint sees a point with the joints like this.
+    /// Returns the leading joint's view of a point at these joint angles.
     pub(super) fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
         let body = self.body;
         let outward = |point, index: usize| body.take_back_point(index, &Turn::new(angles(&joints[index])), point);
@@ -64,7 +65,8 @@ impl<const C: usize> Gaze<'_, C> {
         self.seen(joints, point, taken_back)
     }
 
-    /// The same of a point from which the turns of the joints inside are taken back already.
+    /// Returns the leading joint's view of a point, given the point with the turns of the joints inward of it taken
+    /// back.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn seen(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Seen> {
         let first = self.body.first;
@@ -72,8 +74,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some(Seen { wanted, held: self.ranges[first].hold_from(angles(&joints[first]), wanted) })
     }
 
-    /// The heading and the pitch by which the leading joint looks at a point, the turns of the joints inside taken back from it.
-    /// `None` where the point is on the effector.
+    /// Returns the heading and pitch by which the leading joint looks at a point, given the point with the turns of the
+    /// joints inward of it taken back. `None` if the point is on the effector.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sight(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Pair> {
         if let Some(chain) = self.chain {
@@ -87,15 +89,15 @@ impl<const C: usize> Gaze<'_, C> {
         (square > 1e-30 && square < f32::INFINITY).then(|| heading_and_pitch(local))
     }
 
-    /// A point from which turns are taken back, in the leading joint's frame.
+    /// Transforms a point, with turns taken back, to the leading joint's frame.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn local(&self, taken_back: Vec3A) -> Vec3A {
         let (body, first) = (self.body, self.body.first);
         body.rows[first] * (taken_back - body.places[first])
     }
 
-    /// [`sight`](Self::sight) of an effector that is not at its joint: each round looks from where the last one left the
-    /// effector.
+    /// [`sight`](Self::sight) for an effector that is offset from its joint, by fixed-point iteration: each round looks
+    /// from the position where the last one left the effector.
     #[cold]
     fn sight_in_rounds(&self, local: Vec3A, joints: &[Joint]) -> Option<Pair> {
         let (first, effector) = (self.body.first, &self.body.effector);
@@ -117,7 +119,7 @@ impl<const C: usize> Gaze<'_, C> {
         Some(wanted)
     }
 
-    /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver, the other joints held where they are.
+    /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver with all other joints fixed.
     #[cold]
     fn sight_by_search(&self, chain: &Chain<C>, joints: &[Joint], point: Vec3A) -> Option<Pair> {
         let (body, first) = (self.body, self.body.first);
@@ -127,14 +129,15 @@ impl<const C: usize> Gaze<'_, C> {
         for (reach, joint) in reaches.iter_mut().zip(joints) {
             *reach = Reach::at(joint);
         }
-        // Beyond its range too: what the range does not hold is to be known.
+        // Search beyond the joint's range, to find out what the range does not allow.
         let info = &self.body.infos()[first];
         let all = |declared: Option<[f32; 2]>, most: f32| declared.map(|_| [-most, most]);
         let declared = Angles { heading: all(info.heading, PI), pitch: all(info.pitch, FRAC_PI_2) };
         reaches[first] = Reach::range(&RangeOfMotion::new(declared, 0.0, None));
         let goal = Goal { aimed: point, ..*self.goal };
         Solver::new(self.rig, chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
-        // The angles that look where the rigid links would have to look; of an angle that the joint lacks, what is left.
+        // The angles at which rigid links would see the point where the true effector does; for a missing angle, the
+        // remainder.
         let (at, frame) = self.carried(joints);
         let turned = Turn::new(angles(&found[first])).of_frame(&frame);
         let rigid = Ray { origin: at + turned * body.effector.origin, direction: turned * body.effector.direction };
@@ -142,7 +145,7 @@ impl<const C: usize> Gaze<'_, C> {
         Some(turn_to(body.effector.direction, math::unit(frame.transpose() * (seen - rigid.origin))?))
     }
 
-    /// Where the joints inside bring the leading joint, and its frame.
+    /// Returns the leading joint's place and frame, as carried by the joints inward of it.
     fn carried(&self, joints: &[Joint]) -> (Vec3A, Mat3A) {
         let body = self.body;
         let root = (Vec3A::ZERO, body.frames[body.count() - 1]);
@@ -153,14 +156,15 @@ impl<const C: usize> Gaze<'_, C> {
     }
 }
 
-/// The heading and the pitch that turn `from` to `to`, unit vectors along a joint's forward, left and up: pitch lifts `from` to the height of `to`,
-/// or as near as it gets, then heading brings it there.
+/// Returns the heading and pitch that turn `from` to `to`, unit vectors along a joint's forward, left and up. Pitch
+/// lifts `from` to the height of `to`, or as near as possible; then heading brings it there.
 pub(super) fn turn_to(from: Vec3A, to: Vec3A) -> Pair {
-    /// Nearer to square to the bone's forward than this, a direction can be lifted to either side.
+    /// Forward component below which a direction is so nearly perpendicular to the bone's forward that it can be lifted
+    /// either way.
     const ACROSS: f32 = 0.5;
     let [[ahead, left, up], [to_ahead, to_left, to_up]] = [from, to].map(|v| v.to_array());
     let level = math::sqrt(ahead * ahead + up * up - to_up * to_up);
-    // Differences of angles, each by one arctangent.
+    // Each difference of two angles takes one arctangent, by the subtraction formula.
     let turn = |level: f32| {
         trig::atan2_of_4(
             pair([to_left * level - to_ahead * left, to_up * ahead - level * up]),

@@ -1,4 +1,4 @@
-//! Turns the joints: to where they belong, in closed form, or by one frame's motion.
+//! Turns the joints: to their final angles in closed form, or by one frame's motion.
 
 use core::f32::consts::PI;
 
@@ -16,18 +16,18 @@ use crate::math::trig;
 use crate::rig::{BodyPart, Led, PerJoint};
 use crate::{Joint, math};
 
-/// The end of a region's turn; the turns of the joints inside it are taken back.
+/// The goal of a region's turn, with the turns of the joints inward of it taken back.
 #[derive(Clone, Copy)]
 struct Sought {
-    /// The direction of its outermost forward.
+    /// The direction to which its outermost forward turns.
     direction: Vec3A,
-    /// The point that its outermost joint is to look at instead, if it leads.
+    /// The point that its outermost joint looks at instead, if that joint leads.
     leads: Option<Vec3A>,
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// Turns the joints from the root outward: by a frame's motion, or to find out where they belong, without their corrections.
-    /// Returns how the leading joint sees its point.
+    /// Turns the joints from the root outward: with `motion`, by one frame's motion; without, to their final angles,
+    /// and without writing corrections. Returns the leading joint's view of its point.
     pub(super) fn place(
         &self,
         aims: Aims<'_>,
@@ -109,7 +109,7 @@ impl<const C: usize> Gaze<'_, C> {
                     self.hold_eye(posture.joints);
                 }
                 Aims::At(..) | Aims::EyeAt(_) | Aims::Rest(_) => {
-                    // An eye that supports nothing that has still to return is where the animation has it.
+                    // An eye whose supporting joints have all returned rests as well.
                     let rests =
                         matches!(aims, Aims::Rest(_)) && posture.joints[first + 1..].iter().all(Joint::is_at_rest);
                     seen = if rests {
@@ -132,7 +132,7 @@ impl<const C: usize> Gaze<'_, C> {
         Some(seen)
     }
 
-    /// Finds the angles that turn a region to what is sought. Returns what the outermost joint would have to turn.
+    /// Finds the angles that turn a region to its goal. Returns the angles that the outermost joint would need.
     #[cfg_attr(not(aim_small), inline(always))]
     fn goals(
         &self,
@@ -149,7 +149,7 @@ impl<const C: usize> Gaze<'_, C> {
         self.goals_beyond(region, sought, lack, from, posture, goals)
     }
 
-    /// The same where the outermost joint has no room for its share: the others make what it lacks.
+    /// [`goals`](Self::goals) where the outermost joint cannot cover its share: the inner joints cover the remainder.
     #[cold]
     #[inline(never)]
     fn goals_beyond(
@@ -161,7 +161,7 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
-        /// A turn about one joint's axis is a little less about the next one's.
+        /// Number of iterations: a turn about one joint's axis is slightly smaller about the next one's.
         const ROUNDS: usize = 4;
         let mut wanted = Vec4::ZERO;
         for _ in 0..ROUNDS {
@@ -175,8 +175,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some(wanted)
     }
 
-    /// The same with the inner joints making their shares and `more`, as far as their ranges go: the outermost closes what is left,
-    /// in the frame that they carry. Returns what it lacks, too.
+    /// [`goals`](Self::goals) with the inner joints making their shares and `more`, as far as their ranges allow. The
+    /// outermost joint covers the remainder, in the frame that they carry. Also returns what it cannot cover.
     #[cfg_attr(not(aim_small), inline(always))]
     fn shared_goals(
         &self,
@@ -202,8 +202,8 @@ impl<const C: usize> Gaze<'_, C> {
         Some((wanted, within - goals[outer]))
     }
 
-    /// Finds the goals of the inner joints. Their turns are taken back from what is sought and from the point, which is returned with
-    /// their sum.
+    /// Finds the goals of the inner joints. Takes their turns back from `sought` and from the point, and returns the
+    /// point with the sum of their angles.
     #[inline(never)]
     fn inner_goals(
         &self,
@@ -218,10 +218,10 @@ impl<const C: usize> Gaze<'_, C> {
         let (mut point, mut inner) = (posture.point, Vec4::ZERO);
         let local = body.rows[part.inner] * sought.direction;
         let mut whole = turn_to(region.forward, local);
-        // Above 45° a heading says the less, the higher it is, and the outermost joint, carried up by the others, makes it with
-        // less.
+        // Above 45° a heading means less and less, and the outermost joint, which the others carry up, makes it with a
+        // smaller angle.
         whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
-        // Nor do they turn further than the outermost would then have to turn back.
+        // Inner joints turn no further than the region, or the outermost joint would have to turn back.
         whole = whole.max(region.lo).min(region.hi);
         if more.y != 0.0 {
             more.y *= region.part_inside(whole);
@@ -242,8 +242,8 @@ impl<const C: usize> Gaze<'_, C> {
         (point, inner)
     }
 
-    /// Moves a region towards its joints' goals by a frame, or to a stop. Its outermost joint remembers speed and
-    /// acceleration, its innermost one, if that is another, where the animation has shifted the ends of its room.
+    /// Moves a region towards its joints' goals by one frame, or to a stop. Velocity and acceleration are stored in the
+    /// outermost joint; the shifts of the limits by the animation in the innermost one, if that is a different joint.
     #[cfg_attr(not(aim_small), inline(always))]
     fn glide(
         &self,
@@ -278,7 +278,7 @@ impl<const C: usize> Gaze<'_, C> {
             led.fade([before, goal], &mut glide, dt);
         } else if is_head {
             let leap;
-            // An eye makes up for what its head does not go along with.
+            // An eye compensates for what its head does not follow.
             let part = if self.has_eye { 1.0 / 3.0 } else { 1.0 };
             [begins, leap] = follow(&mut led, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye {
@@ -309,7 +309,7 @@ impl<const C: usize> Gaze<'_, C> {
         }
 
         let total = goal + next.offset;
-        // Where it is too late to brake, the room ends the movement.
+        // If it is too late to brake, the limits stop the movement.
         let held = total.max(region.lo.min(before)).min(region.hi.max(before));
         let step = Vec4::splat(rate * dt);
         let held = held.max(before - step).min(before + step);
@@ -320,7 +320,7 @@ impl<const C: usize> Gaze<'_, C> {
             joints[outer] = with_angles(held);
             held
         };
-        // Range and rate come first.
+        // Range and rate take precedence: take the velocity from the actual movement where they intervened.
         let is_free = (now - total).abs().cmple(Vec4::splat(SAME_RAD));
         if is_free.bitmask() & 3 != 3 {
             next.speed = Vec4::select(is_free, next.speed, (now - before) * per_dt - carries);
@@ -337,11 +337,11 @@ impl<const C: usize> Gaze<'_, C> {
         }
     }
 
-    /// Turns the joints of a region of several so that their angles add up to `total`, where those of their goals add up to `goal` and those that
-    /// they have to `before`. Returns what they do add up to.
+    /// Turns the joints of a region with several joints so that their angles add up to `total`. The joints' goals add
+    /// up to `goal`, their present angles to `before`. Returns the sum that they actually reach.
     ///
-    /// An inner joint makes its share of the sum, and by and by takes on what its goal is off that; the outermost makes the
-    /// rest.
+    /// An inner joint makes its share of the sum, plus a deviation that gradually changes from its present deviation to
+    /// that of its goal. The outermost joint covers the rest.
     #[inline(never)]
     fn distribute(
         &self,
@@ -366,7 +366,7 @@ impl<const C: usize> Gaze<'_, C> {
         let held = motion.reaches[outer].hold(rest);
         joints[outer] = with_angles(held);
         rest -= held;
-        // What the outermost has no room for, the others make.
+        // The inner joints cover what the outermost cannot.
         for (joint, reach) in joints.iter_mut().zip(&**motion.reaches).take(region.part.inner + 1).skip(outer + 1) {
             if square(rest) <= SAME_RAD * SAME_RAD {
                 break;
@@ -379,7 +379,7 @@ impl<const C: usize> Gaze<'_, C> {
         total - rest
     }
 
-    /// Turns the eye towards what it sees by a frame. It remembers where that was, and the speed at which it leaps.
+    /// Turns the eye by one frame towards its view of the point. Stores its goal and the velocity of the saccade.
     #[cfg_attr(not(aim_small), inline(always))]
     fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
         let first = self.body.first;
@@ -387,7 +387,7 @@ impl<const C: usize> Gaze<'_, C> {
         let before = joint.destination().map_or(now, pair);
         let rate = self.body.infos()[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
         let change = held - before;
-        // Half of its speed is for what the goal does smoothly; what it does faster is made up for by a leap.
+        // Half of the rate is reserved for smooth movement of the goal; faster movement is made up for by a saccade.
         let step = 0.5 * rate * motion.dt;
         let change = if square(change) <= step * step { change } else { Vec4::ZERO };
         let (offset, speed) = saccade(now + change - held, pair(joint.velocity), motion.dt, rate);
@@ -397,9 +397,9 @@ impl<const C: usize> Gaze<'_, C> {
         next
     }
 
-    /// Where the eye is held: towards what is out of its range straight, so that the gaze goes straight while the head comes and
-    /// keeps its elevation where the head does not get there; towards what is far aside level, as straight would lead over the
-    /// other way round.
+    /// Returns the eye's angles for a point. Towards a point out of range it turns along a straight line, so that the
+    /// gaze moves straight while the head follows, and keeps its elevation if the head does not get there. Towards a
+    /// point far aside it turns level, because a straight line would lead round the other way.
     #[cfg_attr(not(aim_small), inline(always))]
     fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
@@ -407,10 +407,10 @@ impl<const C: usize> Gaze<'_, C> {
 
     #[inline(never)]
     fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
-        /// From the first of these headings on the eye keeps to the point's elevation, wholly from the second.
+        /// Headings between which the eye changes from the straight line to the point's elevation.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
         let range = &self.ranges[self.body.first];
-        // As far as the eye gets straight towards what is out of its range.
+        // Part of the straight line to the point that the range allows.
         let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
             let (lo, hi, angle) = (range.lo[axis], range.hi[axis], wanted[axis]);
             let held = angle.at_least(lo).at_most(hi);
@@ -424,8 +424,8 @@ impl<const C: usize> Gaze<'_, C> {
         range.hold_from(angles(joint), held)
     }
 
-    /// The pitch at which the eye, at this heading, looks as high as its point is: of a·cos p + b·sin p = sin ε, a and b being
-    /// how high its forward and its up go.
+    /// Returns the pitch at which the eye, at this heading, looks as high as its point: the solution p of a·cos p +
+    /// b·sin p = sin ε, where a and b are the vertical components of its forward and its up.
     fn level_pitch(&self, heading: f32, posture: &Posture<'_, C>) -> f32 {
         let body = self.body;
         let up = (body.first + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
@@ -440,7 +440,7 @@ impl<const C: usize> Gaze<'_, C> {
         trig::atan2(sin, math::sqrt(1.0 - sin * sin)) - trig::atan2(a, b)
     }
 
-    /// Keeps the eye where it is.
+    /// Keeps the eye at its present angles.
     pub(super) fn hold_eye(&self, joints: &mut [Joint]) {
         if self.has_eye {
             let eye = &mut joints[self.body.first];
@@ -450,7 +450,8 @@ impl<const C: usize> Gaze<'_, C> {
     }
 }
 
-/// The offset of −2·speed/ω by which a joint at `before` stops without turning back, and the place where it does.
+/// Returns the offset −2·speed/ω with which a joint at `before` stops without turning back, and the place where it
+/// does.
 #[cold]
 #[inline(never)]
 fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
@@ -458,21 +459,23 @@ fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
     (offset, Led { goal: ends(before - offset), ..Led::default() })
 }
 
-/// The angle by which leaps of a target have left the head behind, after another; what the animation does in jerks is no leap.
+/// Returns the angle by which the target's jumps have left the head behind, after another jump. Small ones, as from
+/// jerks of the animation, do not count.
 fn leapt(before: f32, leap: Pair) -> f32 {
     const LEAP_RAD: f32 = 5.0 * PI / 180.0;
     let size = length(leap);
     if size > LEAP_RAD { before + size } else { before }
 }
 
-/// How much quicker a head that leads makes up for an offset of which this much is a leap's: it has the head lag behind glances of
-/// the animation no longer than can be seen. What is small takes little acceleration, too.
+/// Returns the factor by which a leading head decays its offset faster, if the target's jumps account for `leapt`
+/// radians of it: up to 3 for a small angle, 1 for a large one. The lag behind the animation's glances is then too
+/// short to be seen. Small offsets also need little acceleration.
 fn quickness(leapt: f32) -> f32 {
     const SMALL_RAD: f32 = 3.0 * PI / 180.0;
     math::sqrt(SMALL_RAD / leapt.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
-/// A joint at these angles that remembers nothing.
+/// Returns a joint at these angles with an empty memory.
 #[cfg_attr(not(aim_small), inline(always))]
 fn with_angles(angles: Pair) -> Joint {
     at(&Joint::REST, angles)
