@@ -1,4 +1,5 @@
-//! [`AimChain`]: the bones that a rig aims, between an animated pose and an aimed one.
+//! [`AimChain`]: the bones of a skeleton that a rig aims. Converts between its poses and the input and output of the
+//! solvers.
 
 use alloc::borrow::ToOwned;
 use alloc::string::String;
@@ -13,29 +14,30 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
-/// Why bones are no chain of a rig. Joints are counted from the effector inward.
+/// Error of [`AimChain`]: the bones do not form a chain for the rig. Joints are numbered from the effector inward.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AimChainError {
-    /// There is no joint.
+    /// The list of joints is empty.
     Empty,
-    /// There is no such bone for this joint.
+    /// The bone given for this joint does not exist.
     Joint(usize),
-    /// None of the names that the rig declares for this joint is the name of a bone, or of several bones more than one makes a chain
-    /// with those of the other joints.
+    /// No bone has any of the names that the rig declares for this joint, or several bones share a name and not exactly
+    /// one of them forms a chain with the bones of the other joints.
     Names {
         /// The joint.
         joint: usize,
-        /// The names, best first.
+        /// The declared names, in order of preference.
         names: Vec<String>,
     },
-    /// The bone of the joint before this one does not hang on this one's.
+    /// The bone of the next outer joint (index − 1) is not a descendant of this joint's bone.
     Order(usize),
-    /// There is no such bone for the other eye, or it is a joint.
+    /// The bone given for the other eye does not exist, or is already a joint.
     OtherEye,
-    /// There is no such bone for the trunk.
+    /// The bone given for the trunk does not exist.
     Trunk,
-    /// There is no such bone to hold, or it is a joint, or it does not hang on its joint.
+    /// A held bone does not exist, is a joint, or is not a descendant of its joint; or its joint does not exist; or its
+    /// carrier is not a joint further inward.
     Held,
 }
 
@@ -62,8 +64,10 @@ impl fmt::Display for AimChainError {
 
 impl core::error::Error for AimChainError {}
 
-/// The bones of a skeleton that a rig aims; shared by all characters of a kind. [`gather`](Self::gather) leads from the animated
-/// pose to what the solvers take, [`apply`](Self::apply) from their corrections to the pose.
+/// The bones of a skeleton that a rig aims, immutable and shared by all characters of a kind.
+///
+/// [`gather`](Self::gather) extracts the solvers' input from the animated pose; [`apply`](Self::apply) writes the
+/// resulting corrections back into the pose.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -89,7 +93,7 @@ impl core::error::Error for AimChainError {}
 #[derive(Clone, Debug, PartialEq)]
 pub struct AimChain {
     skeleton: Skeleton,
-    /// Every bone in the bind pose, in the space of the model.
+    /// Bind pose of every bone, model space.
     bind: Vec<Affine3A>,
     joints: Vec<usize>,
     other_eye: Option<OtherEye>,
@@ -97,54 +101,58 @@ pub struct AimChain {
     up: Option<Up>,
 }
 
-/// Up to this lean of the trunk what is up for a character that stands is its up: it stands, walks, or bends forward.
+/// Lean of the trunk, radians (45°), up to which the standing up direction is used: the character stands, walks or
+/// bends forward.
 const STANDS_RAD: f32 = core::f32::consts::FRAC_PI_4;
-/// From this lean on (75°) it lies or hangs, and its up is that of its trunk.
+/// Lean of the trunk, radians (75°), from which the up direction is fixed to the trunk: the character lies or hangs.
 const LIES_RAD: f32 = 5.0 * core::f32::consts::FRAC_PI_6 / 2.0;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Up {
-    /// Of a character that stands, in the space of the model.
+    /// Up direction of the standing character, model space.
     standing: Vec3,
-    /// The bone that tells how it stands.
+    /// The bone whose lean decides whether the character stands; `None` if the direction is fixed.
     trunk: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct OtherEye {
     bone: usize,
-    /// Aimed itself; else it turns as joint 0 does.
+    /// `true` if the solver aims the eye, `false` if it copies joint 0's rotation.
     is_aimed: bool,
 }
 
-/// A bone that stays with what carries the joint that it hangs on.
+/// A bone below an aimed joint that moves with `carrier` instead, or keeps its animated model-space transform without
+/// one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Held {
     bone: usize,
     carrier: Option<usize>,
 }
 
-/// One character's memory between [`AimChain::gather`] and [`AimChain::apply`]: made once by [`AimChain::frame`]. It keeps nothing
-/// from frame to frame.
+/// Scratch memory of one character, which carries data from [`AimChain::gather`] to [`AimChain::apply`].
+///
+/// Allocated once by [`AimChain::frame`]. Holds no state from one frame to the next, except for [`place`](Self::place).
 #[derive(Clone, Debug, PartialEq)]
 pub struct AimFrame {
-    /// The character's place in the space of the targets, set before [`AimChain::gather`]: rigid, or uniformly scaled. The identity
-    /// aims in the space of the model.
+    /// The character's transform from model space to the space of the targets, rigid or uniformly scaled. Set it before
+    /// [`AimChain::gather`]. With the identity, targets are in model space.
     pub place: Affine3A,
     joints: Vec<Affine3A>,
     bind: Vec<Affine3A>,
     other_eye: Option<Affine3A>,
     up: Option<Vec3>,
-    /// Every bone in the space of the model, animated.
+    /// Animated transform of every bone, model space.
     animated: Vec<Affine3A>,
 }
 
-/// A solver's result: the correction of each joint, from the effector inward, and of the other eye.
+/// Corrections computed by a solver, as local rotations: one for each joint, and one for the other eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrections<'a> {
-    /// Of each joint: [`Aimed::corrections`], or those of a `DynAim`.
+    /// Correction of each joint, from the effector inward: [`Aimed::corrections`], or `DynAim::corrections`.
     pub joints: &'a [Quat],
-    /// Of the other eye: [`Outcome::other_eye_correction`](aim_runtime::Outcome::other_eye_correction).
+    /// Correction of the other eye, if it is aimed:
+    /// [`Outcome::other_eye_correction`](aim_runtime::Outcome::other_eye_correction).
     pub other_eye: Option<Quat>,
 }
 
@@ -162,13 +170,14 @@ impl<'a, A: AsRef<[Quat]>> From<&'a Aimed<A>> for Corrections<'a> {
 }
 
 impl AimFrame {
-    /// The pose for rigs known at run time: `DynAim`, or [`dyn Rig`](Rig) by slices.
+    /// Returns the gathered pose as slices, for rigs known only at run time: `DynAim` or [`dyn Rig`](Rig).
     #[must_use]
     pub fn pose(&self) -> Pose<&[Affine3A]> {
         self.with_rest(Pose::new(&self.joints[..]).with_bind(&self.bind[..]))
     }
 
-    /// The pose for a derived rig of `N` joints: `None` if the chain has another number.
+    /// Returns the gathered pose as arrays, for a derived rig of `N` joints; `None` if the chain does not have `N`
+    /// joints.
     #[must_use]
     pub fn pose_of<const N: usize>(&self) -> Option<Pose<[Affine3A; N]>> {
         let joints = <[Affine3A; N]>::try_from(&self.joints[..]).ok()?;
@@ -176,7 +185,7 @@ impl AimFrame {
         Some(self.with_rest(Pose::new(joints).with_bind(bind)))
     }
 
-    /// Every bone in the space of the model, as it was gathered.
+    /// Returns the transform of every bone as gathered, model space.
     #[must_use]
     pub fn model(&self) -> &[Affine3A] {
         &self.animated
@@ -189,7 +198,8 @@ impl AimFrame {
 }
 
 impl AimChain {
-    /// A chain of these bones, from the effector inward, in the skeleton's order; each hangs on the next, by any number of bones.
+    /// Creates a chain of bones (indices into the skeleton), from the effector inward. Each must be a descendant of the
+    /// next, at any depth.
     ///
     /// # Errors
     /// See [`AimChainError`].
@@ -210,9 +220,13 @@ impl AimChain {
         Ok(Self { skeleton: skeleton.clone(), bind, joints, other_eye: None, held: Vec::new(), up: None })
     }
 
-    /// The chain of a rig by the names that it declares for its bones, with the bones that the rig holds. A joint's own name counts
-    /// where the rig declares none. A name that one bone has goes before one that several have; of these the one counts that makes a
-    /// chain with the bones of the other joints: a bone and the mesh that it moves often share their name.
+    /// Creates the chain of a rig from the bone names that the rig declares, with the bones that the rig holds.
+    ///
+    /// - A joint without declared bone names is looked up by its own name.
+    /// - A joint's first name that exactly one bone has is used. Otherwise, its first name that several bones have, and
+    ///   of these bones the one that forms a chain with the other joints: a bone and the mesh that it moves often share
+    ///   a name.
+    /// - A held bone is skipped if its name is not the name of exactly one bone.
     ///
     /// # Errors
     /// See [`AimChainError`].
@@ -240,8 +254,11 @@ impl AimChain {
         Ok(chain)
     }
 
-    /// The same chain on the fewest bones: those that are aimed, held or tell how the character stands, and what they hang on. Beside it
-    /// each bone's number in the [whole skeleton](Self::skeleton), in ascending order.
+    /// Returns the chain on a reduced skeleton, and for each of its bones the index in the
+    /// [full skeleton](Self::skeleton), in ascending order.
+    ///
+    /// The reduced skeleton has the joints, the other eye, the trunk, the held bones and their carriers, and all their
+    /// ancestors.
     ///
     /// ```
     /// use aim_animation::{AimChain, Bone, Skeleton};
@@ -276,42 +293,45 @@ impl AimChain {
         (reduced, bones)
     }
 
-    /// The skeleton.
+    /// Returns the skeleton of the chain.
     #[must_use]
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// The bone of the other eye, aimed or following; `None` where there is none.
+    /// Returns the bone of the other eye, aimed or following; `None` if the chain has no other eye.
     #[must_use]
     pub fn other_eye(&self) -> Option<usize> {
         self.other_eye.map(|eye| eye.bone)
     }
 
-    /// With another bind pose than the rest pose, every bone in the space of the model: ranges from the bind pose count from it,
-    /// and in it the eyes are parallel and the trunk upright.
+    /// Sets the bind pose, every bone in model space; by default it is the rest pose.
+    ///
+    /// The bind pose is the zero of limits declared from it, and the pose in which the eyes are parallel and the trunk
+    /// is upright.
     ///
     /// # Errors
-    /// A slice of another length than the skeleton.
+    /// Fails if the slice and the skeleton differ in length.
     pub fn with_bind(mut self, bind: &[Affine3A]) -> Result<Self, PoseError> {
         check_length(self.bind.len(), bind.len())?;
         self.bind.copy_from_slice(bind);
         Ok(self)
     }
 
-    /// With the other eye, aimed too: see [`Pose::with_other_eye`]. It is first turned parallel to joint 0, as both are in the bind
-    /// pose.
+    /// Adds the other eye, aimed by the solver as well: see [`Pose::with_other_eye`].
+    ///
+    /// [`gather`](Self::gather) first turns it parallel to joint 0, by the relation of the two in the bind pose.
     ///
     /// # Errors
-    /// There is no such bone, or it is a joint.
+    /// [`AimChainError::OtherEye`] if the bone does not exist or is a joint.
     pub fn with_other_eye(self, bone: usize) -> Result<Self, AimChainError> {
         self.with_eye(OtherEye { bone, is_aimed: true })
     }
 
-    /// With an eye that is not aimed itself: it turns in the space of the model as joint 0 does.
+    /// Adds the other eye, not aimed by the solver: it copies the model-space rotation of joint 0.
     ///
     /// # Errors
-    /// There is no such bone, or it is a joint.
+    /// [`AimChainError::OtherEye`] if the bone does not exist or is a joint.
     pub fn with_following_eye(self, bone: usize) -> Result<Self, AimChainError> {
         self.with_eye(OtherEye { bone, is_aimed: false })
     }
@@ -324,11 +344,16 @@ impl AimChain {
         Ok(self)
     }
 
-    /// With a bone that hangs on a joint, by any number of bones, and stays with another joint farther in, the
-    /// [carrier](aim_runtime::Description::carrier): a clavicle on a neck that turns. Without a carrier it stays as it is animated.
+    /// Adds a held bone: a descendant of `joint`, at any depth, that does not follow the joint's correction, such as a
+    /// clavicle below the neck.
+    ///
+    /// It moves with `carrier` instead, a joint further inward, as
+    /// [`Description::carrier`](aim_runtime::Description::carrier) finds it. Without a carrier it keeps its animated
+    /// model-space transform.
     ///
     /// # Errors
-    /// There is no such bone, it is a joint, or does not hang on the joint; or the carrier is not farther in.
+    /// [`AimChainError::Held`] if the bone does not exist, is a joint, or is not a descendant of the joint; if the
+    /// joint does not exist; or if the carrier is not a joint further inward.
     pub fn with_held(mut self, bone: usize, joint: usize, carrier: Option<usize>) -> Result<Self, AimChainError> {
         let on = self.joints.get(joint).copied().ok_or(AimChainError::Held)?;
         if bone >= self.bind.len() || self.joints.contains(&bone) || !is_below(&self.skeleton, bone, on) {
@@ -343,19 +368,21 @@ impl AimChain {
         Ok(self)
     }
 
-    /// With the direction that is up for the character, in the space of the model: see [`Pose::with_up`].
+    /// Sets a fixed up direction of the character, model space: see [`Pose::with_up`].
     #[must_use]
     pub fn with_up(mut self, up: Vec3) -> Self {
         self.up = Some(Up { standing: up, trunk: None });
         self
     }
 
-    /// With the up of a character that may lie down: `up`, a unit vector in the space of the model, as long as `trunk`, its hips,
-    /// leans by less than 45° from the bind pose, from 75° on the same direction fixed to the trunk, and between them from the one
-    /// to the other without a jump.
+    /// Sets the up direction of a character that may lie down.
+    ///
+    /// `up` is a unit vector in model space, and `trunk` the bone whose lean is measured, the hips. While the trunk
+    /// leans by less than 45° from the bind pose, the up direction is `up`. From 75° on, it is that direction fixed to
+    /// the trunk. In between it changes smoothly from one to the other.
     ///
     /// # Errors
-    /// There is no such bone.
+    /// [`AimChainError::Trunk`] if the bone does not exist.
     pub fn with_standing_up(mut self, up: Vec3, trunk: usize) -> Result<Self, AimChainError> {
         if trunk >= self.bind.len() {
             return Err(AimChainError::Trunk);
@@ -364,7 +391,7 @@ impl AimChain {
         Ok(self)
     }
 
-    /// The character's up in a pose in the space of the model; `None` unless one was given.
+    /// Returns the character's up direction in a model-space pose, as a vector in model space; `None` if none was set.
     #[must_use]
     pub fn up(&self, model: &[Affine3A]) -> Option<Vec3> {
         let Up { standing, trunk } = self.up?;
@@ -375,24 +402,24 @@ impl AimChain {
         let Some(own) = own else { return Some(standing) };
         let lean = angle(shortest(standing, own.into()));
         let share = ((lean - STANDS_RAD) / (LIES_RAD - STANDS_RAD)).clamp(0.0, 1.0);
-        // Smoothstep: no kink in the head's motion.
+        // Smoothstep, so that the head's velocity does not jump at either threshold.
         let share = share * share * (3.0 - 2.0 * share);
         let up = Vec3A::from(standing) * (1.0 - share) + own * share;
         Some((up / length(up)).into())
     }
 
-    /// The bones that are held: see [`with_held`](Self::with_held).
+    /// Returns the held bones: see [`with_held`](Self::with_held).
     pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
         self.held.iter().map(|held| held.bone)
     }
 
-    /// The bone of each joint, from the effector inward.
+    /// Returns the bone of each joint, from the effector inward.
     #[must_use]
     pub fn joints(&self) -> &[usize] {
         &self.joints
     }
 
-    /// Memory for a character.
+    /// Allocates the scratch memory of one character.
     #[must_use]
     pub fn frame(&self) -> AimFrame {
         AimFrame {
@@ -405,14 +432,16 @@ impl AimChain {
         }
     }
 
-    /// Reads the animated pose: after it [`AimFrame::pose`] is what the solvers take.
+    /// Reads the animated pose into `frame`; [`AimFrame::pose`] then returns it in the form that the solvers take.
     ///
-    /// `local` is the pose as it was animated, without earlier corrections, and `model` the same in the space of the model. An other
-    /// eye that is aimed is turned in both. A joint's own uneven scale is taken out; the bind pose is carried along by what the
-    /// chain hangs on.
+    /// - `local` is the animated pose without earlier corrections, `model` the same pose in model space.
+    /// - An aimed other eye is turned parallel to joint 0, in `local` and in `model`.
+    /// - The own scale of a joint is removed from its gathered transform if it is non-uniform.
+    /// - The gathered bind pose moves along with the parent of the innermost joint.
     ///
     /// # Errors
-    /// A slice has another length than the skeleton, or `frame` is of another chain; then nothing is written.
+    /// Fails if a slice and the skeleton differ in length, or if `frame` has another number of bones or joints than the
+    /// chain. Nothing is written then.
     pub fn gather(
         &self,
         frame: &mut AimFrame,
@@ -433,7 +462,7 @@ impl AimChain {
             *at = joint(bone);
         }
         frame.up = self.up(model).map(|up| frame.place.transform_vector3(up));
-        // The bind pose, but moved along by what the chain hangs on.
+        // The motion of the innermost joint's parent since the bind pose: model · bind⁻¹.
         let innermost = self.joints[self.joints.len() - 1];
         let carried = self.skeleton.parents()[innermost].and_then(|on| Some(model[on] * inverse(&self.bind[on])?));
         let carried = frame.place * carried.unwrap_or(Affine3A::IDENTITY);
@@ -444,11 +473,14 @@ impl AimChain {
         Ok(())
     }
 
-    /// Writes corrections into the pose that was [gathered](Self::gather): joints and the other eye are turned, what is held is moved
-    /// back, and `model` follows. Joints without a correction stay.
+    /// Applies corrections to the pose that was [gathered](Self::gather): turns the joints and the other eye, moves
+    /// held bones back, and updates `model`.
+    ///
+    /// Joints past the end of `corrections.joints` keep their rotation.
     ///
     /// # Errors
-    /// A slice has another length than the skeleton, or `frame` is of another chain; then nothing is written.
+    /// Fails if a slice and the skeleton differ in length, or if `frame` has another number of bones or joints than the
+    /// chain. Nothing is written then.
     pub fn apply(
         &self,
         frame: &AimFrame,
@@ -477,7 +509,8 @@ impl AimChain {
         Ok(())
     }
 
-    /// The other eye's bone, and what leads from joint 0's space into its own where both are in the bind pose.
+    /// Returns the other eye's bone, and the rotation from joint 0's bone space to that of the other eye in the bind
+    /// pose.
     pub(crate) fn other_eye_in_bind(&self) -> Option<(usize, Mat3A)> {
         let bone = self.other_eye?.bone;
         let [eye, other] = [self.joints[0], bone].map(|bone| nearest_orthogonal(self.bind[bone].matrix3));
@@ -490,7 +523,8 @@ impl AimChain {
         check_length(self.joints.len(), frame.joints.len())
     }
 
-    /// The turn in the space of the model after which the other eye is to joint 0 as both are in the bind pose.
+    /// Returns the model-space rotation that restores the other eye's bind-pose orientation relative to joint 0; `None`
+    /// if a transform involved is singular.
     fn parallel(&self, other: usize, model: &[Affine3A]) -> Option<Quat> {
         let eye = self.joints[0];
         let frame = |at: &Affine3A| nearest_orthogonal(at.matrix3);
@@ -498,8 +532,10 @@ impl AimChain {
         rotation(&(since_bind * frame(&self.bind[other])? * frame(&model[other])?.transpose()))
     }
 
-    /// Turns the other eye in the space of the model as joint 0 was turned from its rotation `before`: between the orthogonal parts of
-    /// what carries them, so that on one bone of any scale both turn alike.
+    /// Turns the other eye in model space by the rotation that joint 0 has made since its local rotation `before`.
+    ///
+    /// Uses only the orthogonal parts of the two parents' transforms, so that eyes on the same parent turn alike
+    /// whatever its scale.
     fn follow(&self, other: usize, before: Quat, local: &mut [Transform], model: &[Affine3A]) {
         let eye = self.joints[0];
         let carrier = |bone: usize| match self.skeleton.parents()[bone] {
@@ -514,7 +550,9 @@ impl AimChain {
         }
     }
 
-    /// Moves a bone back to where its carrier has it. What is hidden by a scale of 0 has no place to keep.
+    /// Moves a held bone to its animated transform, carried along by its carrier:
+    /// `carrier_now · carrier_animated⁻¹ · animated`. Does nothing if a scale of 0 makes a transform singular: a hidden
+    /// bone.
     fn hold(&self, held: &Held, frame: &AimFrame, local: &mut [Transform], model: &[Affine3A]) {
         let Held { bone, carrier } = *held;
         let place = || {
@@ -535,7 +573,8 @@ impl AimChain {
     }
 }
 
-/// The bones of the first of several names that one bone has; else of the first that several have.
+/// Returns the bone of the first name that exactly one bone has, or else all bones of the first name that several bones
+/// have.
 fn candidates<'a>(skeleton: &'a Skeleton, names: impl Iterator<Item = &'a str>) -> Vec<usize> {
     let mut found: Vec<Vec<usize>> = names.map(|name| skeleton.named(name).collect()).collect();
     found.retain(|bones| !bones.is_empty());
@@ -543,8 +582,10 @@ fn candidates<'a>(skeleton: &'a Skeleton, names: impl Iterator<Item = &'a str>) 
     if found.is_empty() { Vec::new() } else { found.swap_remove(first) }
 }
 
-/// Leaves of each joint's candidates those that hang on one of the next joint's, and then those of them that carry one of the joint's
-/// before. A single one stays, so that it is told why it does not.
+/// Filters each joint's candidates: first, from the innermost joint outward, to descendants of a candidate of the next
+/// inner joint; then, from the effector inward, to ancestors of a candidate of the next outer joint.
+///
+/// A sole candidate is always kept, so that [`AimChain::new`] can report what is wrong with it.
 fn in_a_chain(skeleton: &Skeleton, mut bones: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
     let retain = |bones: &mut Vec<usize>, will_do: &dyn Fn(usize) -> bool| {
         if bones.len() > 1 {
@@ -562,17 +603,18 @@ fn in_a_chain(skeleton: &Skeleton, mut bones: Vec<Vec<usize>>) -> Vec<Vec<usize>
     bones
 }
 
-/// True if a bone hangs on another one, by any number of bones.
+/// Returns `true` if `bone` is a descendant of `on`, at any depth.
 fn is_below(skeleton: &Skeleton, bone: usize, on: usize) -> bool {
     bone != on && skeleton.subtree(on).contains(&bone)
 }
 
-/// The rotation of an orthogonal matrix; `None` if it mirrors.
+/// Returns the rotation of an orthogonal matrix; `None` if it is a reflection.
 fn rotation(frame: &Mat3A) -> Option<Quat> {
     if frame.determinant() > 0.5 { unit(Quat::from_mat3a(frame)) } else { None }
 }
 
-/// A bone in the space of the model without its own scale if that is uneven, so that a correction acts where its rotation does.
+/// Returns a bone's model-space transform without its own scale if that scale is non-uniform, so that a correction is
+/// applied where the bone's rotation is. A scale that is uniform to 1e-5, or has a zero, is kept.
 fn without_uneven_scale(model: &Affine3A, scale: Vec3) -> Affine3A {
     let size = scale.abs();
     let is_even = (size - Vec3::splat(size.x)).abs().max_element() <= 1e-5 * size.max_element();

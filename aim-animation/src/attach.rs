@@ -1,10 +1,12 @@
-//! Attachments: things that a bone holds, and characters that hold on to a thing.
+//! Attachments: objects held by a bone, and characters that hold on to an object.
 
 use aim_runtime::glam::Affine3A;
 use aim_runtime::rotation::inverse;
 
-/// The place of a thing that a bone holds, such as a gun in a hand, in the space of `bone`'s target: model or world.
-/// `grip` is the thing in the space of the bone.
+/// Returns the transform of an object held by a bone, such as a gun in a hand, in the space that `bone` maps to: model
+/// or world.
+///
+/// `grip` is the object's transform in bone space.
 ///
 /// ```
 /// use aim_animation::attached;
@@ -18,10 +20,11 @@ pub fn attached(bone: &Affine3A, grip: &Affine3A) -> Affine3A {
     *bone * *grip
 }
 
-/// The place of a character's root in the world so that what it holds on to stays: someone hanging off a bridge.
+/// Returns the world transform of a character's root that keeps an attachment point in place: someone hanging off a
+/// bridge.
 ///
-/// `attachment` is the attachment point in the space of the model, `held` its place in the world. `None` if `attachment`
-/// does not span space, or if the result is not finite.
+/// `attachment` is the attachment point in model space, `held` its transform in world space. Returns `None` if
+/// `attachment` is singular or the result is not finite.
 #[must_use]
 pub fn root_for(attachment: &Affine3A, held: &Affine3A) -> Option<Affine3A> {
     let root = *held * inverse(attachment)?;

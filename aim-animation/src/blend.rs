@@ -1,4 +1,4 @@
-//! [`Blender`]: poses blended two by two, by weighted sums, and by adding differences.
+//! [`Blender`]: blends two poses, sums any number of weighted poses, and adds difference poses.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{dot, exp, log, nlerp, product, slerp};
@@ -8,24 +8,28 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
-/// A way to interpolate rotations. Over small angles all are alike.
+/// Method of interpolating rotations. For small angles all methods give nearly the same result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
-    /// Normalised linear interpolation: the shorter way, not at constant speed, cheap. A weighted sum of more than two is
-    /// taken in the hemisphere of the rest pose.
+    /// Normalised linear interpolation: along the shorter arc, not at constant speed, cheap.
+    ///
+    /// In a [weighted sum](Blender::sum), quaternions are first flipped into the hemisphere of the rest rotation.
     #[default]
     Nlerp,
-    /// Spherical linear interpolation: the shorter way at constant speed. A weighted sum is that of [`Self::Nlerp`], since
-    /// this is not defined for more than two.
+    /// Spherical linear interpolation: along the shorter arc, at constant speed.
+    ///
+    /// A [weighted sum](Blender::sum) uses [`Nlerp`](Self::Nlerp) instead, since slerp is defined for two rotations
+    /// only.
     Slerp,
-    /// Linear interpolation of rotation vectors (logarithms) relative to the rest pose. Not always the shorter way; the
-    /// same formula for any number of poses.
+    /// Linear interpolation of rotation vectors (logarithms) relative to the rest pose.
+    ///
+    /// Not always along the shorter arc. The formula is the same for any number of poses.
     Log,
 }
 
-/// Blends poses of one skeleton, slice by slice, without allocating.
+/// Blends local poses of one skeleton, given as slices, without allocating.
 ///
-/// Weights are clamped to 0…1, NaN counts as 0; where there is a mask, each bone's is multiplied by its own.
+/// Weights are clamped to 0…1; NaN is treated as 0. A mask multiplies the weight of each bone.
 ///
 /// ```
 /// use aim_animation::glam::Vec3;
@@ -50,31 +54,32 @@ pub struct Blender<'a> {
 }
 
 impl<'a> Blender<'a> {
-    /// Blends every bone by [`Method::Nlerp`].
+    /// Creates a blender without a mask that interpolates rotations by [`Method::Nlerp`].
     #[must_use]
     pub fn new(skeleton: &'a Skeleton) -> Self {
         Self { skeleton, method: Method::default(), mask: None }
     }
 
-    /// With another way to interpolate rotations.
+    /// Sets the method of interpolating rotations.
     #[must_use]
     pub fn with_method(mut self, method: Method) -> Self {
         self.method = method;
         self
     }
 
-    /// With a mask, which must be of the same skeleton.
+    /// Sets a mask, which must belong to the same skeleton.
     #[must_use]
     pub fn with_mask(mut self, mask: &'a Mask) -> Self {
         self.mask = Some(mask);
         self
     }
 
-    /// Moves `pose` towards `other` by `weight`: at 1 a bone is the other's, at 0 it is left alone. With a mask and a
-    /// weight of 1 this is the masked interpolation of two animations.
+    /// Interpolates `pose` towards `other` by `weight`: 0 leaves a bone unchanged, 1 copies the bone of `other`.
+    ///
+    /// With a mask and a weight of 1, the mask alone decides how much of `other` each bone takes.
     ///
     /// # Errors
-    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    /// Fails if a slice or the mask differs in length from the skeleton. Nothing is written then.
     pub fn blend(&self, pose: &mut [Transform], other: &[Transform], weight: f32) -> Result<(), PoseError> {
         self.check(pose.len())?;
         self.check(other.len())?;
@@ -86,7 +91,9 @@ impl<'a> Blender<'a> {
         Ok(())
     }
 
-    /// Adds a pose of differences, as [`difference`](Self::difference) makes them, by `weight`.
+    /// Adds a difference pose, as computed by [`difference`](Self::difference), scaled by `weight`.
+    ///
+    /// Per bone: adds the translation, multiplies the rotation on the right, and multiplies the scale.
     ///
     /// ```
     /// use aim_animation::glam::Vec3;
@@ -103,7 +110,7 @@ impl<'a> Blender<'a> {
     /// ```
     ///
     /// # Errors
-    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    /// Fails if a slice or the mask differs in length from the skeleton. Nothing is written then.
     pub fn add(&self, pose: &mut [Transform], differences: &[Transform], weight: f32) -> Result<(), PoseError> {
         self.check(pose.len())?;
         self.check(differences.len())?;
@@ -115,11 +122,12 @@ impl<'a> Blender<'a> {
         Ok(())
     }
 
-    /// The pose that [added](Self::add) to `from` gives `to`. A scale of 0 in `from` counts as unchanged. The mask plays no
-    /// part.
+    /// Writes the difference pose that gives `to` when [added](Self::add) to `from` with weight 1.
+    ///
+    /// Where a component of the scale is 0 in `from`, its difference is the factor 1. The mask is ignored.
     ///
     /// # Errors
-    /// A slice of another length than the skeleton; then nothing is written.
+    /// Fails if a slice differs in length from the skeleton. Nothing is written then.
     pub fn difference(&self, from: &[Transform], to: &[Transform], out: &mut [Transform]) -> Result<(), PoseError> {
         [from.len(), to.len(), out.len()].into_iter().try_for_each(|len| check_length(self.skeleton.len(), len))?;
         for ((from, to), out) in from.iter().zip(to).zip(out) {
@@ -128,14 +136,16 @@ impl<'a> Blender<'a> {
         Ok(())
     }
 
-    /// The weighted sum of any number of poses: Σ wᵢ·poseᵢ / Σ wᵢ, for each bone. Where the weights sum to 0 the pose is
-    /// the rest pose. The order of the poses does not matter.
+    /// Writes the weighted mean of any number of poses, Σ wᵢ·poseᵢ / Σ wᵢ, bone by bone. The order of the poses does
+    /// not matter.
     ///
-    /// Rotations are averaged in the hemisphere of the rest pose, so that it does not matter which of its two quaternions a
-    /// rotation is given by; or by [`Method::Log`]. A mask here fades every pose to the rest pose.
+    /// - If the weights sum to 0, the result is the rest pose.
+    /// - Rotations are averaged as quaternions in the hemisphere of the rest rotation, so that `q` and `-q` give the
+    ///   same result, or as rotation vectors with [`Method::Log`].
+    /// - A mask blends the result towards the rest pose: at 0, a bone is at rest.
     ///
     /// # Errors
-    /// A slice or a mask of another length than the skeleton; then nothing is written.
+    /// Fails if a slice or the mask differs in length from the skeleton. Nothing is written then.
     pub fn sum(&self, poses: &[(&[Transform], f32)], out: &mut [Transform]) -> Result<(), PoseError> {
         poses.iter().try_for_each(|(pose, _)| self.check(pose.len()))?;
         self.check(out.len())?;
@@ -163,7 +173,7 @@ impl<'a> Blender<'a> {
     }
 }
 
-/// The first of two transforms moved towards the second by a weight; the third is the rest transform.
+/// Interpolates from `a` to `b` by a weight; `rest` is the rest transform, which [`Method::Log`] needs.
 pub(crate) fn blended([a, b, rest]: [&Transform; 3], weight: f32, method: Method) -> Transform {
     if !(weight > 0.0) {
         return *a;
@@ -175,7 +185,7 @@ pub(crate) fn blended([a, b, rest]: [&Transform; 3], weight: f32, method: Method
     })
 }
 
-/// A transform and a part of a difference.
+/// Adds a difference, scaled by a weight, to a transform.
 pub(crate) fn added_to(to: &Transform, difference: &Transform, weight: f32, method: Method) -> Transform {
     if !(weight > 0.0) {
         return *to;
@@ -191,7 +201,7 @@ pub(crate) fn added_to(to: &Transform, difference: &Transform, weight: f32, meth
     }
 }
 
-/// The difference that gives `to` when it is added to `from`.
+/// Returns the difference that gives `to` when it is added to `from`.
 pub(crate) fn difference(from: &Transform, to: &Transform) -> Transform {
     let ratio = |to: f32, from: f32| if from == 0.0 { 1.0 } else { to / from };
     let (a, b) = (from.scale, to.scale);
@@ -202,7 +212,7 @@ pub(crate) fn difference(from: &Transform, to: &Transform) -> Transform {
     }
 }
 
-/// Linear in translation and scale; exact at both ends.
+/// Interpolates translation and scale linearly, exactly at both ends, and the rotation by a closure.
 fn interpolated(a: &Transform, b: &Transform, weight: f32, rotation: impl Fn(Quat, Quat) -> Quat) -> Transform {
     let lerp = |a: Vec3, b: Vec3| a * (1.0 - weight) + b * weight;
     Transform {
@@ -212,18 +222,19 @@ fn interpolated(a: &Transform, b: &Transform, weight: f32, rotation: impl Fn(Qua
     }
 }
 
-/// R·exp((1 − w)·log(R⁻¹·a) + w·log(R⁻¹·b)), with R the rest rotation.
+/// Interpolates rotation vectors relative to rest: R·exp((1 − w)·log(R⁻¹·a) + w·log(R⁻¹·b)), with R the rest rotation.
 fn by_logs(rest: Quat, a: Quat, b: Quat, weight: f32) -> Quat {
     let [a, b] = [a, b].map(|rotation| log(product(rest.conjugate(), rotation)));
     made_unit(product(rest, exp(a * (1.0 - weight) + b * weight)))
 }
 
-/// The weighted sum of one bone's transforms.
+/// Running weighted sum of one bone's transforms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoneSum {
     translation: Vec3,
     scale: Vec3,
-    /// The sum of quaternions in the hemisphere of the rest pose, or of rotation vectors relative to it with w = 0.
+    /// Weighted sum of quaternions in the hemisphere of the rest rotation; with [`Method::Log`], of rotation vectors
+    /// relative to rest, in x, y and z.
     rotation: Quat,
     weight: f32,
 }
@@ -264,8 +275,8 @@ impl BoneSum {
     }
 }
 
-/// Of the two quaternions of a rotation the one in the hemisphere of another; of half a turn away the one whose first
-/// component that is not zero is positive.
+/// Returns `rotation` or `-rotation`, whichever lies in the hemisphere of `like`. If the two rotations are half a turn
+/// apart, returns the one whose first non-zero component is positive.
 fn in_hemisphere(rotation: Quat, like: Quat) -> Quat {
     let side = dot(rotation, like);
     let is_flipped = if side == 0.0 {

@@ -1,4 +1,4 @@
-//! [`Clip`]: tracks of bones and of scalars, and events.
+//! [`Clip`]: a named animation of bone tracks, scalar tracks and events.
 
 use alloc::string::String;
 use alloc::sync::Arc;
@@ -13,19 +13,19 @@ use crate::step::Step;
 use crate::track::Track;
 use crate::transform::Transform;
 
-/// Something that happens at a time of a clip: a foot that comes down.
+/// A named event at a time of a clip, such as a footstep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// The time, seconds.
+    /// Local time, seconds.
     pub time_s: f32,
     /// The event's name.
     pub name: String,
 }
 
-/// An event's time is negative or not finite.
+/// Error of [`Clip::with_event`]: the time is negative or not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EventError {
-    /// The time.
+    /// The rejected time, seconds.
     pub time_s: f32,
 }
 
@@ -37,22 +37,24 @@ impl fmt::Display for EventError {
 
 impl core::error::Error for EventError {}
 
-/// The tracks of one bone; what has no track is not moved.
+/// The tracks of one bone. A component without a track keeps its value in the pose.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BoneTracks {
-    /// The bone, in the skeleton's order.
+    /// Index of the bone in the skeleton.
     pub bone: usize,
-    /// Its translation in its parent's space.
+    /// Translation in the parent's space.
     pub translation: Option<Track<Vec3>>,
-    /// Its rotation in its parent's space.
+    /// Rotation in the parent's space.
     pub rotation: Option<Track<Quat>>,
-    /// Its scale.
+    /// Scale along the bone's own axes.
     pub scale: Option<Track<Vec3>>,
 }
 
-/// A named animation: tracks by bone, tracks of scalars such as morph weights, and events. It knows no skeleton; bones
-/// are numbers in the order of the skeleton that it is played on, and those past its end are ignored.
+/// A named animation: tracks of bones, tracks of scalars such as morph weights, and events.
+///
+/// A clip does not refer to a skeleton. Its bones are indices into the skeleton that it is played on; indices past that
+/// skeleton's end are ignored.
 ///
 /// ```
 /// use aim_animation::glam::Quat;
@@ -75,20 +77,22 @@ pub struct Clip {
 }
 
 impl Clip {
-    /// A clip without tracks.
+    /// Creates an empty clip of length 0.
     #[must_use]
     pub fn new(name: impl Into<String>) -> Self {
         Self { name: name.into(), ..Self::default() }
     }
 
-    /// Under another name.
+    /// Sets the name.
     #[must_use]
     pub fn with_name(mut self, name: impl Into<String>) -> Self {
         self.name = name.into();
         self
     }
 
-    /// With a length of at least this, seconds; without, it is the time of the last key or event. NaN and infinity are ignored.
+    /// Raises the length to at least `length_s` seconds. NaN and infinity are ignored.
+    ///
+    /// By default, the length is the time of the last key or event.
     #[must_use]
     pub fn with_length(mut self, length_s: f32) -> Self {
         if length_s.is_finite() {
@@ -97,7 +101,7 @@ impl Clip {
         self
     }
 
-    /// With a translation track of a bone, in place of another one.
+    /// Sets the translation track of a bone, replacing any previous one.
     #[must_use]
     pub fn with_translation(mut self, bone: usize, track: Track<Vec3>) -> Self {
         self.length_s = self.length_s.max(track.end_s());
@@ -105,7 +109,7 @@ impl Clip {
         self
     }
 
-    /// With a rotation track of a bone, in place of another one.
+    /// Sets the rotation track of a bone, replacing any previous one.
     #[must_use]
     pub fn with_rotation(mut self, bone: usize, track: Track<Quat>) -> Self {
         self.length_s = self.length_s.max(track.end_s());
@@ -113,7 +117,7 @@ impl Clip {
         self
     }
 
-    /// With a scale track of a bone, in place of another one.
+    /// Sets the scale track of a bone, replacing any previous one.
     #[must_use]
     pub fn with_scale(mut self, bone: usize, track: Track<Vec3>) -> Self {
         self.length_s = self.length_s.max(track.end_s());
@@ -121,7 +125,7 @@ impl Clip {
         self
     }
 
-    /// With a track of a scalar, such as a morph weight, under a number of the caller's, in place of another one.
+    /// Sets the track of a scalar, such as a morph weight, replacing any previous one. `index` is chosen by the caller.
     #[must_use]
     pub fn with_scalar(mut self, index: usize, track: Track<f32>) -> Self {
         self.length_s = self.length_s.max(track.end_s());
@@ -132,10 +136,10 @@ impl Clip {
         self
     }
 
-    /// With an event; those of one time keep the order in which they were added.
+    /// Adds an event. Events of the same time keep the order in which they were added.
     ///
     /// # Errors
-    /// The time is negative or not finite.
+    /// Fails if the time is negative or not finite.
     pub fn with_event(mut self, time_s: f32, name: impl Into<String>) -> Result<Self, EventError> {
         if !(time_s.is_finite() && time_s >= 0.0) {
             return Err(EventError { time_s });
@@ -146,44 +150,45 @@ impl Clip {
         Ok(self)
     }
 
-    /// The name.
+    /// Returns the name.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The length, seconds.
+    /// Returns the length, seconds.
     #[must_use]
     pub fn length_s(&self) -> f32 {
         self.length_s
     }
 
-    /// The tracks, bone by bone.
+    /// Returns the tracks of all bones, in ascending order of bones.
     #[must_use]
     pub fn tracks(&self) -> &[BoneTracks] {
         &self.tracks
     }
 
-    /// The tracks of a bone.
+    /// Returns the tracks of a bone; `None` if it has none.
     #[must_use]
     pub fn bone(&self, bone: usize) -> Option<&BoneTracks> {
         self.tracks.binary_search_by_key(&bone, |tracks| tracks.bone).ok().map(|at| &self.tracks[at])
     }
 
-    /// The tracks of scalars in the order of their numbers.
+    /// Returns the scalar tracks with their indices, in ascending order of indices.
     #[must_use]
     pub fn scalars(&self) -> &[(usize, Track<f32>)] {
         &self.scalars
     }
 
-    /// The events in the order of their times.
+    /// Returns the events, in ascending order of times.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// The bytes of the keys as they are stored: 4 for each number of their times, values and tangents. Times that tracks
-    /// share count once; names and events do not.
+    /// Returns the memory size of the keys, bytes: 4 for each number of their times, values and tangents.
+    ///
+    /// Times that several tracks share are counted once. Names and events are not counted.
     ///
     /// ```
     /// use aim_animation::glam::Vec3;
@@ -217,14 +222,16 @@ impl Clip {
         values + 4 * shared.iter().map(|(_, keys)| keys).sum::<usize>()
     }
 
-    /// A cursor at the beginning, for a character that plays this clip.
+    /// Creates a cursor at the beginning, for one character that plays this clip.
     #[must_use]
     pub fn cursor(&self) -> Cursor {
         Cursor::with_room(3 * self.tracks.len() + self.scalars.len(), 0)
     }
 
-    /// Writes the clip at a time into a pose. What has no track stays as it is: start from the skeleton's rest pose, so that
-    /// bones which only another clip moves come back. Does not allocate.
+    /// Samples the clip at a local time, seconds, and writes the result into a local pose. Does not allocate.
+    ///
+    /// Components without a track keep their value. Start from the skeleton's rest pose, so that bones moved only by a
+    /// previous clip return to rest.
     pub fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
         let mut aside = [0; 3];
         for (index, tracks) in self.tracks.iter().enumerate() {
@@ -242,7 +249,9 @@ impl Clip {
         }
     }
 
-    /// Writes the scalars at a time to the places of their numbers; others stay as they are.
+    /// Samples the scalar tracks at a local time, seconds, and writes each to `scalars[index]`.
+    ///
+    /// Elements without a track keep their value; tracks with an index past the slice's end are ignored.
     pub fn sample_scalars(&self, time_s: f32, cursor: &mut Cursor, scalars: &mut [f32]) {
         for (place, (index, track)) in self.scalars.iter().enumerate() {
             if let Some(scalar) = scalars.get_mut(*index) {
@@ -252,20 +261,23 @@ impl Clip {
         }
     }
 
-    /// The events that a step passes, in the order in which it does, each as often as it is passed.
+    /// Returns the events passed by a step, in the order in which they are passed, each as often as it is passed.
     pub fn events_passed<'a>(&'a self, step: &Step) -> impl Iterator<Item = &'a Event> + use<'a> {
         events_passed(&self.events, step)
     }
 
-    /// The same clip without the tracks of a bone.
+    /// Removes the tracks of a bone.
     #[must_use]
     pub fn without(mut self, bone: usize) -> Self {
         self.tracks.retain(|tracks| tracks.bone != bone);
         self
     }
 
-    /// The same clip for bones in another order: a file's, or another skeleton's. Bones that lead to `None` are left out;
-    /// of two that lead to one bone the later counts.
+    /// Replaces each bone index by `bone_of(index)`, for a skeleton with another order of bones, or from a file's
+    /// order.
+    ///
+    /// Bones mapped to `None` are removed. If two bones are mapped to the same one, the tracks of the later replace
+    /// those of the earlier.
     #[must_use]
     pub fn with_bones_mapped(mut self, bone_of: impl Fn(usize) -> Option<usize>) -> Self {
         for tracks in core::mem::take(&mut self.tracks) {
@@ -276,7 +288,7 @@ impl Clip {
         self
     }
 
-    /// Linear tracks of `rate_hz` keys a second in place of all tracks; see [`Track::resampled`].
+    /// Returns the clip with every track replaced by a linear one of `rate_hz` keys a second: see [`Track::resampled`].
     #[must_use]
     pub fn resampled(&self, rate_hz: f32) -> Self {
         let length = self.length_s;
@@ -287,11 +299,15 @@ impl Clip {
         })
     }
 
-    /// The clip made `length_s` long: repeated where that is more than its own length, with its events, and cut where it is less.
-    /// Keys keep their values. Where the last pose differs from the first the seam jumps, as a player's loop does.
+    /// Returns the clip with a length of `length_s` seconds: repeated with its events if that is longer than the clip,
+    /// cut if it is shorter.
     ///
-    /// A clip without length stays as it is, and so does one that is asked for a length that is not positive and finite. Repeats
-    /// end early where they would not fit into memory: after 65 535 rounds, 2²³ keys or 2²⁰ events.
+    /// Keys keep their values. If the last pose differs from the first, the result jumps at each seam, as looped
+    /// playback does.
+    ///
+    /// Returns an unchanged clone if the clip's length is 0, or if `length_s` is not positive and finite. To bound
+    /// memory, repetition stops after 65 535 rounds, 2²³ keys or 2²⁰ events, and the result is then shorter than
+    /// `length_s`.
     #[must_use]
     pub fn repeated(&self, length_s: f32) -> Self {
         let period = self.length_s;
@@ -314,7 +330,7 @@ impl Clip {
         });
         let ends = |round: u16| [round, round + 1].map(|round| f32::from(round) * period);
         let starts = (0..rounds).map(ends).take_while(|[start, _]| *start < end);
-        // Rounding brings no event past the next round's start, so that all are in order.
+        // Clamped to the start of the next round, so that rounding cannot put events out of order.
         let events = |[start, next]: [f32; 2]| {
             self.events.iter().map(move |event| Event { time_s: (start + event.time_s).min(next), ..event.clone() })
         };
@@ -323,7 +339,9 @@ impl Clip {
         repeated
     }
 
-    /// The piece between two times, which then begins at 0, with the events in it; times are clamped to the clip's.
+    /// Returns the part of the clip between two times, seconds, with its events, shifted to begin at 0.
+    ///
+    /// The times are clamped to 0…length. If `from_s` is not before `to_s`, the length of the result is 0.
     ///
     /// ```
     /// use aim_animation::Clip;
@@ -350,7 +368,7 @@ impl Clip {
         piece
     }
 
-    /// The clip played backwards, its events too.
+    /// Returns the clip reversed in time, with its events.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let length = self.length_s;
@@ -380,13 +398,13 @@ impl Clip {
         }
     }
 
-    /// With the length and the events of another clip, which are in order.
+    /// Replaces the length and the events. The events must be sorted by time.
     pub(crate) fn with_length_and_events(mut self, length_s: f32, events: Vec<Event>) -> Self {
         (self.length_s, self.events) = (length_s, events);
         self
     }
 
-    /// The tracks of a bone, made where there are none. Bones are sorted.
+    /// Returns the tracks of a bone, inserting empty ones if the bone has none. Keeps the list sorted by bone.
     pub(crate) fn bone_mut(&mut self, bone: usize) -> &mut BoneTracks {
         let place = self.tracks.binary_search_by_key(&bone, |tracks| tracks.bone).unwrap_or_else(|place| {
             self.tracks.insert(place, BoneTracks { bone, translation: None, rotation: None, scale: None });
@@ -396,14 +414,14 @@ impl Clip {
     }
 }
 
-/// Of events in the order of their times those that a step passes.
+/// Returns those of `all`, sorted by time, that a step passes.
 pub(crate) fn events_passed<'a>(all: &'a [Event], step: &Step) -> impl Iterator<Item = &'a Event> + use<'a> {
     step.pieces().flat_map(move |piece| {
         let [low, high] = [piece.from_s.min(piece.to_s), piece.from_s.max(piece.to_s)];
         let first = all.partition_point(|event| f64::from(event.time_s) < low);
         let last = all.partition_point(|event| f64::from(event.time_s) <= high).max(first);
         let events = &all[first..last];
-        // What lies where a step begins was told by the step before.
+        // An event at the very start was already reported by the previous step, unless the piece includes its start.
         let is_told = move |event: &&Event| piece.includes_from || f64::from(event.time_s) != piece.from_s;
         let backward = piece.to_s < piece.from_s;
         let [forward, back] = if backward { [&[][..], events] } else { [events, &[][..]] };
@@ -411,17 +429,18 @@ pub(crate) fn events_passed<'a>(all: &'a [Event], step: &Step) -> impl Iterator<
     })
 }
 
-/// An edit of each kind of track.
+/// The same edit for each type of track: vectors, rotations and scalars.
 pub(crate) struct Edit<'a> {
     pub(crate) vector: &'a dyn Fn(&Track<Vec3>) -> Track<Vec3>,
     pub(crate) rotation: &'a dyn Fn(&Track<Quat>) -> Track<Quat>,
     pub(crate) scalar: &'a dyn Fn(&Track<f32>) -> Track<f32>,
 }
 
-/// The most samples of a clip.
+/// Upper limit of the number of intervals between the samples of a clip.
 const MOST_SAMPLES: f32 = 1_048_576.0;
 
-/// Evenly spaced times from 0 to a length, both included.
+/// Returns evenly spaced times from 0 to `length_s` inclusive, seconds: at least `rate_hz` a second, as far as
+/// [`MOST_SAMPLES`] allows.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and bounded")]
 pub(crate) fn sample_times(length_s: f32, rate_hz: f32) -> Vec<f32> {
     let steps = (length_s * rate_hz).max(1.0).min(MOST_SAMPLES);
@@ -429,7 +448,7 @@ pub(crate) fn sample_times(length_s: f32, rate_hz: f32) -> Vec<f32> {
     let steps = if f64::from(whole) < f64::from(steps) { whole + 1 } else { whole };
     let time = |step| narrow(f64::from(length_s) * (f64::from(step) / f64::from(steps)));
     let mut times: Vec<f32> = (0..=steps).map(time).collect();
-    // Of a very short clip.
+    // In a very short clip, neighbouring times may round to the same number.
     times.dedup();
     times
 }

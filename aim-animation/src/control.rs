@@ -1,12 +1,12 @@
-//! [`Control`]: where a character is in a clip.
+//! [`Control`]: the playback state of a clip on one character.
 
 use crate::float::{floor, narrow};
 use crate::step::{Looping, Step, count};
 
-/// A clip played by one character: local time, speed, looping. One for each clip of each character.
+/// Playback state of a clip on one character: local time, speed and looping. Use one for each clip of each character.
 ///
-/// Local time is in 0…length and is kept in double precision. Speed is the ratio of local to global time; it may change at any
-/// time, through 0 and below it, and the local time never jumps.
+/// The local time lies in 0…length and is kept in double precision. The speed is the ratio of local to global time. It
+/// may be changed at any time, also to 0 or a negative value, without a jump in local time.
 ///
 /// ```
 /// use aim_animation::{Clip, Control};
@@ -23,19 +23,20 @@ use crate::step::{Looping, Step, count};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Control {
-    /// Local seconds a global second: 1 as authored, negative backwards. NaN and infinity count as 0.
+    /// Playback speed, local seconds per global second: 1 as authored, negative backwards. NaN and infinity are treated
+    /// as 0.
     pub speed: f32,
-    /// What becomes of the clip at its ends.
+    /// Behaviour at the clip's ends.
     pub looping: Looping,
     #[cfg_attr(feature = "serde", serde(deserialize_with = "stored_time"))]
     time_s: f64,
-    /// On the way back of a clip that bounces.
+    /// `true` while a [`PingPong`](Looping::PingPong) clip is on its way back.
     is_back: bool,
-    /// Nothing has been told at this time yet.
+    /// `true` if the events at the current time have not been reported yet: initially and after a seek.
     is_fresh: bool,
 }
 
-/// A time as [`Control::seek`] takes it, from what was stored.
+/// Deserialises the local time. Negative times become 0, as in [`Control::seek`], and so do times that are not finite.
 #[cfg(feature = "serde")]
 fn stored_time<'de, D: serde::Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
     let time_s: f64 = serde::Deserialize::deserialize(deserializer)?;
@@ -49,61 +50,64 @@ impl Default for Control {
 }
 
 impl Control {
-    /// At the beginning, at speed 1, repeating.
+    /// Creates a control at local time 0 and speed 1 that repeats.
     #[must_use]
     pub const fn new() -> Self {
         Self { speed: 1.0, looping: Looping::Repeat, time_s: 0.0, is_back: false, is_fresh: true }
     }
 
-    /// With a speed.
+    /// Sets the playback [`speed`](Self::speed).
     #[must_use]
     pub const fn with_speed(mut self, speed: f32) -> Self {
         self.speed = speed;
         self
     }
 
-    /// With what becomes of the clip at its ends.
+    /// Sets the behaviour at the clip's ends.
     #[must_use]
     pub const fn with_looping(mut self, looping: Looping) -> Self {
         self.looping = looping;
         self
     }
 
-    /// The same control at another local time.
+    /// Moves the control to a local time, seconds, as [`seek`](Self::seek) does.
     #[must_use]
     pub fn at(mut self, time_s: f32) -> Self {
         self.seek(time_s);
         self
     }
 
-    /// The local time, seconds.
+    /// Returns the local time, seconds.
     #[must_use]
     pub fn time_s(&self) -> f32 {
         narrow(self.time_s)
     }
 
-    /// Jumps to a local time without passing what lies between; negative counts as 0, what is not finite is ignored. Times past the
-    /// clip's end are brought into it by the next [`advance`](Self::advance).
+    /// Jumps to a local time, seconds, without passing the events in between.
+    ///
+    /// Negative times become 0; times that are not finite are ignored. A time past the clip's end is clamped to it by
+    /// the next [`advance`](Self::advance).
     pub fn seek(&mut self, time_s: f32) {
         if time_s.is_finite() {
             (self.time_s, self.is_fresh, self.is_back) = (f64::from(time_s.max(0.0)), true, false);
         }
     }
 
-    /// True if a clip that is played once has come to its end, or played backwards to its beginning.
+    /// Returns `true` if a clip played [once](Looping::Once) has reached its end, or its beginning at a negative speed.
     #[must_use]
     pub fn is_done(&self, length_s: f32) -> bool {
         let end = if self.speed < 0.0 { self.time_s <= 0.0 } else { self.time_s >= f64::from(length_s) };
         self.looping == Looping::Once && end
     }
 
-    /// Moves on by `dt_s` seconds of global time in a clip of this length, and tells the way.
+    /// Advances by `dt_s` seconds of global time in a clip of `length_s` seconds, and returns the step taken.
     ///
-    /// The way of consecutive steps covers each time once. A time step that is not finite, and a length that is not positive,
-    /// move nothing; of a huge step no more than 65 536 ends are told.
+    /// Consecutive steps cover each local time exactly once. If `dt_s` is not finite, the time does not move. If the
+    /// length is not positive and finite, the time becomes 0. A step reports at most 65 536 passes of an end of the
+    /// clip.
     pub fn advance(&mut self, dt_s: f32, length_s: f32) -> Step {
         let length = if length_s > 0.0 && length_s.is_finite() { f64::from(length_s) } else { 0.0 };
-        // A clip may have become shorter.
+        // The clip may be shorter than in the last step.
         self.time_s = self.time_s.min(length);
         let mut travel = f64::from(dt_s) * f64::from(self.speed);
         if !travel.is_finite() {
@@ -119,7 +123,7 @@ impl Control {
         (step.ends, step.to_s) = if length == 0.0 {
             (0, 0.0)
         } else if goal == self.time_s {
-            // No way, or less than has digits: it stays where it is, also on an end.
+            // No movement, or less than the precision of the time. The time stays where it is, even exactly on an end.
             (0, goal)
         } else {
             match self.looping {
@@ -134,21 +138,23 @@ impl Control {
     }
 }
 
-/// The ends passed on the way to a goal, and the place reached, in 0…length without the end.
+/// Returns the number of ends passed on the way to an unwrapped time `goal`, and the wrapped time reached: at least 0
+/// and less than `length`.
 fn wrapped(goal: f64, length: f64) -> (u32, f64) {
     let rounds = floor(goal / length);
     let place = goal - rounds * length;
-    // Rounding may leave the place on either end.
+    // Rounding may put the time on or outside either end.
     let (rounds, place) = if place >= length { (rounds + 1.0, 0.0) } else { (rounds, place.max(0.0)) };
     (count(rounds), place)
 }
 
-/// The ends passed on the way to a goal, and the place reached, in 0…length.
+/// Returns the number of ends passed on the way to an unwrapped time `goal`, and the reflected time reached: 0 to
+/// `length`, both included.
 fn bounced(goal: f64, length: f64) -> (u32, f64) {
     let rounds = floor(goal / length);
     let place = (goal - rounds * length).max(0.0).min(length);
     let is_mirrored = floor(rounds / 2.0) * 2.0 != rounds;
-    // To stop on an end is not to pass it.
+    // Stopping exactly on an end does not pass it.
     if place == 0.0 && rounds > 0.0 {
         return (count(rounds - 1.0), if is_mirrored { length } else { 0.0 });
     }

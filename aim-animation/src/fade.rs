@@ -1,20 +1,23 @@
-//! Offsets that go on under their own momentum and fade.
+//! Offsets that decay smoothly to zero from an initial value and velocity.
 
 use aim_runtime::glam::Vec3;
 
-/// The fifth-degree polynomials from 1 and from a velocity of 1 to nothing, without acceleration at either end, for `u` in 0…1.
+/// Evaluates two quintic polynomials at `u` in 0…1: the first decays from the value 1, the second from the value 0 with
+/// velocity 1.
+///
+/// Both reach the value 0 at `u = 1` with velocity 0, and have acceleration 0 at both ends.
 pub(crate) fn faded(u: f32) -> (f32, f32) {
     let cube = u * u * u;
     (1.0 - cube * (10.0 - u * (15.0 - 6.0 * u)), u - cube * (6.0 - u * (8.0 - 3.0 * u)))
 }
 
-/// Two vectors that fade, from a value and a velocity to nothing at rest.
+/// Two vectors that decay from an initial value and velocity to zero at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Fade {
     value: [Vec3; 2],
     velocity: [Vec3; 2],
     elapsed_s: f32,
-    /// 0 where nothing fades.
+    /// Duration, seconds; 0 if nothing decays.
     length_s: f32,
 }
 
@@ -22,15 +25,16 @@ impl Fade {
     pub(crate) const NONE: Self =
         Self { value: [Vec3::ZERO; 2], velocity: [Vec3::ZERO; 2], elapsed_s: 0.0, length_s: 0.0 };
 
-    /// From here to nothing in `length_s` seconds; a length that is not positive and finite is a cut, and what is not finite
-    /// counts as nothing.
+    /// Starts a decay from `value` and `velocity` to zero within `length_s` seconds.
+    ///
+    /// A length that is not positive and finite ends it at once. Vectors that are not finite are treated as zero.
     pub(crate) fn new(value: [Vec3; 2], velocity: [Vec3; 2], length_s: f32) -> Self {
         let finite = |vector: Vec3| if vector.is_finite() { vector } else { Vec3::ZERO };
         let length_s = if length_s.is_finite() { length_s.max(0.0) } else { 0.0 };
         Self { value: value.map(finite), velocity: velocity.map(finite), elapsed_s: 0.0, length_s }
     }
 
-    /// Goes on by `dt_s` seconds; what is negative or not finite counts as 0.
+    /// Advances by `dt_s` seconds; a negative or non-finite step is treated as 0.
     pub(crate) fn advance(&mut self, dt_s: f32) {
         if dt_s.is_finite() {
             self.elapsed_s = (self.elapsed_s + dt_s.max(0.0)).min(self.length_s);
@@ -41,7 +45,7 @@ impl Fade {
         !(self.elapsed_s < self.length_s)
     }
 
-    /// The velocity at which it fades.
+    /// Returns the current velocity of both vectors, per second.
     pub(crate) fn rate(&self) -> [Vec3; 2] {
         if self.is_done() {
             return [Vec3::ZERO; 2];
@@ -50,7 +54,7 @@ impl Fade {
         [0, 1].map(|part: usize| self.value[part] * (of_value / self.length_s) + self.velocity[part] * of_velocity)
     }
 
-    /// The part that is left.
+    /// Returns the current value of both vectors.
     pub(crate) fn left(&self) -> [Vec3; 2] {
         if self.is_done() {
             return [Vec3::ZERO; 2];
@@ -60,7 +64,7 @@ impl Fade {
     }
 }
 
-/// A number within 0…1 that goes to one of these ends in a given time, without a jump in value or speed.
+/// A number in 0…1 that moves to 0 or 1 in a given time, continuous in value and speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Ramp {
     goal: f32,
@@ -68,21 +72,23 @@ pub(crate) struct Ramp {
     velocity: f32,
     elapsed_s: f32,
     length_s: f32,
-    /// Its beginning, as seen from the goal, and its speed there.
+    /// Value minus goal, and speed, when the current movement began.
     from: [f32; 2],
-    /// The time in which that speed runs out, seconds; at most the whole.
+    /// Time within which the initial speed decays, seconds; at most `length_s`.
     slowing_s: f32,
 }
 
 impl Ramp {
-    /// Leads it to a goal; nothing is done if that is where it goes.
+    /// Starts a movement to `goal` within `length_s` seconds. Does nothing if `goal` is already the goal.
     pub(crate) fn lead(&mut self, goal: f32, length_s: f32) {
         if goal != self.goal {
             let (from, velocity) = (self.value - goal, self.velocity);
             (self.from, self.goal) = ([from, velocity], goal);
             (self.elapsed_s, self.length_s) = (0.0, if length_s.is_finite() { length_s.max(0.0) } else { 0.0 });
-            // Within 0…1: away from the goal the speed leads on by at most 16/81 · speed · time, and the room is up to the other end.
-            // Towards the goal it stays short of it: the ratio of both polynomials is at most 2/5.
+            // Shortens the decay of the speed so that the value stays in 0…1. Away from the goal, the speed adds at
+            // most 16/81 · speed · time, the maximum of the second polynomial of `faded`; it must not pass the other
+            // end, 1 − |from| away. Towards the goal, the ratio of the second polynomial to the first is at most 2/5,
+            // so the value does not pass the goal if speed · time ≤ 5/2 · |from|.
             let room = if from * velocity > 0.0 { (1.0 - from.abs()) * 81.0 / 16.0 } else { from.abs() * 2.5 };
             self.slowing_s = (room.max(0.0) / velocity.abs()).min(self.length_s);
         }
@@ -93,7 +99,7 @@ impl Ramp {
         self.elapsed_s = (self.elapsed_s + dt).min(self.length_s);
         let (value, velocity) = if self.elapsed_s < self.length_s {
             let (u, length, slowing) = (self.elapsed_s / self.length_s, self.length_s, self.slowing_s);
-            // A slowing of no time is over.
+            // If `slowing` is 0, the quotient is infinite or NaN, and `min` makes it 1: the decay is over.
             let slowed = (self.elapsed_s / slowing).min(1.0);
             let [value, velocity] = self.from;
             let rate = value * fading(u).0 / length + velocity * fading(slowed).1;
@@ -109,7 +115,7 @@ impl Ramp {
     }
 }
 
-/// The derivatives of [`faded`].
+/// Derivatives of the two polynomials of [`faded`] with respect to `u`.
 fn fading(u: f32) -> (f32, f32) {
     let square = u * u;
     let rest = 1.0 - u;

@@ -1,4 +1,5 @@
-//! [`Figure`]: a character's pose of this frame and its place, kept consistent; [`Layer`]: what changes them.
+//! [`Figure`]: the current pose and place of a character, in local and model space. [`Layer`]: a step that changes
+//! them.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -11,7 +12,10 @@ use crate::pose::{Both, PoseError};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// One character's pose, in local space and in that of the model, and its place in the world. [`Layer`]s work on it in turn.
+/// Pose of one character, in local and model space, and its place in the world. [`Layer`]s change it in turn.
+///
+/// All methods keep the two poses consistent, except for [`parts_mut`](Self::parts_mut), which leaves that to the
+/// caller.
 ///
 /// ```
 /// use aim_animation::glam::{Quat, Vec3};
@@ -39,19 +43,25 @@ use crate::transform::Transform;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// The character in the world, without scale.
+    /// The character's transform from model to world space, without scale.
     pub place: Transform,
     skeleton: Arc<Skeleton>,
-    /// The rest pose in the space of the model; shared by clones.
+    /// Rest pose, model space; shared by clones.
     rest: Arc<[Affine3A]>,
     local: Vec<Transform>,
     model: Vec<Affine3A>,
 }
 
-/// A step of a frame: reads the pose that the layers before it have left, and changes it. A closure is one, too.
+/// One step of a frame: reads the pose left by the previous layers and changes it. Closures implement it too.
 ///
-/// Whatever moves the trunk comes before what is to hold on to something: animation and blending, [feet](crate::Stance), which lower the
-/// pelvis, [aim poses](crate::AimPosesLayer), aim (`AimLayer`, with the feature `std`), hands, attachments.
+/// Layers that move the trunk must run before layers that hold on to something. The usual order:
+///
+/// 1. animation and blending
+/// 2. feet, which lower the pelvis ([`Stance`](crate::Stance))
+/// 3. aim poses ([`AimPosesLayer`](crate::AimPosesLayer))
+/// 4. aim (`AimLayer`, with the feature `std`)
+/// 5. hands ([`LimbLayer`](crate::LimbLayer))
+/// 6. attachments
 ///
 /// ```
 /// use aim_animation::glam::Quat;
@@ -77,10 +87,10 @@ pub struct Figure {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Layer {
-    /// Changes the pose of a frame that is `dt_s` seconds after the one before.
+    /// Changes the pose of a frame that is `dt_s` seconds after the previous one.
     ///
     /// # Errors
-    /// What it was made for has another number of bones than the figure.
+    /// The layers of this crate fail if they were made for a skeleton with another number of bones.
     fn apply(&mut self, figure: &mut Figure, dt_s: f32) -> Result<(), PoseError>;
 }
 
@@ -91,7 +101,8 @@ impl<F: FnMut(&mut Figure, f32) -> Result<(), PoseError>> Layer for F {
 }
 
 impl Figure {
-    /// A character at rest at the origin. Give an `Arc` where several characters share their skeleton, or clone a figure.
+    /// Creates a character at rest at the origin. To share a skeleton between characters, pass an `Arc` or clone a
+    /// figure.
     #[must_use]
     pub fn new(skeleton: impl Into<Arc<Skeleton>>) -> Self {
         let skeleton = skeleton.into();
@@ -100,66 +111,66 @@ impl Figure {
         Self { place: Transform::IDENTITY, skeleton, rest: model.clone().into(), local, model }
     }
 
-    /// Runs a frame of `dt_s` seconds: begins at the rest pose and applies the layers in order. Does not allocate.
+    /// Runs a frame of `dt_s` seconds: resets to the rest pose, then applies the layers in order. Does not allocate.
     ///
     /// # Errors
-    /// That of the first layer that fails; those after it are not applied.
+    /// Returns the error of the first layer that fails. The layers after it are not applied.
     pub fn run(&mut self, dt_s: f32, layers: &mut [&mut dyn Layer]) -> Result<(), PoseError> {
         self.reset();
         layers.iter_mut().try_for_each(|layer| layer.apply(self, dt_s))
     }
 
-    /// Brings every bone back to the rest pose; the place stays.
+    /// Resets every bone to the rest pose. The place is unchanged.
     pub fn reset(&mut self) {
         self.local.copy_from_slice(self.skeleton.rest());
         self.model.copy_from_slice(&self.rest);
     }
 
-    /// The skeleton.
+    /// Returns the skeleton.
     #[must_use]
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// Each bone in its parent's space.
+    /// Returns the local pose: each bone in its parent's space.
     #[must_use]
     pub fn local(&self) -> &[Transform] {
         &self.local
     }
 
-    /// Each bone in the space of the model.
+    /// Returns the pose in model space.
     #[must_use]
     pub fn model(&self) -> &[Affine3A] {
         &self.model
     }
 
-    /// A bone in the world; `None` if there is no such bone.
+    /// Returns the world transform of a bone; `None` if the bone does not exist.
     #[must_use]
     pub fn world(&self, bone: usize) -> Option<Affine3A> {
         Some(self.place.to_affine() * *self.model.get(bone)?)
     }
 
-    /// Edits the local pose; the space of the model follows, also after an error.
+    /// Edits the local pose, then updates the model-space pose, even if the edit fails.
     ///
     /// # Errors
-    /// That of the edit.
+    /// Returns the error of the edit.
     pub fn edit<E>(&mut self, edit: impl FnOnce(&mut [Transform]) -> Result<(), E>) -> Result<(), E> {
         let edited = edit(&mut self.local);
-        // Of equal lengths.
+        // Cannot fail: both slices have the skeleton's length.
         let _ = self.skeleton.to_model(&self.local, &mut self.model);
         edited
     }
 
-    /// Turns a bone about its origin by a rotation in the space of the model, with all that hangs on it: see
-    /// [`Skeleton::turn_in_model`]. Nothing is done if there is no such bone.
+    /// Turns a bone, with its descendants, about its origin by a model-space rotation: see [`Skeleton::turn_in_model`].
+    /// Does nothing if the bone does not exist.
     pub fn turn(&mut self, bone: usize, rotation: Quat) {
-        // Of equal lengths.
+        // Cannot fail: both slices have the skeleton's length.
         let _ = self.skeleton.turn_in_model(bone, rotation, &self.model, &mut self.local);
         let _ = self.skeleton.to_model_below(bone, &self.local, &mut self.model);
     }
 
-    /// Moves a bone by a vector in the space of the model, with all that hangs on it. Nothing is done if there is no such bone, if its
-    /// parent does not span space, or if the result is not finite.
+    /// Moves a bone, with its descendants, by a model-space vector. Does nothing if the bone does not exist, if its
+    /// parent's transform is singular, or if the result is not finite.
     pub fn shift(&mut self, bone: usize, by: Vec3) {
         let Some(parent) = self.skeleton.parents().get(bone) else { return };
         let to_parent = parent.map_or(Some(Affine3A::IDENTITY), |parent| inverse(&self.model[parent]));
@@ -171,14 +182,16 @@ impl Figure {
         }
     }
 
-    /// Both poses, for what keeps them consistent itself, as [`AimChain::apply`](crate::AimChain::apply) and
-    /// [`Reach::apply`](crate::Reach::apply) do.
+    /// Returns the skeleton, the local pose and the model-space pose, for functions that keep the two poses consistent
+    /// themselves, such as [`AimChain::apply`](crate::AimChain::apply) and [`Reach::apply`](crate::Reach::apply).
     pub fn parts_mut(&mut self) -> (&Skeleton, &mut [Transform], &mut [Affine3A]) {
         (&self.skeleton, &mut self.local, &mut self.model)
     }
 
-    /// Moves the place so that what a bone holds, `grip` in its space, is at `held` in the world: someone hanging off a bridge. Scales
-    /// play no part. False, and nothing is done, if there is no such bone or if the result is not finite.
+    /// Moves the place so that an attachment point on a bone coincides with `held`: someone hanging off a bridge.
+    ///
+    /// `grip` is the attachment point in bone space, `held` its transform in world space. Scales are ignored. Returns
+    /// `false` and changes nothing if the bone does not exist or the result is not finite.
     pub fn hang(&mut self, bone: usize, grip: &Affine3A, held: &Affine3A) -> bool {
         let place = self.model.get(bone).and_then(|bone| place_for(&attached(bone, grip), held));
         self.place = place.unwrap_or(self.place);
@@ -190,7 +203,8 @@ impl Figure {
     }
 }
 
-/// The rigid place at which an attachment point of the model is where something is in the world.
+/// Returns the rigid place, model to world space, that brings the model-space `attachment` to the world-space `held`;
+/// `None` if it is not finite.
 pub(crate) fn place_for(attachment: &Affine3A, held: &Affine3A) -> Option<Transform> {
     let place = Transform::from_affine(held)?.rigid_product(&Transform::from_affine(attachment)?.rigid_inverse());
     place.is_sound().then_some(place)

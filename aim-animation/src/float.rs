@@ -1,6 +1,6 @@
-//! What `core` lacks of `f64`.
+//! Floating-point functions missing from `core`.
 
-/// The largest whole number that is not larger.
+/// Returns the largest integer that is not greater than `number`. NaN and infinities are returned unchanged.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,
@@ -14,23 +14,25 @@ pub(crate) fn floor(number: f64) -> f64 {
     if whole > number { whole - 1.0 } else { whole }
 }
 
-/// Rounded to single precision.
+/// Rounds to single precision.
 #[expect(clippy::cast_possible_truncation, reason = "rounding is meant")]
 pub(crate) fn narrow(number: f64) -> f32 {
     number as f32
 }
 
-/// The square root, to four digits: for what only has to be near.
+/// Returns the square root to at least four digits, for estimates. Zero, negative and non-finite numbers are returned
+/// unchanged.
 pub(crate) fn root(number: f64) -> f32 {
     if !(number > 0.0) || !number.is_finite() {
         return narrow(number);
     }
-    // Half of the exponent, and Newton's steps.
+    // Halving the bits halves the exponent, for a first guess; then three Newton steps: r ← (r + number / r) / 2.
     let guess = f64::from_bits((number.to_bits() >> 1) + (0x3ff0_0000_0000_0000 >> 1));
     narrow((0..3).fold(guess, |root, _| 0.5 * (root + number / root)))
 }
 
-/// e^(−x) for x ≥ 0, to 1e-5: by its series at x / 2ⁿ, squared n times. 0 for NaN.
+/// Returns e^(−x) for x ≥ 0, with an error of at most 1e-5: the Taylor polynomial at x / 2ⁿ, squared n times. 0 for
+/// NaN; negative numbers are treated as 0.
 pub(crate) fn decay(x: f32) -> f32 {
     if !(x < 87.0) {
         return 0.0;

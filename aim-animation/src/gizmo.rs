@@ -1,4 +1,4 @@
-//! [`Gizmos`]: lines that explain an aim, as plain data for whoever draws.
+//! [`Gizmos`]: debug lines that visualise an aim, as plain data for any renderer.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::rotation::{length, turned};
@@ -6,46 +6,47 @@ use aim_runtime::{Description, JointRange};
 
 use crate::aim_chain::{AimChain, AimFrame, Corrections};
 
-/// Meaning of a line. Joints are counted from the effector inward.
+/// Kind of a [`GizmoLine`]. Joints are numbered from the effector inward.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GizmoKind {
-    /// The gaze of joint 0's effector.
+    /// The gaze: the direction of the effector, which is fixed to joint 0.
     Gaze,
     /// The gaze of the other eye.
     OtherGaze,
-    /// A bone's own axis: 0 is x, 1 is y, 2 is z.
+    /// An axis of a joint's bone.
     Axis {
-        /// The joint whose bone it is.
+        /// The joint.
         joint: usize,
-        /// Which axis.
+        /// The axis of bone space: 0 is x, 1 is y, 2 is z.
         axis: usize,
     },
-    /// A piece of the rim of a joint's range of motion.
+    /// A segment of the rim of a joint's range of motion.
     Rim {
         /// The joint.
         joint: usize,
     },
-    /// From a joint to a corner of that rim.
+    /// A line from a joint's origin to a corner of the rim of its range of motion.
     Edge {
         /// The joint.
         joint: usize,
     },
 }
 
-/// A straight line to be drawn, in the space of the targets.
+/// A line segment to draw, in the space of the targets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GizmoLine {
-    /// Its beginning: of gazes, axes and edges the origin of the joint or effector.
+    /// Start point. For gazes, axes and edges: the origin of the effector or joint.
     pub from: Vec3,
-    /// Its end.
+    /// End point.
     pub to: Vec3,
-    /// Its meaning.
+    /// Kind of the line: which part of the aim it shows.
     pub kind: GizmoKind,
 }
 
-/// The lines that explain an aim: gazes, reference frames, ranges of motion. Iterators, which allocate nothing; lines that would
-/// not be finite are left out.
+/// Debug lines that visualise an aim: gazes, bone axes and ranges of motion.
+///
+/// The methods return iterators and do not allocate. Lines that are not finite are skipped.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -69,24 +70,25 @@ pub struct GizmoLine {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Gizmos<'a> {
-    /// The chain.
+    /// The chain that is aimed.
     pub chain: &'a AimChain,
     /// The frame that was [gathered](AimChain::gather) and aimed.
     pub frame: &'a AimFrame,
-    /// The rig's declaration.
+    /// The description of the rig.
     pub description: &'a Description<'a>,
     /// The corrections that were [applied](AimChain::apply).
     pub corrections: Corrections<'a>,
-    /// The pose in the space of the model, with the corrections.
+    /// The pose in model space, with the corrections applied.
     pub model: &'a [Affine3A],
 }
 
-/// The pieces of each side of a rim.
+/// Number of segments along each of the four sides of a rim.
 const PIECES: u8 = 16;
 
 impl<'a> Gizmos<'a> {
-    /// The gaze, and the other eye's where the chain has one, as long as this. The other eye's is taken to be parallel to joint 0's
-    /// where both are at rest.
+    /// Returns the gaze, and that of the other eye if the chain has one, as lines of this length.
+    ///
+    /// The two gazes are assumed to be parallel in the bind pose.
     pub fn gazes(self, length: f32) -> impl Iterator<Item = GizmoLine> + 'a {
         let effector = self.description.effector();
         let [origin, forward] = [effector.origin, effector.forward].map(Vec3A::from);
@@ -101,7 +103,7 @@ impl<'a> Gizmos<'a> {
         gaze.into_iter().chain(other.and_then(move |gaze| line(gaze, GizmoKind::OtherGaze)))
     }
 
-    /// The axes of each joint's bone, as long as this.
+    /// Returns the axes of each joint's bone, as lines of this length.
     pub fn axes(self, length: f32) -> impl Iterator<Item = GizmoLine> + 'a {
         let joints = (0..self.chain.joints().len()).filter_map(move |joint| Some((joint, self.joint(joint)?)));
         joints.flat_map(move |(joint, at)| {
@@ -111,8 +113,12 @@ impl<'a> Gizmos<'a> {
         })
     }
 
-    /// Each joint's range of motion: where its forward gets to by its own turn alone, as a rim at this distance, and the edges
-    /// to its corners. Headings that go round are drawn once round. A range of one angle is an arc.
+    /// Returns each joint's range of motion: the directions that the joint's forward axis reaches by its own correction
+    /// alone.
+    ///
+    /// It is drawn as a rim at distance `length` from the joint, with an edge to each corner of the rim. Headings are
+    /// limited to ±180°, so that an unlimited heading is drawn as one full turn. The range of a joint with only one
+    /// angle is an arc.
     pub fn ranges(self, length: f32) -> impl Iterator<Item = GizmoLine> + 'a {
         (0..self.chain.joints().len()).filter_map(move |joint| self.cone(joint, length)).flat_map(Cone::lines)
     }
@@ -121,13 +127,13 @@ impl<'a> Gizmos<'a> {
         let range = self.description.joint_range(joint, &self.frame.pose())?;
         let forward = Vec3A::from(self.description.joints()[joint].axes().forward);
         let turned = self.joint(joint)?;
-        // As it stands without its own turn, which was multiplied in on the right.
+        // Removes the joint's own correction, which was multiplied on the right: bone · R⁻¹.
         let own = self.corrections.joints.get(joint).copied().unwrap_or(Quat::IDENTITY);
         let matrix3 = turned.matrix3 * Mat3A::from_quat(own.conjugate());
         Some(Cone { joint, at: Affine3A { matrix3, ..turned }, range, forward, length })
     }
 
-    /// A joint in the space of the targets.
+    /// Returns the transform of a joint's bone to the space of the targets.
     fn joint(&self, joint: usize) -> Option<Affine3A> {
         self.placed(*self.chain.joints().get(joint)?)
     }
@@ -138,11 +144,11 @@ impl<'a> Gizmos<'a> {
     }
 }
 
-/// A joint's range of motion.
+/// A joint's range of motion, placed in the space of the targets.
 #[derive(Clone, Copy, Debug)]
 struct Cone {
     joint: usize,
-    /// The bone without its own turn.
+    /// Transform of the bone without the joint's own correction.
     at: Affine3A,
     range: JointRange,
     forward: Vec3A,
@@ -162,7 +168,9 @@ impl Cone {
         (0..4 * PIECES).filter_map(rim).chain((0..4).filter_map(edge))
     }
 
-    /// Heading and pitch at a point of the rim: along the low side to the left, up, back, and down.
+    /// Returns heading and pitch at point `k` of the rim, 0 to 4 · [`PIECES`].
+    ///
+    /// The rim runs left along the least pitch, up at the left, right along the greatest pitch, and down at the right.
     fn corner(&self, k: u8) -> [f32; 2] {
         let within = |[lo, hi]: [f32; 2]| {
             let half_turn = core::f32::consts::PI;

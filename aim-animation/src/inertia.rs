@@ -1,4 +1,4 @@
-//! [`Inertia`]: from one animation to another without a jump in place or speed.
+//! [`Inertia`]: transitions between animations without a jump in pose or velocity.
 
 use alloc::vec::Vec;
 
@@ -10,28 +10,28 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
-/// The animations that a transition leads from and to, each at two times, `dt_s` apart, the later one now.
+/// Input of [`Inertia::begin`]: two poses of the old and of the new animation, the first `dt_s` ago, the second now.
 #[derive(Clone, Copy, Debug)]
 pub struct Transition<'a> {
-    /// The last two poses that were shown, the older one first: as they were, with what an earlier transition had left.
+    /// The last two poses shown, the older first, including the remainder of an earlier transition.
     pub shown: [&'a [Transform]; 2],
-    /// The animation that begins, at the same two times: before where it begins, and there.
+    /// Two poses of the new animation at the same times: `dt_s` before its start, and at its start.
     pub next: [&'a [Transform]; 2],
-    /// The time between the two, seconds.
+    /// Time between the two poses of each animation, seconds.
     pub dt_s: f32,
     /// Duration of the transition, seconds.
     pub length_s: f32,
 }
 
-/// A transition of one character: what the old animation differs from the new one by, in place and speed, goes on under its own
-/// momentum and fades. Only the new animation is evaluated any more.
+/// A transition of one character between animations, by inertialisation: the offset of the old animation from the new
+/// one continues at its current velocity and decays to zero. Only the new animation needs to be evaluated.
 ///
-/// Translations and scales fade by polynomials of the fifth degree, from the difference and its velocity, without acceleration, to
-/// nothing at rest; rotations by their rotation vectors. So places and speeds are continuous at both ends, and a transition that is
-/// interrupted by another is, too. Momentum carries on by a fifth of velocity × length at most: long transitions swing farther.
-///
-/// Momentum does not mirror a bone: where both animations have a scale of the same sign it keeps that, and turns away from 0
-/// smoothly. What would leave the range of numbers, by a transition of 10³⁰ s for instance, is left as the new animation has it.
+/// - Translations, scales and rotation vectors decay along quintic polynomials, from the initial offset and velocity to
+///   zero at rest, with zero acceleration at both ends.
+/// - Pose and velocity are therefore continuous at the start and at the end, also if one transition interrupts another.
+/// - The velocity adds at most a fifth of velocity × length to the offset, so longer transitions overshoot more.
+/// - A component of the scale keeps its sign if both animations have the same sign: it is bent away from 0 smoothly.
+/// - Components that are not finite, as in a transition of 10³⁰ s, are taken from the new animation.
 ///
 /// ```
 /// use aim_animation::glam::Vec3;
@@ -54,33 +54,35 @@ pub struct Transition<'a> {
 pub struct Inertia {
     offsets: Vec<Offset>,
     elapsed_s: f32,
-    /// 0 where there is no transition.
+    /// Duration of the transition, seconds; 0 if there is none.
     length_s: f32,
 }
 
-/// A bone's offset when the transition begins, and its rate of change: translation, rotation vector, scale.
+/// Offset of a bone at the start of a transition, and its velocity: translation, rotation vector and scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Offset {
     value: [Vec3; 3],
     velocity: [Vec3; 3],
-    /// The scale that was shown then.
+    /// Scale shown at the start of the transition.
     scale: Vec3,
 }
 
 impl Inertia {
-    /// Memory for a character in no transition.
+    /// Allocates the memory for one character, without a transition.
     #[must_use]
     pub fn new(skeleton: &Skeleton) -> Self {
         let none = Offset { value: [Vec3::ZERO; 3], velocity: [Vec3::ZERO; 3], scale: Vec3::ZERO };
         Self { offsets: alloc::vec![none; skeleton.len()], elapsed_s: 0.0, length_s: 0.0 }
     }
 
-    /// Begins a transition at the time of the later poses, in place of the one that may be under way. A length that is not positive
-    /// and finite is none: a cut. Without a `dt_s` that is positive and finite velocities count as equal. What is not finite in a
-    /// bone's poses makes no difference for it.
+    /// Begins a transition at the time of the later poses, replacing any current one.
+    ///
+    /// - If `length_s` is not positive and finite, there is no transition: the new animation starts with a cut.
+    /// - If `dt_s` is not positive and finite, the velocities of the two animations are treated as equal.
+    /// - An offset or velocity of a bone that is not finite is treated as zero.
     ///
     /// # Errors
-    /// A pose has another length than the skeleton; then nothing changes.
+    /// Fails if a pose differs in length from the skeleton. Nothing changes then.
     pub fn begin(&mut self, transition: &Transition<'_>) -> Result<(), PoseError> {
         let Transition { shown, next, dt_s, length_s } = *transition;
         shown.iter().chain(&next).try_for_each(|pose| check_length(self.offsets.len(), pose.len()))?;
@@ -98,23 +100,24 @@ impl Inertia {
         Ok(())
     }
 
-    /// Goes on by `dt_s` seconds; what is negative or not finite counts as 0.
+    /// Advances by `dt_s` seconds; a negative or non-finite step is treated as 0.
     pub fn advance(&mut self, dt_s: f32) {
         if dt_s.is_finite() {
             self.elapsed_s = (self.elapsed_s + dt_s.max(0.0)).min(self.length_s);
         }
     }
 
-    /// True if there is no transition any more.
+    /// Returns `true` if no transition is in progress.
     #[must_use]
     pub fn is_done(&self) -> bool {
         !(self.elapsed_s < self.length_s)
     }
 
-    /// Adds what is left of the difference to the pose of the new animation; nothing once it is [done](Self::is_done).
+    /// Adds the remaining offset to a pose of the new animation. Does nothing once the transition is
+    /// [done](Self::is_done).
     ///
     /// # Errors
-    /// The pose has another length than the skeleton; then nothing is written.
+    /// Fails if the pose differs in length from the skeleton. Nothing is written then.
     pub fn apply(&self, pose: &mut [Transform]) -> Result<(), PoseError> {
         check_length(self.offsets.len(), pose.len())?;
         if self.is_done() {
@@ -136,13 +139,14 @@ impl Inertia {
     }
 }
 
-/// By what one transform differs from another: translation, rotation vector in the parent's space, scale.
+/// Returns the difference `to` − `from`: translation, rotation vector in the parent's space, scale.
 fn between(from: &Transform, to: &Transform) -> [Vec3; 3] {
     let turn: Quat = product(made_unit(to.rotation), made_unit(from.rotation).conjugate());
     [to.translation - from.translation, log(turn), to.scale - from.scale]
 }
 
-/// Of the two rotation vectors of a rotation, the short way and the long way round, the one nearer to another.
+/// Returns the rotation vector of the same rotation that is nearer to `like`: `vector` itself, or the one that goes the
+/// other way round, `vector · (1 − 2π / angle)`.
 fn near(vector: Vec3, like: Vec3) -> Vec3 {
     let angle = length(vector.into());
     let other = vector - vector * (core::f32::consts::TAU / angle);
@@ -153,9 +157,11 @@ fn finite_or(vector: Vec3, other: Vec3) -> Vec3 {
     if vector.is_finite() { vector } else { other }
 }
 
-/// A scale between the one shown first and the next one, moved away from 0 where it would lose the sign that both have.
+/// Bends a scale away from 0 if `shown` (the scale at the start) and `next` (that of the new animation) have the same
+/// sign, so that it keeps that sign.
 ///
-/// With h = shown · next / (shown + next), less than either: x from h on, h² / (2h − x) below, with the same slope at h.
+/// With h = shown · next / (shown + next), which is less than either: x for x ≥ h, and h² / (2h − x) below. The value
+/// and the slope are continuous at h.
 fn sign_kept(scale: f32, shown: f32, next: f32) -> f32 {
     let sign = if next < 0.0 { -1.0 } else { 1.0 };
     let [x, shown, next] = [scale * sign, shown * sign, next * sign];

@@ -1,4 +1,4 @@
-//! [`Instance`]: one character, where it is and what it plays.
+//! [`Instance`]: one character with its place, the clips that it plays and the objects that it holds.
 
 use alloc::vec::Vec;
 
@@ -17,7 +17,7 @@ use crate::pose::{PoseError, check_length};
 use crate::step::Step;
 use crate::transform::Transform;
 
-/// A clip that an instance plays: which, where it is in it and how fast, and how much it counts.
+/// A clip played by an [`Instance`], with its playback state, weight and mask.
 ///
 /// ```
 /// use aim_animation::{Bone, Clip, ClipControl, Instance, Model, Skeleton, Track};
@@ -38,46 +38,46 @@ use crate::transform::Transform;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClipControl {
-    /// The number of the clip in its [`Model`].
+    /// Index of the clip in the [`Model`].
     pub clip: usize,
     /// Local time, speed, looping.
     pub control: Control,
-    /// Its weight beside the others, 0…1; NaN counts as 0. At 0 it goes on, but is not sampled.
+    /// Weight relative to the other clips, 0…1; NaN is treated as 0. At 0 the clip still advances, but is not sampled.
     pub weight: f32,
-    /// The number of a mask of the model, by which its weight is multiplied bone by bone; `None` for all bones. Of a mask that the model
-    /// does not have no bone counts.
+    /// Index of a mask of the model, which multiplies the weight of each bone; `None` for no mask. If the model has no
+    /// such mask, the weight is 0 for every bone.
     pub mask: Option<usize>,
 }
 
 impl ClipControl {
-    /// A clip from its beginning, at speed 1, repeating, with full weight for all bones.
+    /// Plays a clip from its beginning, at speed 1, repeating, with weight 1 for all bones.
     #[must_use]
     pub const fn new(clip: usize) -> Self {
         Self { clip, control: Control::new(), weight: 1.0, mask: None }
     }
 
-    /// With where it is, how fast it is and what becomes of it at its ends.
+    /// Sets the playback state: local time, speed and looping.
     #[must_use]
     pub const fn with_control(mut self, control: Control) -> Self {
         self.control = control;
         self
     }
 
-    /// With a weight.
+    /// Sets the [`weight`](Self::weight).
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
         self
     }
 
-    /// With a mask of the model.
+    /// Sets the mask, as an index into the masks of the model.
     #[must_use]
     pub const fn with_mask(mut self, mask: usize) -> Self {
         self.mask = Some(mask);
         self
     }
 
-    /// The weight of a bone.
+    /// Returns the weight of a bone: clip weight times mask weight.
     fn weight_of(&self, model: &Model, bone: usize) -> f32 {
         let mask = self.mask.map_or(1.0, |mask| {
             let mask = model.masks().get(mask).and_then(|mask| mask.weights().get(bone));
@@ -87,12 +87,14 @@ impl ClipControl {
     }
 }
 
-/// One character: its place, the clips that it plays, and the things that it carries.
+/// One character: its place, the clips that it plays, and the objects that it holds.
 ///
-/// [`advance`](Self::advance) moves all its clips on by one frame, and its place by their root motion: no pose is evaluated for
-/// that. [`pose`](Self::pose) is the weighted mean of what it plays: a clip of weight 1 beside another of weight 1 comes half through,
-/// and bones that it has no tracks for count as at rest. What takes the place of another clip (a layer), a blend space and an
-/// additive clip are a [`Tree`](crate::Tree), which has its own memory beside; [`steps`](Self::steps) has the times to sample at.
+/// [`advance`](Self::advance) advances all clips by one frame and moves the place by their root motion, without
+/// evaluating a pose. [`pose`](Self::pose) evaluates the weighted mean of the clips: two clips of weight 1 contribute
+/// half each. Bones that a clip has no tracks for are at rest in it.
+///
+/// For override layers, blend spaces and additive clips, use a [`Tree`](crate::Tree) with its own
+/// [`Scratch`](crate::Scratch) memory, and sample its sources at the local times in [`steps`](Self::steps).
 ///
 /// ```
 /// use aim_animation::glam::Vec3;
@@ -119,22 +121,22 @@ impl ClipControl {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instance {
-    /// The character in the world, without scale.
+    /// The character's transform from model to world space, without scale.
     pub place: Transform,
     controls: Vec<ClipControl>,
-    /// Of each control.
+    /// One cursor for each control.
     cursors: Vec<Cursor>,
-    /// That of the model, at the beginning.
+    /// Copy of the model's initial cursor, cloned for each clip that is played.
     cursor: Cursor,
     steps: Vec<Step>,
-    /// Bones, and what they hold in their space.
+    /// Bone of each held object, and the transform of the object in bone space.
     things: Vec<(usize, Affine3A)>,
     scratch: Vec<Transform>,
     sums: Vec<BoneSum>,
 }
 
 impl Instance {
-    /// A character of this kind that stands at the origin and plays nothing yet.
+    /// Creates a character at the origin that plays no clips.
     #[must_use]
     pub fn new(model: &Model) -> Self {
         let bones = model.skeleton().len();
@@ -150,7 +152,7 @@ impl Instance {
         }
     }
 
-    /// Plays one more clip, and gives its number among the [controls](Self::controls).
+    /// Adds a clip to those played, and returns its index in [`controls`](Self::controls).
     pub fn play(&mut self, control: ClipControl) -> usize {
         self.controls.push(control);
         self.cursors.push(self.cursor.clone());
@@ -158,7 +160,7 @@ impl Instance {
         self.controls.len() - 1
     }
 
-    /// Stops a clip; those behind it move up by one. Nothing is done if there is no such control.
+    /// Stops a clip. The indices of later controls decrease by one. Does nothing if there is no such control.
     pub fn stop(&mut self, control: usize) {
         if control < self.controls.len() {
             self.controls.remove(control);
@@ -167,24 +169,26 @@ impl Instance {
         }
     }
 
-    /// The clips that it plays.
+    /// Returns the clips being played.
     #[must_use]
     pub fn controls(&self) -> &[ClipControl] {
         &self.controls
     }
 
-    /// The clips that it plays, to set their weights, speeds and times.
+    /// Returns the clips being played, to change their weights, speeds and times.
     pub fn controls_mut(&mut self) -> &mut [ClipControl] {
         &mut self.controls
     }
 
-    /// The way of each clip in the last [`advance`](Self::advance).
+    /// Returns the step that each clip took in the last [`advance`](Self::advance), in the order of
+    /// [`controls`](Self::controls).
     #[must_use]
     pub fn steps(&self) -> &[Step] {
         &self.steps
     }
 
-    /// Has a bone hold a thing, `grip` in the space of the bone, and gives its number among the [things](Self::things).
+    /// Attaches an object to a bone, and returns its index in [`things`](Self::things). `grip` is the object's
+    /// transform in bone space.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Vec3};
@@ -205,16 +209,18 @@ impl Instance {
         self.things.len() - 1
     }
 
-    /// Drops a thing; those behind it move up by one. Nothing is done if there is no such thing.
+    /// Detaches an object. The indices of later objects decrease by one. Does nothing if there is no such object.
     pub fn detach(&mut self, thing: usize) {
         if thing < self.things.len() {
             self.things.remove(thing);
         }
     }
 
-    /// Moves every clip on by `dt_s` seconds, and the place by their root motion: their weighted [mean](Motion::blend), by their
-    /// weights for the bone whose movement it is. A clip without motion stands still, and counts, too: mask the root out of one
-    /// that is not to slow the others down. Does not allocate.
+    /// Advances every clip by `dt_s` seconds, and moves the place by their root motion. Does not allocate.
+    ///
+    /// The root motion is the [weighted mean](Motion::blend) of the clips, with the weight of each clip for the root
+    /// bone. A clip without root motion contributes no movement at its weight, and so slows the others down. To avoid
+    /// that, mask out the root bone in that clip.
     pub fn advance(&mut self, model: &Model, dt_s: f32) {
         for (playing, step) in self.controls.iter_mut().zip(&mut self.steps) {
             let length = model.played(playing.clip).map_or(0.0, |clip| clip.length_s());
@@ -228,8 +234,10 @@ impl Instance {
         self.place = self.place.rigid_product(&Motion::blend(deltas));
     }
 
-    /// The events that the last [`advance`](Self::advance) passed: control by control, of each in order, with its number. Clips without
-    /// weight tell theirs, too, as they go on; the number leads to the weight.
+    /// Returns the events passed in the last [`advance`](Self::advance), each with the index of its control: control by
+    /// control, and in the order passed within each.
+    ///
+    /// Clips of weight 0 report events too, since they still advance. Use the index to look up the weight.
     pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
         self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
             let clip = model.played(playing.clip);
@@ -237,12 +245,14 @@ impl Instance {
         })
     }
 
-    /// Writes the pose, without the movement that the place has: for each bone the weighted sum of the clips, Σ wᵢ·poseᵢ / Σ wᵢ, as
-    /// [`Blender::sum`](crate::Blender::sum) has it; where nothing has a weight the rest pose. Does not allocate.
+    /// Writes the local pose, without the root motion, which is in the place. Does not allocate.
+    ///
+    /// Each bone is the weighted mean of the clips, Σ wᵢ·poseᵢ / Σ wᵢ, as in [`Blender::sum`](crate::Blender::sum).
+    /// Bones without any weight are at rest.
     ///
     /// # Errors
-    /// `local` has another length than the skeleton, or the instance is of a model with another number of bones; then nothing is
-    /// written.
+    /// Fails if `local` differs in length from the skeleton, or if the instance was made for a model with another
+    /// number of bones. Nothing is written then.
     pub fn pose(&mut self, model: &Model, local: &mut [Transform]) -> Result<(), PoseError> {
         let (skeleton, method) = (model.skeleton(), Method::Nlerp);
         check_length(skeleton.len(), local.len())?;
@@ -267,14 +277,16 @@ impl Instance {
         Ok(())
     }
 
-    /// The layer that takes over the place and the pose of what it plays, where [`advance`](Self::advance) has led it: the first of a
-    /// [`Figure`]'s frame.
+    /// Returns a layer that writes the place and the pose of this instance to a [`Figure`]. Call
+    /// [`advance`](Self::advance) before, and run it as the figure's first layer.
     pub fn layer<'a>(&'a mut self, model: &'a Model) -> InstanceLayer<'a> {
         InstanceLayer { instance: self, model }
     }
 
-    /// Moves the place so that a thing is at `held` in the world, by the pose in the space of the model: see [`Figure::hang`]. False, and
-    /// nothing is done, if there is no such thing or bone, or if the result is not finite.
+    /// Moves the place so that a held object coincides with `held`, world space: see [`Figure::hang`].
+    ///
+    /// `model_pose` is the current pose in model space. Returns `false` and changes nothing if there is no such object
+    /// or bone, or if the result is not finite.
     pub fn hang(&mut self, thing: usize, model_pose: &[Affine3A], held: &Affine3A) -> bool {
         let place = self.things.get(thing).and_then(|(bone, grip)| {
             let attachment = attached(model_pose.get(*bone)?, grip);
@@ -284,8 +296,9 @@ impl Instance {
         place.is_some()
     }
 
-    /// The things that are held, each with its number, in the world, by the pose in the space of the model; those of bones that are
-    /// not there are left out.
+    /// Returns the index and the world transform of each held object.
+    ///
+    /// `model_pose` is the current pose in model space. Objects of bones past its end are skipped.
     pub fn things<'a>(&'a self, model_pose: &'a [Affine3A]) -> impl Iterator<Item = (usize, Affine3A)> + 'a {
         let place = self.place.to_affine();
         self.things
@@ -295,7 +308,7 @@ impl Instance {
     }
 }
 
-/// The layer of a frame that [`Instance::layer`] makes.
+/// Layer that writes the place and the pose of an [`Instance`] to a [`Figure`]; see [`Instance::layer`].
 #[derive(Debug)]
 pub struct InstanceLayer<'a> {
     instance: &'a mut Instance,

@@ -4,9 +4,10 @@
 //!
 //! # Feature flags
 //!
-//! - `std` (default): square roots from the standard library; `libm`: the same from `libm`.
+//! - `std` (default): takes square roots from the standard library. Without it, enable `libm`.
+//! - `libm`: takes square roots from the `libm` crate, for `no_std`.
 //! - `serde`: `Serialize` and `Deserialize` for [`Transform`], [`Looping`] and [`Control`].
-//! - `f64`: glam's types in double precision, in the re-exported [`glam`].
+//! - `f64`: double-precision types in the re-exported [`glam`].
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![allow(

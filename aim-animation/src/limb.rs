@@ -1,5 +1,7 @@
-//! The bones of a limb, and how they follow their tip. [`Reach`](crate::Reach) leads it along a way, [`LimbLayer`](crate::LimbLayer) to
-//! a point, [`Plant`](crate::Plant) has it stand.
+//! `Limb`: a chain of bones whose tip is brought to a point by inverse kinematics.
+//!
+//! Used by [`Reach`](crate::Reach), which leads the tip along a trajectory, by [`LimbLayer`](crate::LimbLayer), which
+//! brings it to a point, and by [`Plant`](crate::Plant), which keeps a foot on the ground.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -12,23 +14,25 @@ use crate::pose::{Both, PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::made_unit;
 
-/// The most times a limb is solved in a frame: more than once only if uneven scales shear its turns.
+/// Upper limit of solver rounds for a limb in one frame. More than one is needed only if non-uniform scales shear the
+/// joints' rotations.
 const MOST_ROUNDS: usize = 8;
-/// As near to what the solver says as is worth another round, of the limb's length.
+/// Largest difference between the solver's tip error and the actual one that needs no further round, as a fraction of
+/// the limb's length.
 const NEAR: f32 = 1e-6;
 
-/// Why bones are no limb. They are counted from the first joint to the tip.
+/// Error of a limb: its bones are not usable. Bones are numbered from the first joint to the tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LimbError {
-    /// A limb needs a joint and a tip, and every bone but the first has to hang on the one before: this one is not there or
-    /// does not.
+    /// The bone at this position of the limb is missing, or is not a descendant of the bone before it. A limb needs at
+    /// least two bones: a joint and a tip.
     Bone(usize),
-    /// The limb has no length between two of its bones in the rest pose, or it is not finite.
+    /// Two consecutive bones of the limb coincide in the rest pose, or a length is not finite.
     Length,
-    /// There is no such pelvis, or this foot's limb does not hang on it.
+    /// The pelvis bone does not exist, or the leg of this foot is not a descendant of it.
     Pelvis {
-        /// The number of the foot.
+        /// The index of the foot.
         foot: usize,
     },
 }
@@ -47,13 +51,13 @@ impl core::error::Error for LimbError {}
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Limb {
-    /// The number of bones of the skeleton.
+    /// Number of bones of the skeleton.
     count: usize,
-    /// From the first joint to the tip; at least two.
+    /// Bones from the first joint to the tip; at least two.
     bones: Vec<usize>,
-    /// Of each joint; a hinge's axis is in the space of its bone.
+    /// Limit of each joint; the axis of a hinge is in the joint's bone space.
     limits: Vec<CcdLimit>,
-    /// The sum of its bones' lengths when the clip begins.
+    /// Sum of the bones' lengths in the pose passed to [`measure`](Self::measure), model units.
     length: f32,
 }
 
@@ -72,7 +76,7 @@ impl Limb {
         Ok(Self { count: skeleton.len(), bones, limits, length: 0.0 })
     }
 
-    /// The limb with its length in the rest pose, and memory for its joints.
+    /// Creates a limb with its length in the rest pose, and scratch memory for its joints.
     pub(crate) fn at_rest(skeleton: &Skeleton, bones: Vec<usize>) -> Result<(Self, Vec<CcdJoint>), LimbError> {
         let mut limb = Self::new(skeleton, bones)?;
         limb.measure(&skeleton.rest_in_model())?;
@@ -80,7 +84,7 @@ impl Limb {
         Ok((limb, joints))
     }
 
-    /// Memory for its joints.
+    /// Allocates scratch memory for the joints.
     pub(crate) fn memory(&self) -> Vec<CcdJoint> {
         alloc::vec![CcdJoint::new(Vec3::ZERO); self.joints()]
     }
@@ -91,7 +95,7 @@ impl Limb {
         }
     }
 
-    /// Takes its length from a pose.
+    /// Measures the length in a pose. Fails if two consecutive bones coincide or the length is not finite.
     pub(crate) fn measure(&mut self, model: &[Affine3A]) -> Result<(), LimbError> {
         self.length = self.bone_lengths(model).fold(0.0, |sum, bone| sum + bone);
         let has_length = self.bone_lengths(model).all(|bone| bone > 0.0) && self.length.is_finite();
@@ -102,22 +106,22 @@ impl Limb {
         self.length
     }
 
-    /// The sum of its bones' lengths in a pose.
+    /// Returns the sum of the bones' lengths in a pose, model units.
     pub(crate) fn reach(&self, model: &[Affine3A]) -> f32 {
         self.bone_lengths(model).sum()
     }
 
-    /// The number of bones of the skeleton.
+    /// Returns the number of bones of the skeleton, not of the limb.
     pub(crate) fn bones(&self) -> usize {
         self.count
     }
 
-    /// Its bones, from the first joint to the tip.
+    /// Returns the bones, from the first joint to the tip.
     pub(crate) fn chain(&self) -> &[usize] {
         &self.bones
     }
 
-    /// The number of joints that turn.
+    /// Returns the number of joints that turn: all bones but the tip.
     pub(crate) fn joints(&self) -> usize {
         self.limits.len()
     }
@@ -126,7 +130,7 @@ impl Limb {
         self.bones.windows(2).map(|pair| length(model[pair[1]].translation - model[pair[0]].translation))
     }
 
-    /// The bone of the tip.
+    /// Returns the bone of the tip.
     pub(crate) fn tip_bone(&self) -> usize {
         self.bones[self.bones.len() - 1]
     }
@@ -135,13 +139,16 @@ impl Limb {
         model[self.tip_bone()].translation.into()
     }
 
-    /// A point of the model as seen from the first joint, in lengths of the limb.
+    /// Converts a model-space point to a vector from the first joint, in units of the limb's length.
     pub(crate) fn seen(&self, model: &[Affine3A], point: Vec3) -> Vec3 {
         (point - Vec3::from(model[self.bones[0]].translation)) / self.length
     }
 
-    /// The point nearest to one that is seen from the first joint that the stretched or folded limb reaches, and how far they
-    /// are apart.
+    /// Returns the reachable point nearest to `point`, and the distance between them. Points and distance are relative
+    /// to the first joint, in units of the limb's length, as in [`seen`](Self::seen).
+    ///
+    /// With L the longest bone and S the sum of all, the limb reaches distances from max(2·L − S, 0), folded, to S,
+    /// stretched.
     pub(crate) fn within_reach(&self, model: &[Affine3A], point: Vec3) -> (Vec3, f32) {
         let (sum, longest) =
             self.bone_lengths(model).fold((0.0, 0.0_f32), |(sum, longest), bone| (sum + bone, longest.max(bone)));
@@ -155,7 +162,7 @@ impl Limb {
         (way * held, (held - away).abs())
     }
 
-    /// The point of the model nearest to one that the limb reaches, and how far they are apart.
+    /// Returns the reachable point nearest to `point`, and the distance between them, in model space.
     pub(crate) fn nearest(&self, model: &[Affine3A], point: Vec3) -> (Vec3, f32) {
         let (seen, beyond) = self.within_reach(model, self.seen(model, point));
         if beyond > 0.0 {
@@ -165,8 +172,9 @@ impl Limb {
         }
     }
 
-    /// Turns the joints so that the tip comes to a point in the space of the model; the distance that it is then off. The tip keeps its
-    /// orientation, turned by `turn` in the space of the model.
+    /// Turns the joints so that the tip reaches the goal's point, and returns the remaining distance, model units.
+    ///
+    /// The tip keeps its model-space orientation, turned by `goal.turn`.
     pub(crate) fn follow(
         &self,
         goal: &TipGoal<'_>,
@@ -176,8 +184,11 @@ impl Limb {
         self.follow_in_part(goal, Part { weight: 1.0, before: &mut [] }, joints, pose)
     }
 
-    /// The same in part: each joint turns by this part of its turn, as seen from its parent, and so much of the distance is told. The
-    /// whole of `turn` is applied.
+    /// Turns the joints towards the goal as [`follow`](Self::follow) does, but applies only a part: each joint's local
+    /// rotation is interpolated by `part.weight`. `goal.turn` is applied in full.
+    ///
+    /// Returns the remaining distance at full weight times `part.weight`, model units. If the goal's point is not
+    /// finite, changes nothing and returns 0.
     pub(crate) fn follow_in_part(
         &self,
         goal: &TipGoal<'_>,
@@ -197,9 +208,11 @@ impl Limb {
             *before = local[bone].rotation;
         }
         for _ in 0..MOST_ROUNDS {
+            // Solved anew from the current pose, until the tip is where the solver says.
             let told = self.solve(goal, joints, model);
             let mut carried = Quat::IDENTITY;
             for (joint, &bone) in joints.iter().zip(&self.bones) {
+                // The joint's own rotation: its total rotation without that of the joints before it.
                 let turn = made_unit(product(joint.turn, carried.conjugate()));
                 skeleton.turn_in_model(bone, turn, model, local)?;
                 skeleton.to_model_below(bone, local, model)?;
@@ -224,7 +237,8 @@ impl Limb {
         Ok(error * part.weight)
     }
 
-    /// The turns of the joints that bring the tip to a point, and how far it then is from it, as the solver has it.
+    /// Solves for the joints' model-space rotations that bring the tip to the goal's point, writes them to `joints`,
+    /// and returns the tip's remaining distance as computed by the solver.
     fn solve(&self, goal: &TipGoal<'_>, joints: &mut [CcdJoint], model: &[Affine3A]) -> f32 {
         let at = |bone: usize| Vec3::from(model[bone].translation);
         for ((joint, limit), &bone) in joints.iter_mut().zip(&self.limits).zip(&self.bones) {
@@ -249,25 +263,25 @@ impl Limb {
     }
 }
 
-/// Where a limb's tip goes.
+/// Goal for the tip of a limb.
 pub(crate) struct TipGoal<'a> {
-    /// In the space of the model.
+    /// Point to reach, model space.
     pub(crate) point: Vec3,
-    /// From the tip's orientation before to that after, in the space of the model; none keeps it.
+    /// Model-space rotation applied to the tip's orientation; `None` keeps the orientation.
     pub(crate) turn: Option<Quat>,
-    /// The solver of a limb of two bones; a hinge's axis is in the space of the middle bone.
+    /// Solver for a two-bone limb; the axis of its hinge is in the space of the middle bone.
     pub(crate) two_bone: &'a TwoBone,
 }
 
-/// The part of a solution that is applied.
+/// Fraction of a solution to apply.
 pub(crate) struct Part<'a> {
-    /// 0…1.
+    /// Fraction, 0…1.
     pub(crate) weight: f32,
-    /// Memory for the rotation of each joint; none is needed for the whole.
+    /// Scratch memory for the rotation of each joint; may be empty if the weight is 1.
     pub(crate) before: &'a mut [Quat],
 }
 
-/// The turn that leads from one orientation to another; `None` where one of them has none.
+/// Returns the rotation that turns the orientation of `from` into that of `to`; `None` if either matrix is singular.
 fn turn_between(from: Mat3A, to: Mat3A) -> Option<Quat> {
     unit(Quat::from_mat3a(&(nearest_orthogonal(to)? * nearest_orthogonal(from)?.transpose())))
 }

@@ -1,4 +1,4 @@
-//! [`Marks`] and [`Phase`]: clips whose cycles go together, such as a walk and a run.
+//! [`Marks`] and [`Phase`]: synchronised playback of looped clips, such as a walk and a run.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -6,10 +6,10 @@ use core::fmt;
 use crate::float::{floor, narrow};
 use crate::step::Step;
 
-/// Times of a looped clip that correspond to those of others, such as left foot down, right foot down.
+/// Times in a looped clip that correspond to times in other clips, such as left foot down, right foot down.
 ///
-/// A cycle of n marks is a *phase* in 0…1, mark k at phase k/n; in between, and from the last mark over the loop to the first,
-/// phase and time are proportional.
+/// A cycle with n marks has a *phase* in 0…1; mark k is at phase k/n. Between two marks, and from the last mark across
+/// the loop to the first, the phase is linear in time.
 ///
 /// ```
 /// use aim_animation::Marks;
@@ -24,19 +24,19 @@ use crate::step::Step;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marks {
     length_s: f64,
-    /// One at least, increasing.
+    /// At least one, increasing.
     times: Vec<f64>,
 }
 
-/// Why times are no marks.
+/// Reason why times cannot be used as marks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MarksError {
     /// The length of the clip is not positive and finite.
     Length,
-    /// There is no mark.
+    /// No mark is given.
     Empty,
-    /// This mark is not within the clip, its end excluded, or not after the one before it.
+    /// This mark is not in 0 ≤ time < length, or is not after the mark before it.
     Mark(usize),
 }
 
@@ -53,7 +53,7 @@ impl fmt::Display for MarksError {
 impl core::error::Error for MarksError {}
 
 impl Marks {
-    /// Marks of a clip of this length, seconds.
+    /// Marks of a clip of length `length_s`, at `times`; both in seconds.
     ///
     /// # Errors
     /// See [`MarksError`].
@@ -80,14 +80,15 @@ impl Marks {
         narrow(self.length_s)
     }
 
-    /// The phase at a time, in 0…1 without 1; times outside the clip count as in its loop. What is not finite counts as 0.
+    /// Returns the phase at a time, in 0 ≤ phase < 1. Times outside the clip wrap around the loop; a time that is not
+    /// finite is treated as 0.
     #[must_use]
     pub fn phase_at(&self, time_s: f32) -> f32 {
         let time = if time_s.is_finite() { f64::from(time_s) } else { 0.0 };
-        // Rounding may leave the times of far rounds outside.
+        // For times many cycles away, rounding may leave a value slightly outside the clip.
         let time = (time - floor(time / self.length_s) * self.length_s).max(0.0).min(self.length_s);
         let count = self.times.len();
-        // Before the first mark it is the last one of the round before.
+        // Before the first mark, the interval starts at the last mark of the previous cycle.
         let before = self.times.partition_point(|mark| *mark <= time);
         let (mark, from) = match before.checked_sub(1) {
             Some(mark) => (mark, self.times[mark]),
@@ -98,8 +99,8 @@ impl Marks {
         if phase < 1.0 { phase } else { 0.0 }
     }
 
-    /// The time at a phase, seconds, in 0…length without the length; phases beyond 0…1 count as in their cycle. What is not finite
-    /// counts as 0.
+    /// Returns the time at a phase, seconds, in 0 ≤ time < length. Phases outside 0…1 wrap around; a phase that is not
+    /// finite is treated as 0.
     #[must_use]
     pub fn time_at(&self, phase: f32) -> f32 {
         let phase = if phase.is_finite() { f64::from(phase) } else { 0.0 };
@@ -108,7 +109,7 @@ impl Marks {
         if time < narrow(self.length_s) { time } else { 0.0 }
     }
 
-    /// The time at a phase, a length further for each cycle: continuous and increasing.
+    /// Time at a phase without wrapping, one length later for each cycle: continuous and increasing.
     fn unwrapped(&self, phase: f64) -> f64 {
         let (count, cycle) = (self.times.len(), floor(phase));
         let place = (phase - cycle) * index(count);
@@ -116,23 +117,24 @@ impl Marks {
         self.times[mark] + (place - index(mark)) * self.interval(mark) + cycle * self.length_s
     }
 
-    /// The time from a mark to the next one, over the loop after the last.
+    /// Time from a mark to the next one; for the last mark, across the loop to the first.
     fn interval(&self, mark: usize) -> f64 {
         let next = self.times.get(mark + 1).copied().unwrap_or(self.times[0] + self.length_s);
         next - self.times[mark]
     }
 }
 
-/// A small number of marks.
+/// Converts a small number of marks to floating point.
 #[expect(clippy::cast_precision_loss, reason = "as many marks as memory holds are counted exactly")]
 fn index(number: usize) -> f64 {
     number as f64
 }
 
-/// The common phase of clips that are played in step. One for each character and group of clips.
+/// Common phase of clips that are played in step. Keep one for each character and group of clips.
 ///
-/// Each clip's local time follows from the phase by its [`Marks`]; how fast the phase runs, from the weights with which the clips
-/// are blended. So marks of all clips meet, at any weights, and a weight that changes makes no time jump.
+/// The local time of each clip follows from the phase by its [`Marks`]; the rate of the phase follows from the weights
+/// with which the clips are blended. So the marks of all clips coincide at any weights, and changing a weight never
+/// makes a time jump.
 ///
 /// ```
 /// use aim_animation::{Clip, Marks, Phase};
@@ -147,15 +149,16 @@ fn index(number: usize) -> f64 {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
-    /// Cycles a cycle's time: 1 as authored, negative backwards. NaN and infinity count as 0.
+    /// Factor on the rate of the phase: 1 as authored, negative backwards. NaN and infinity are treated as 0.
     pub speed: f32,
-    /// In 0…1.
+    /// Phase, in 0…1.
     phase: f64,
-    /// The phase before the last call of `advance`, within a cycle of it however many that passed.
+    /// Phase before the last call of `advance`, relative to the cycle of `phase`: outside 0…1 if that call crossed a
+    /// cycle's end.
     before: f64,
-    /// Whether what happens there belongs to the last step.
+    /// `true` if events exactly at `before` belong to the last step.
     includes_before: bool,
-    /// Nothing has been told at this phase yet.
+    /// `true` until the first `advance` from this phase.
     is_fresh: bool,
 }
 
@@ -166,13 +169,13 @@ impl Default for Phase {
 }
 
 impl Phase {
-    /// At phase 0, at speed 1.
+    /// A phase of 0, running at speed 1.
     #[must_use]
     pub const fn new() -> Self {
         Self { speed: 1.0, phase: 0.0, before: 0.0, includes_before: false, is_fresh: true }
     }
 
-    /// The same at another phase; what is not finite is ignored.
+    /// Sets the phase, wrapped to 0…1; a value that is not finite is ignored.
     #[must_use]
     pub fn at(mut self, phase: f32) -> Self {
         if phase.is_finite() {
@@ -182,14 +185,14 @@ impl Phase {
         self
     }
 
-    /// The phase, in 0…1.
+    /// Current phase, in 0…1.
     #[must_use]
     pub fn phase(&self) -> f32 {
         narrow(self.phase)
     }
 
-    /// Moves on by `dt_s` seconds. A cycle takes the mean of the clips' lengths, weighted; without a weight nothing moves. At
-    /// most 32 768 cycles are passed.
+    /// Advances the phase by `dt_s` seconds. The duration of a cycle is the weighted mean of the clips' lengths.
+    /// Without any positive weight, the phase does not move. At most 32 768 cycles are passed in one call.
     pub fn advance(&mut self, dt_s: f32, clips: &[(&Marks, f32)]) {
         let weights = clips.iter().map(|(marks, weight)| (marks, f64::from(crate::mask::clamped(*weight))));
         let (time, total) =
@@ -202,7 +205,7 @@ impl Phase {
         (self.before, self.phase) = (self.phase - cycles, goal - cycles);
     }
 
-    /// The way of the last [`advance`](Self::advance) through one of the clips.
+    /// Returns the step that the last [`advance`](Self::advance) makes through one of the clips.
     #[must_use]
     pub fn step(&self, marks: &Marks) -> Step {
         let [from, to] = [self.before, self.phase].map(|phase| marks.unwrapped(phase));

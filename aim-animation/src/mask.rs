@@ -1,10 +1,11 @@
-//! [`Mask`]: a weight for each bone.
+//! [`Mask`]: a blend weight for each bone.
 
 use alloc::vec::Vec;
 
 use crate::skeleton::Skeleton;
 
-/// A weight in 0…1 for each bone of a skeleton, by which a blend's weight is multiplied: a wave that moves one arm.
+/// A weight in 0…1 for each bone of a skeleton, which multiplies the weight of a blend. With it, a wave can move one
+/// arm only.
 ///
 /// ```
 /// use aim_animation::{Bone, Mask, Skeleton};
@@ -22,19 +23,19 @@ pub struct Mask {
 }
 
 impl Mask {
-    /// The same weight for every bone. Weights are clamped to 0…1; NaN counts as 0.
+    /// A mask with the same weight for every bone. Weights are clamped to 0…1; NaN is treated as 0.
     #[must_use]
     pub fn new(skeleton: &Skeleton, weight: f32) -> Self {
         Self { weights: alloc::vec![clamped(weight); skeleton.len()] }
     }
 
-    /// 1 for a bone and all that hangs on it, 0 for the others.
+    /// A mask with weight 1 for a bone and all its descendants, 0 for the others.
     #[must_use]
     pub fn subtree(skeleton: &Skeleton, bone: usize) -> Self {
         Self::new(skeleton, 0.0).with_subtree(skeleton, bone, 1.0)
     }
 
-    /// The same mask with this weight for a bone and all that hangs on it; unchanged if there is no such bone.
+    /// Sets the weight of a bone and all its descendants; changes nothing if there is no such bone.
     #[must_use]
     pub fn with_subtree(mut self, skeleton: &Skeleton, bone: usize, weight: f32) -> Self {
         if let Some(weights) = self.weights.get_mut(skeleton.subtree(bone)) {
@@ -43,7 +44,7 @@ impl Mask {
         self
     }
 
-    /// The same mask with this weight for one bone; unchanged if there is no such bone.
+    /// Sets the weight of one bone; changes nothing if there is no such bone.
     #[must_use]
     pub fn with_bone(mut self, bone: usize, weight: f32) -> Self {
         if let Some(of_bone) = self.weights.get_mut(bone) {
@@ -52,24 +53,24 @@ impl Mask {
         self
     }
 
-    /// 1 minus each weight: all that this mask leaves alone.
+    /// Returns the mask with 1 minus each weight.
     #[must_use]
     pub fn inverted(mut self) -> Self {
         self.weights.iter_mut().for_each(|weight| *weight = 1.0 - *weight);
         self
     }
 
-    /// Each bone's weight.
+    /// Weight of each bone.
     #[must_use]
     pub fn weights(&self) -> &[f32] {
         &self.weights
     }
 }
 
-/// Smaller weights count as 0: products with them would have no digits left.
+/// Smallest weight that is not treated as 0: products with smaller ones would lose all precision.
 pub(crate) const LEAST_WEIGHT: f32 = 1e-30;
 
-/// 0…1; NaN counts as 0.
+/// Clamps a weight to 0…1; NaN becomes 0.
 pub(crate) fn clamped(weight: f32) -> f32 {
     if weight >= LEAST_WEIGHT { weight.min(1.0) } else { 0.0 }
 }

@@ -1,4 +1,4 @@
-//! [`Model`]: what all characters of a kind share.
+//! [`Model`]: the data that all characters of a kind share.
 
 use alloc::vec::Vec;
 
@@ -10,7 +10,7 @@ use crate::packed::PackedClip;
 use crate::played::Played;
 use crate::skeleton::Skeleton;
 
-/// Bones, clips, their root motion, and masks: what all characters of a kind share. Immutable; each character is an
+/// Skeleton, clips, root motions and masks shared by all characters of a kind. Immutable; each character is an
 /// [`Instance`](crate::Instance).
 ///
 /// ```
@@ -30,12 +30,12 @@ pub struct Model {
     packed: Vec<PackedClip>,
     motions: Vec<Option<Motion>>,
     masks: Vec<Mask>,
-    /// At the beginning, with room for any of the clips.
+    /// A cursor at the beginning, with room for each of the clips.
     cursor: Cursor,
 }
 
 impl Model {
-    /// A model whose clips stay as they are: without root motion.
+    /// A model whose clips have no root motion.
     #[must_use]
     pub fn new(skeleton: Skeleton, clips: impl Into<Vec<Clip>>) -> Self {
         let clips = clips.into();
@@ -44,7 +44,7 @@ impl Model {
         Self { skeleton, clips, packed: Vec::new(), motions, masks: Vec::new(), cursor }
     }
 
-    /// With one more clip, played as it is packed. Its number is that behind all others so far.
+    /// Adds a packed clip, which is played without unpacking. Its number follows on from those of all clips so far.
     ///
     /// ```
     /// use aim_animation::glam::Vec3;
@@ -70,8 +70,8 @@ impl Model {
         self
     }
 
-    /// With the root motion of a clip, made of that very clip: it is taken out of the poses, and moves the place of the instance.
-    /// Nothing is done if there is no such clip.
+    /// Adds the root motion of a clip, which must have been extracted from that clip. The motion is removed from the
+    /// clip's poses and moves the place of the instance instead. Does nothing if there is no such clip.
     #[must_use]
     pub fn with_motion(mut self, clip: usize, motion: Motion) -> Self {
         if let Some(of_clip) = self.motions.get_mut(clip) {
@@ -80,32 +80,32 @@ impl Model {
         self
     }
 
-    /// With one more mask, which controls name by its number: 0 for the first.
+    /// Adds a mask. Controls refer to masks by number; the first is 0.
     #[must_use]
     pub fn with_mask(mut self, mask: Mask) -> Self {
         self.masks.push(mask);
         self
     }
 
-    /// The bones.
+    /// The skeleton.
     #[must_use]
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// The clips of floats, numbered from 0.
+    /// The unpacked clips, numbered from 0.
     #[must_use]
     pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
-    /// The packed clips, numbered on from those of floats.
+    /// The packed clips, numbered on from the last unpacked one.
     #[must_use]
     pub fn packed_clips(&self) -> &[PackedClip] {
         &self.packed
     }
 
-    /// The clip of a number.
+    /// Returns the clip with this number.
     pub(crate) fn played(&self, clip: usize) -> Option<&dyn Played> {
         match clip.checked_sub(self.clips.len()) {
             None => self.clips.get(clip).map(|clip| clip as &dyn Played),
@@ -113,7 +113,7 @@ impl Model {
         }
     }
 
-    /// A cursor at the beginning, with room for any of the clips.
+    /// A cursor at the beginning, with room for each of the clips.
     pub(crate) fn cursor(&self) -> &Cursor {
         &self.cursor
     }
@@ -124,7 +124,8 @@ impl Model {
         self.motions.get(clip)?.as_ref()
     }
 
-    /// The bone by whose weight a clip counts in the movement of the place: that of its own motion, else of the first that any has.
+    /// Returns the bone whose blend weight is a clip's weight in the root motion: the bone of its own motion, else of
+    /// the first clip that has one.
     pub(crate) fn root_bone(&self, clip: usize) -> usize {
         let own = self.motion(clip).or_else(|| self.motions.iter().flatten().next());
         own.map_or(0, Motion::bone)

@@ -1,4 +1,4 @@
-//! [`Played`]: a clip that can be played, however it is stored.
+//! [`Played`]: a clip that can be played, packed or not.
 
 use core::fmt::Debug;
 
@@ -7,14 +7,14 @@ use crate::cursor::Cursor;
 use crate::packed::PackedClip;
 use crate::transform::Transform;
 
-/// A clip that can be played, however it is stored.
+/// A clip that can be played, packed or not.
 pub(crate) trait Played: Debug {
     fn bytes(&self) -> usize;
     fn length_s(&self) -> f32;
     fn events(&self) -> &[Event];
     fn cursor(&self) -> Cursor;
     fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]);
-    /// The scalar at a place of the clip's list.
+    /// Returns the value of the scalar at index `place` of the clip's list.
     fn scalar(&self, time_s: f32, place: usize) -> f32;
 }
 

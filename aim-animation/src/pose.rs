@@ -1,7 +1,8 @@
-//! Poses between local and model space.
+//! Conversion of poses between local and model space.
 //!
-//! A *local* pose is a [`Transform`] for each bone, in its parent's space; a *model* pose is an affine map for each bone, to
-//! the space of the model. Both are slices of the caller's, in the order of the [`Skeleton`]. Nothing public here allocates.
+//! A *local* pose is a [`Transform`] for each bone, in its parent's space. A *model* pose is an affine map for each
+//! bone, from the bone's space to model space. Both are slices owned by the caller, in the order of the [`Skeleton`].
+//! No public function here allocates.
 
 use core::fmt;
 
@@ -13,18 +14,18 @@ use aim_runtime::rotation::inverse;
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// Why a pose does not fit.
+/// Reason why a pose does not fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PoseError {
-    /// A slice has another length than the skeleton has bones.
+    /// The length of a slice differs from the number of bones.
     Length {
         /// The number of bones.
         bones: usize,
         /// The length of the slice.
         found: usize,
     },
-    /// The transform of this bone, on which others hang, does not span space, or one is not finite.
+    /// The transform of a bone with children is singular, or the transform of this bone is not finite.
     Flat(usize),
 }
 
@@ -41,12 +42,12 @@ impl fmt::Display for PoseError {
 
 impl core::error::Error for PoseError {}
 
-/// Fails unless a slice has one element a bone.
+/// Returns an error unless a slice has one element for each bone.
 pub(crate) fn check_length(bones: usize, found: usize) -> Result<(), PoseError> {
     if found == bones { Ok(()) } else { Err(PoseError::Length { bones, found }) }
 }
 
-/// A pose in local and model space at once.
+/// A pose in both local and model space.
 pub(crate) struct Both<'a> {
     pub(crate) skeleton: &'a Skeleton,
     pub(crate) local: &'a mut [Transform],
@@ -54,9 +55,9 @@ pub(crate) struct Both<'a> {
 }
 
 impl Skeleton {
-    /// Each bone in the space of the model.
+    /// Computes the model-space transform of each bone (forward kinematics).
     ///
-    /// A transform that is not finite makes those of its subtree not finite, and no others.
+    /// A transform that is not finite affects only the bone's own subtree.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -73,31 +74,31 @@ impl Skeleton {
     /// ```
     ///
     /// # Errors
-    /// A slice of another length; then nothing is written.
+    /// A slice has another length than the skeleton; then nothing is written.
     pub fn to_model(&self, local: &[Transform], model: &mut [Affine3A]) -> Result<(), PoseError> {
         check_length(self.len(), local.len())?;
         check_length(self.len(), model.len())?;
         for (bone, (local, parent)) in local.iter().zip(self.parents()).enumerate() {
             let local = local.to_affine();
-            // Parents stand before their children.
+            // Parents precede their children.
             model[bone] = parent.map_or(local, |parent| model[parent] * local);
         }
         Ok(())
     }
 
-    /// Each bone in the space of the model where the skeleton is at rest.
+    /// Model-space transform of each bone at rest.
     pub(crate) fn rest_in_model(&self) -> Vec<Affine3A> {
         let mut model = alloc::vec![Affine3A::IDENTITY; self.len()];
-        // Of equal lengths.
+        // Cannot fail: both lengths are equal.
         let _ = self.to_model(self.rest(), &mut model);
         model
     }
 
-    /// A bone and all that hangs on it in the space of the model, where the others are already: after the bone has been
-    /// turned. Nothing is done if there is no such bone.
+    /// Recomputes the model-space transforms of a bone and its descendants, after the bone has been turned. Those of
+    /// the other bones must be up to date. Does nothing if there is no such bone.
     ///
     /// # Errors
-    /// A slice of another length; then nothing is written.
+    /// A slice has another length than the skeleton; then nothing is written.
     pub fn to_model_below(&self, bone: usize, local: &[Transform], model: &mut [Affine3A]) -> Result<(), PoseError> {
         check_length(self.len(), local.len())?;
         check_length(self.len(), model.len())?;
@@ -108,12 +109,12 @@ impl Skeleton {
         Ok(())
     }
 
-    /// Each bone in its parent's space, from the bones in the space of the model. The [skew](crate::Skew) that turned
-    /// bones under a parent of uneven scale may have is lost.
+    /// Computes each bone's transform in its parent's space from a model pose. Any [skew](crate::Skew), which rotated
+    /// bones under a parent of non-uniform scale can have, is lost.
     ///
     /// # Errors
-    /// A slice of another length, a bone that is not finite, or one that others hang on and that does not span space;
-    /// then nothing is written.
+    /// A slice has another length than the skeleton, a bone is not finite, or a bone with children is singular; then
+    /// nothing is written.
     pub fn to_local(&self, model: &[Affine3A], local: &mut [Transform]) -> Result<(), PoseError> {
         check_length(self.len(), model.len())?;
         check_length(self.len(), local.len())?;
@@ -124,7 +125,7 @@ impl Skeleton {
             };
             Transform::from_affine(&affine).ok_or(PoseError::Flat(bone))
         };
-        // Judged before anything is written.
+        // Check all bones before writing anything.
         (0..self.len()).try_for_each(|bone| of_bone(bone).map(|_| ()))?;
         for (bone, local) in local.iter_mut().enumerate() {
             *local = of_bone(bone)?;
@@ -132,13 +133,14 @@ impl Skeleton {
         Ok(())
     }
 
-    /// Turns a bone about its origin by a rotation in the space of the model, as solvers give it: its axes become
-    /// `rotation · model`; its translation and scale stay.
+    /// Rotates a bone about its origin by a rotation in model space, as solvers return it: the bone's axes become
+    /// `rotation · model`. Its translation and scale do not change.
     ///
-    /// `model` is the pose in the space of the model as it is before, of which only the bone's parent is read. What hangs on
-    /// the bone follows by the next [`to_model`](Self::to_model), or [`to_model_below`](Self::to_model_below). Exact where
-    /// the parent's scale is uniform, mirrored or not; under a parent of uneven scale, where no rotation of the bone does
-    /// that, the nearest is taken. Nothing is done if there is no such bone, or if its parent does not span space.
+    /// `model` is the model pose before the rotation; only the bone's parent is read from it. The bone and its
+    /// descendants are updated in it by the next [`to_model`](Self::to_model) or
+    /// [`to_model_below`](Self::to_model_below). The result is exact if the parent's scale is uniform, mirrored or not.
+    /// Under a parent of non-uniform scale, no rotation of the bone is exact, and the nearest one is taken. Does
+    /// nothing if there is no such bone, or if its parent is singular.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Quat};
@@ -155,7 +157,7 @@ impl Skeleton {
     /// ```
     ///
     /// # Errors
-    /// A slice of another length; then nothing is written.
+    /// A slice has another length than the skeleton; then nothing is written.
     pub fn turn_in_model(
         &self,
         bone: usize,
@@ -173,11 +175,11 @@ impl Skeleton {
     }
 }
 
-/// A bone's rotation after a rotation in the space of the model; `None` if its parent does not span space.
+/// Returns a bone's local rotation after a rotation in model space; `None` if its parent is singular.
 fn turned(local: Quat, parent: &Affine3A, rotation: Quat) -> Option<Quat> {
     let linear = |matrix3: Mat3A| Affine3A { matrix3, translation: Vec3A::ZERO };
     let parent = linear(parent.matrix3);
-    // L' = P⁻¹ · rotation · P · L, of the linear parts; the bone's own scale acts before L and plays no part.
+    // L' = P⁻¹ · rotation · P · L for the linear parts. The bone's own scale acts before L and cancels.
     let turned = linear(Mat3A::from_quat(rotation)) * (parent * linear(Mat3A::from_quat(local)));
     Some(Transform::from_affine(&(inverse(&parent)? * turned))?.rotation)
 }

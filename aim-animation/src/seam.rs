@@ -1,4 +1,4 @@
-//! [`Seam`]: how the end of a looped clip differs from its beginning, in place and speed.
+//! [`Seam`]: difference between the end and the beginning of a looped clip, in value and velocity.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{angle, length, product, unit};
@@ -6,32 +6,32 @@ use aim_runtime::rotation::{angle, length, product, unit};
 use crate::clip::{Clip, Edit};
 use crate::track::{Continuity, Track};
 
-/// The seam of a looped clip: the largest differences between its end and its beginning, over all bones and scalars. Tracks of steps,
-/// which are to jump, are left out.
+/// The seam of a looped clip: the largest differences between its end and its beginning, over all bones and scalars.
+/// Step tracks are not included, because they are meant to jump.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seam {
-    /// Of what is where.
+    /// Difference in value.
     pub place: Gap,
-    /// Of how fast it moves, a second.
+    /// Difference in velocity, per second.
     pub speed: Gap,
 }
 
-/// Differences of translations, rotations, scales and scalars.
+/// Largest differences of translations, rotations, scales and scalars.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Gap {
-    /// Of translations, in the bones' units.
+    /// Difference of translations, in the units of the bones.
     pub translation: f32,
-    /// Of rotations, radians.
+    /// Difference of rotations, radians.
     pub rotation_rad: f32,
-    /// Of scales.
+    /// Difference of scales.
     pub scale: f32,
-    /// Of scalars.
+    /// Difference of scalars.
     pub scalar: f32,
 }
 
 impl Clip {
-    /// How far the clip's end is from its beginning: zero for what loops without being seen. Take the root's movement
-    /// [out](crate::Motion::removed_from) before.
+    /// Measures the difference between the clip's end and its beginning. It is zero for a seamless loop. Remove root
+    /// motion [first](crate::Motion::removed_from).
     #[must_use]
     pub fn seam(&self) -> Seam {
         let mut seam = Seam::default();
@@ -64,14 +64,15 @@ impl Clip {
         seam
     }
 
-    /// The clip with its end going over into its beginning.
+    /// Returns the clip with its end made to match its beginning, in value or also in velocity.
     ///
-    /// End and beginning each take half of the difference; that fades within `window_s` seconds of either, half of the clip at most,
-    /// and leaves the rest as it is. Nothing moves by more than half of the difference in place and 2/27 of that in speed × the
-    /// window. A long window changes speeds little, a short one little of the clip.
+    /// End and beginning are each corrected by half of the difference. The correction fades out within `window_s`
+    /// seconds, at most half of the clip; the rest does not change. No value moves by more than half of the difference
+    /// in value plus 2/27 of the difference in velocity × the window. A long window changes velocities less; a short
+    /// one changes less of the clip.
     ///
-    /// Tracks become cubic; those of steps stay. A window that is not positive, and tracks whose numbers would become too large,
-    /// are left alone.
+    /// Tracks become cubic, except for step tracks, which do not change. If the window is not positive, nothing
+    /// changes; tracks whose numbers would become too large do not change either.
     ///
     /// ```
     /// use aim_animation::{Clip, Continuity, Track};
@@ -97,7 +98,7 @@ impl Clip {
     }
 }
 
-/// The velocity of a turn, radians a second, in the parent's space: 2·(q′ · q⁻¹), whatever the length of q.
+/// Angular velocity in the parent's space, radians a second: 2·(q′ · q⁻¹), for q of any length.
 fn turning([rotation, velocity]: [Quat; 2]) -> Vec3 {
     let square = aim_runtime::rotation::dot(rotation, rotation);
     let turn = product(velocity, rotation.conjugate());

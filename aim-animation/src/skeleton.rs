@@ -1,4 +1,4 @@
-//! [`Skeleton`]: bones with names, parents and a rest pose, parents before their children.
+//! [`Skeleton`]: bones with names, parents and a rest pose, sorted so that parents precede their children.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -7,24 +7,24 @@ use core::ops::Range;
 
 use crate::transform::Transform;
 
-/// A bone as it is given to [`Skeleton::new`].
+/// A bone as passed to [`Skeleton::new`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bone {
-    /// Its name; several may have the same.
+    /// Name; need not be unique.
     pub name: String,
-    /// The index of its parent among the bones given; roots have none.
+    /// Index of the parent among the bones passed; `None` for a root.
     pub parent: Option<usize>,
-    /// Its transform in its parent's space where no clip moves it.
+    /// Transform at rest, in the parent's space. It applies where no clip moves the bone.
     pub rest: Transform,
 }
 
 impl Bone {
-    /// A bone at its parent's origin.
+    /// A bone whose rest transform is the identity.
     pub fn new(name: impl Into<String>, parent: Option<usize>) -> Self {
         Self { name: name.into(), parent, rest: Transform::IDENTITY }
     }
 
-    /// The same bone with another rest transform.
+    /// Sets the rest transform.
     #[must_use]
     pub fn with_rest(mut self, rest: Transform) -> Self {
         self.rest = rest;
@@ -32,20 +32,20 @@ impl Bone {
     }
 }
 
-/// Why bones are no skeleton. Indices are those of the bones given.
+/// Reason why bones do not form a skeleton. Indices are those of the bones as passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SkeletonError {
-    /// The parent of this bone is no bone.
+    /// The parent of this bone does not exist.
     Parent {
-        /// The bone.
+        /// Index of the bone.
         bone: usize,
-        /// Its parent.
+        /// Index of its parent.
         parent: usize,
     },
     /// This bone is its own ancestor.
     Cycle(usize),
-    /// The rest transform of this bone is not finite, or its rotation is no unit quaternion.
+    /// The rest transform of this bone is not finite, or its rotation is not a unit quaternion.
     Rest(usize),
 }
 
@@ -65,12 +65,12 @@ impl fmt::Display for SkeletonError {
 
 impl core::error::Error for SkeletonError {}
 
-/// A forest of bones, immutable; one serves all characters of a kind.
+/// A forest of bones. Immutable; all characters of a kind can share one.
 ///
-/// Bones may be given in any order. They are sorted once, depth first: parents stand before their children, and a bone
-/// with all that hangs on it is a [range](Self::subtree). **Poses, masks and clips count bones in this order.**
-/// [`bone_of`](Self::bone_of) and [`source_of`](Self::source_of) lead from the order given to this one and back. Bones
-/// that are given depth first keep their indices.
+/// Bones may be passed in any order. They are sorted depth first: parents precede their children, and a bone with its
+/// descendants is a contiguous [range](Self::subtree). **Poses, masks and clips index bones in this order.**
+/// [`bone_of`](Self::bone_of) and [`source_of`](Self::source_of) convert from the order passed to this order and back.
+/// Bones that are passed in depth-first order keep their indices.
 ///
 /// ```
 /// use aim_animation::{Bone, Skeleton};
@@ -85,7 +85,7 @@ impl core::error::Error for SkeletonError {}
 pub struct Skeleton {
     names: Vec<String>,
     parents: Vec<Option<usize>>,
-    /// One past the last bone of each bone's subtree.
+    /// End of each bone's subtree: one past its last bone.
     ends: Vec<usize>,
     rest: Vec<Transform>,
     sources: Vec<usize>,
@@ -93,11 +93,11 @@ pub struct Skeleton {
 }
 
 impl Skeleton {
-    /// Sorts the bones. Roots and siblings keep their order.
+    /// Sorts bones into a skeleton. Roots and siblings keep their order.
     ///
     /// # Errors
-    /// A parent that does not exist, a cycle, or a rest transform that is not finite or has no unit rotation; the first
-    /// that is found.
+    /// The first of these that is found: a parent that does not exist, a cycle, a rest transform that is not finite or
+    /// whose rotation is not a unit quaternion.
     pub fn new(bones: impl IntoIterator<Item = Bone>) -> Result<Self, SkeletonError> {
         let given: Vec<Bone> = bones.into_iter().collect();
         for (bone, Bone { parent, rest, .. }) in given.iter().enumerate() {
@@ -124,7 +124,8 @@ impl Skeleton {
         Ok(Self { names, parents, ends, rest, sources, bones })
     }
 
-    /// The skeleton of some of its bones, in ascending order; each hangs on one that is among them, or is a root.
+    /// The skeleton of some of the bones, whose indices must be ascending. A bone whose parent is not among them
+    /// becomes a root.
     pub(crate) fn part(&self, bones: &[usize]) -> Self {
         let to = |bone: usize| bones.binary_search(&bone).ok();
         let bone = |&bone: &usize| Bone {
@@ -132,7 +133,7 @@ impl Skeleton {
             parent: self.parents[bone].and_then(to),
             rest: self.rest[bone],
         };
-        // Never refused: parts of what is sound are sound, and stay in their order.
+        // Cannot fail: parts of a valid skeleton are valid, and keep their order.
         Self::new(bones.iter().map(bone)).unwrap_or_else(|_| self.clone())
     }
 
@@ -142,61 +143,61 @@ impl Skeleton {
         self.parents.len()
     }
 
-    /// True if there are no bones.
+    /// Returns `true` if there are no bones.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.parents.is_empty()
     }
 
-    /// Each bone's parent, which stands before it.
+    /// Parent of each bone; it precedes the bone. `None` for roots.
     #[must_use]
     pub fn parents(&self) -> &[Option<usize>] {
         &self.parents
     }
 
-    /// Each bone's name; several may have the same.
+    /// Name of each bone; need not be unique.
     #[must_use]
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// Each bone's transform in its parent's space where no clip moves it.
+    /// Transform of each bone at rest, in its parent's space.
     #[must_use]
     pub fn rest(&self) -> &[Transform] {
         &self.rest
     }
 
-    /// The name of a bone; `None` if there is no such bone.
+    /// Returns the name of a bone; `None` if there is no such bone.
     #[must_use]
     pub fn name(&self, bone: usize) -> Option<&str> {
         self.names.get(bone).map(String::as_str)
     }
 
-    /// The only bone of this name; `None` if none or several have it.
+    /// Returns the only bone with this name; `None` if no bone or several have it.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<usize> {
         let mut named = self.named(name);
         named.next().filter(|_| named.next().is_none())
     }
 
-    /// The bones of this name.
+    /// Returns the bones with this name.
     pub fn named<'a>(&'a self, name: &'a str) -> impl Iterator<Item = usize> + 'a {
         self.names.iter().enumerate().filter(move |(_, of_bone)| *of_bone == name).map(|(bone, _)| bone)
     }
 
-    /// The bone that was given as number `source`; `None` if fewer were given.
+    /// Returns the bone that was passed at index `source`; `None` if there is no such index.
     #[must_use]
     pub fn bone_of(&self, source: usize) -> Option<usize> {
         self.bones.get(source).copied()
     }
 
-    /// The number under which a bone was given; `None` if there is no such bone.
+    /// Returns the index at which a bone was passed; `None` if there is no such bone.
     #[must_use]
     pub fn source_of(&self, bone: usize) -> Option<usize> {
         self.sources.get(bone).copied()
     }
 
-    /// A bone and all that hangs on it; empty if there is no such bone.
+    /// Returns the range of a bone and all its descendants; empty if there is no such bone.
     ///
     /// ```
     /// use aim_animation::{Bone, Skeleton};
@@ -213,23 +214,23 @@ impl Skeleton {
         self.ends.get(bone).map_or(0..0, |&end| bone..end)
     }
 
-    /// The bones whose parent a bone is, in their order; none if there is no such bone.
+    /// Returns the children of a bone, in order; none if there is no such bone.
     pub fn children(&self, bone: usize) -> impl Iterator<Item = usize> + Clone + '_ {
         let Range { start, end } = self.subtree(bone);
-        // The next sibling stands behind a child's subtree.
+        // The next sibling follows directly after a child's subtree.
         let within = move |bone: usize| Some(bone).filter(|bone| *bone < end);
         core::iter::successors(within(start + 1), move |&child| within(self.ends[child]))
     }
 
-    /// A bone and its ancestors, from the bone inward; nothing if there is no such bone.
+    /// Returns a bone and its ancestors, from the bone to its root; empty if there is no such bone.
     pub fn ancestry(&self, bone: usize) -> impl Iterator<Item = usize> + '_ {
         core::iter::successors((bone < self.len()).then_some(bone), |&bone| self.parents[bone])
     }
 }
 
-/// The bones by depth-first search from the roots, without recursion.
+/// Order of the bones in a depth-first search from the roots, without recursion.
 fn depth_first(given: &[Bone]) -> Result<Vec<usize>, SkeletonError> {
-    // The first child and the next sibling of each bone, in their order.
+    // First child and next sibling of each bone.
     let mut first: Vec<Option<usize>> = alloc::vec![None; given.len()];
     let mut next: Vec<Option<usize>> = alloc::vec![None; given.len()];
     let mut first_root = None;
@@ -255,7 +256,8 @@ fn depth_first(given: &[Bone]) -> Result<Vec<usize>, SkeletonError> {
     if order.len() == given.len() {
         return Ok(order);
     }
-    // What no root reaches hangs on a cycle: up from there, as many steps as there are bones end within it.
+    // A bone that no root reaches descends from a cycle. Following parents as many times as there are bones ends in
+    // that cycle.
     let mut is_reached = alloc::vec![false; given.len()];
     order.iter().for_each(|&bone| is_reached[bone] = true);
     let stray = is_reached.iter().position(|reached| !reached).unwrap_or(0);

@@ -1,26 +1,27 @@
-//! [`Skew`] and [`SkewedTransform`]: what a translation, a rotation and a scale cannot say.
+//! [`Skew`] and [`SkewedTransform`]: the part of an affine map beyond translation, rotation and scale.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::rotation::{gram_schmidt, length, unit};
 
 use crate::transform::Transform;
 
-/// How far a bone's axes lean towards each other: the tangents of the angles. Any finite values are a valid skew.
+/// Shear of a bone's axes: tangents of the angles by which they lean towards each other. Any finite values are valid.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Skew {
-    /// Of y towards x.
+    /// Lean of y towards x.
     pub xy: f32,
-    /// Of z towards x.
+    /// Lean of z towards x.
     pub xz: f32,
-    /// Of z towards y.
+    /// Lean of z towards y.
     pub yz: f32,
 }
 
 impl Skew {
-    /// Square axes.
+    /// No skew: perpendicular axes.
     pub const NONE: Self = Self { xy: 0.0, xz: 0.0, yz: 0.0 };
 
-    /// The matrix of the leaning axes, its columns unit vectors: x, then y leaning towards x, then z towards both.
+    /// Matrix whose columns are the leaning axes, as unit vectors: x, then y leaning towards x, then z leaning towards
+    /// both.
     #[must_use]
     pub fn to_mat3(self) -> Mat3A {
         let made_unit = |column: Vec3A| column / length(column);
@@ -28,7 +29,7 @@ impl Skew {
         Mat3A::from_cols(Vec3A::X, y, z)
     }
 
-    /// Linear interpolation; at `weight` 1 the other.
+    /// Linear interpolation; gives `other` at `weight` 1.
     #[must_use]
     pub fn lerp(self, other: Self, weight: f32) -> Self {
         let lerp = |a: f32, b: f32| a * (1.0 - weight) + b * weight;
@@ -36,7 +37,8 @@ impl Skew {
     }
 }
 
-/// A transform with skew: scale first, then skew, rotation and translation. Any invertible affine map is one.
+/// A transform with skew: scale is applied first, then skew, rotation and translation. Can represent any invertible
+/// affine map.
 ///
 /// ```
 /// use aim_animation::SkewedTransform;
@@ -52,12 +54,12 @@ impl Skew {
 pub struct SkewedTransform {
     /// Translation, rotation and scale.
     pub transform: Transform,
-    /// The skew between scale and rotation.
+    /// Skew, applied between scale and rotation.
     pub skew: Skew,
 }
 
 impl SkewedTransform {
-    /// The affine map from the bone's space to its parent's.
+    /// Returns the affine map from the bone's space to its parent's.
     #[must_use]
     pub fn to_affine(&self) -> Affine3A {
         let Transform { translation, rotation, scale } = self.transform;
@@ -66,11 +68,11 @@ impl SkewedTransform {
         Affine3A { matrix3, translation: translation.into() }
     }
 
-    /// The parts of an affine map, exact to rounding; `None` if its columns are linearly dependent to 1e-5, or if it is
-    /// not finite.
+    /// Decomposes an affine map, exactly up to rounding; `None` if its columns are linearly dependent to 1e-5, or if it
+    /// is not finite.
     ///
-    /// The scale is the lengths of the columns, as for [`Transform::from_affine`]; the rotation has the x axis of the map,
-    /// and y in its plane of x and y. A mirror becomes one along x.
+    /// The scale has the lengths of the columns, as in [`Transform::from_affine`]. The rotation keeps the x axis of the
+    /// map, and the plane of its x and y axes. A mirrored map gets a negative scale along x.
     #[must_use]
     pub fn from_affine(affine: &Affine3A) -> Option<Self> {
         let m = affine.matrix3;
@@ -78,7 +80,7 @@ impl SkewedTransform {
         let columns = [m.x_axis, m.y_axis, m.z_axis];
         let mut scale = Vec3::from_array(columns.map(length));
         if frame.determinant() < 0.0 {
-            // The mirror is taken out first: y and z then lean towards the mirrored x.
+            // Move the mirror to the scale first; y and z then lean towards the mirrored x.
             (frame.x_axis, scale.x) = (-frame.x_axis, -scale.x);
         }
         let along = |axis: Vec3A, column: usize| axis.dot(columns[column] / scale[column]);

@@ -1,4 +1,4 @@
-//! [`BlendLine`] and [`BlendPlane`]: weights of poses by one or two numbers, such as speed and direction.
+//! [`BlendLine`] and [`BlendPlane`]: blend weights of poses from one or two numbers, such as speed and direction.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -7,20 +7,21 @@ use aim_runtime::glam::Vec2;
 
 use crate::float::narrow;
 
-/// Coordinates are clamped to this, so that no square overflows.
+/// Limit to which coordinates are clamped, so that their squares do not overflow.
 const FARTHEST: f32 = 1e9;
 
-/// Why places are no blend space. Indices are those of the places given.
+/// Reason why places do not form a blend space. Indices are those of the places as passed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SpaceError {
-    /// There is no place.
+    /// No place is given.
     Empty,
     /// A coordinate of this place is not finite, or beyond ±10⁹.
     Place(usize),
-    /// This place is that of an earlier one, or, on a line, before it.
+    /// This place is equal to an earlier one; or, on a line, not greater than the one before.
     Order(usize),
-    /// All places lie on one line: use a [`BlendLine`]; or this close to one that they span no triangle.
+    /// All places lie on one line, or so close to one that they span no triangle. For places on a line use a
+    /// [`BlendLine`].
     Flat,
 }
 
@@ -41,12 +42,12 @@ fn check(coordinate: f32, place: usize) -> Result<(), SpaceError> {
     if coordinate.abs() <= FARTHEST { Ok(()) } else { Err(SpaceError::Place(place)) }
 }
 
-/// NaN counts as 0, what is far away as 10⁹.
+/// Clamps a coordinate to ±10⁹; NaN becomes 0.
 fn tamed(coordinate: f32) -> f32 {
     if coordinate.is_nan() { 0.0 } else { coordinate.max(-FARTHEST).min(FARTHEST) }
 }
 
-/// A blend space of one dimension: poses at places along a line, of which the two neighbours are blended.
+/// One-dimensional blend space: poses at places along a line. The two places next to a coordinate are blended.
 ///
 /// ```
 /// use aim_animation::BlendLine;
@@ -64,10 +65,10 @@ pub struct BlendLine {
 }
 
 impl BlendLine {
-    /// Places in increasing order.
+    /// A blend space of places in increasing order.
     ///
     /// # Errors
-    /// See [`SpaceError`]; the first mistake that is found.
+    /// See [`SpaceError`]; returns the first error found.
     pub fn new(places: impl Into<Vec<f32>>) -> Result<Self, SpaceError> {
         let places = places.into();
         if places.is_empty() {
@@ -88,8 +89,9 @@ impl BlendLine {
         &self.places
     }
 
-    /// The weight of each place at a coordinate, at most two of them not 0, their sum 1; beyond the ends the last place alone. NaN
-    /// counts as 0. Weights past the last place, if `weights` is longer, are 0; if it is shorter, those that it has are written.
+    /// Computes the weight of each place at a coordinate. The weights sum to 1, and at most two of them are not 0.
+    /// Beyond the ends, the outermost place has weight 1. NaN is treated as 0. Excess elements of `weights` are set to
+    /// 0; if it is too short, the other weights are dropped.
     pub fn weights(&self, at: f32, weights: &mut [f32]) {
         weights.fill(0.0);
         let (at, last) = (tamed(at), self.places.len() - 1);
@@ -112,10 +114,10 @@ impl BlendLine {
     }
 }
 
-/// A blend space of two dimensions: poses at points of a plane, of which the three around are blended.
+/// Two-dimensional blend space: poses at points of a plane. The three points around a coordinate are blended.
 ///
-/// The plane is divided into the triangles of a Delaunay triangulation, once. Weights are continuous everywhere; at a point's own
-/// place its pose is alone.
+/// The plane is divided by a Delaunay triangulation, computed once. Weights are continuous everywhere; at the place of
+/// a point, only its pose has weight.
 ///
 /// ```
 /// use aim_animation::BlendPlane;
@@ -131,15 +133,15 @@ impl BlendLine {
 #[derive(Clone, Debug, PartialEq)]
 pub struct BlendPlane {
     points: Vec<Vec2>,
-    /// Counterclockwise.
+    /// Counter-clockwise.
     triangles: Vec<[usize; 3]>,
 }
 
 impl BlendPlane {
-    /// Triangulates the points, of which three at least do not lie on a line.
+    /// Triangulates the points; at least three must not lie on one line.
     ///
     /// # Errors
-    /// See [`SpaceError`]; the first mistake that is found.
+    /// See [`SpaceError`]; returns the first error found.
     pub fn new(points: impl Into<Vec<Vec2>>) -> Result<Self, SpaceError> {
         let points = points.into();
         for (k, point) in points.iter().enumerate() {
@@ -151,7 +153,7 @@ impl BlendPlane {
         if points.is_empty() {
             return Err(SpaceError::Empty);
         }
-        // Both zeros are one place, and sorted as one.
+        // Adding 0 turns −0 into 0, so that both are one place and are sorted as equal.
         let points: Vec<Vec2> = points.into_iter().map(|point| point + Vec2::ZERO).collect();
         let mut triangles = swept(&points)?;
         flip(&points, &mut triangles);
@@ -164,14 +166,15 @@ impl BlendPlane {
         &self.points
     }
 
-    /// The triangles, each by its three points, counterclockwise.
+    /// Triangles of the triangulation, as indices of their points, counter-clockwise.
     #[must_use]
     pub fn triangles(&self) -> &[[usize; 3]] {
         &self.triangles
     }
 
-    /// The weight of each point, at most three of them not 0, their sum 1; outside those of the nearest place within. NaN counts as 0.
-    /// Weights past the last point, if `weights` is longer, are 0; if it is shorter, those that it has are written.
+    /// Computes the weight of each point at a coordinate. The weights sum to 1, and at most three of them are not 0.
+    /// Outside the triangulation, the nearest place in it is used. NaN is treated as 0. Excess elements of `weights`
+    /// are set to 0; if it is too short, the other weights are dropped.
     pub fn weights(&self, at: Vec2, weights: &mut [f32]) {
         weights.fill(0.0);
         let at = Vec2::new(tamed(at.x), tamed(at.y));
@@ -183,7 +186,7 @@ impl BlendPlane {
         }
     }
 
-    /// The triangle around a place and the areas opposite to its corners, their sum 1.
+    /// Returns the triangle that contains a place, and its barycentric coordinates there.
     fn around(&self, at: Vec2) -> Option<([usize; 3], [f64; 3])> {
         self.triangles.iter().find_map(|&corners| {
             let [a, b, c] = corners.map(|corner| self.points[corner]);
@@ -194,7 +197,7 @@ impl BlendPlane {
         })
     }
 
-    /// The place nearest to one outside, on an edge.
+    /// Returns the nearest place on an edge to a place outside: a triangle with barycentric coordinates.
     fn nearest(&self, at: Vec2) -> ([usize; 3], [f64; 3]) {
         let mut best = (f64::INFINITY, [0; 3], [1.0, 0.0, 0.0]);
         for corners in &self.triangles {
@@ -219,18 +222,19 @@ fn wide(point: Vec2) -> [f64; 2] {
     point.to_array().map(f64::from)
 }
 
-/// Twice the area of a triangle, positive if it is counterclockwise.
+/// Twice the area of a triangle, positive if it is counter-clockwise.
 fn area(corners: [Vec2; 3]) -> f64 {
     let [[a_x, a_y], [b_x, b_y], [c_x, c_y]] = corners.map(wide);
     (b_x - a_x) * (c_y - a_y) - (b_y - a_y) * (c_x - a_x)
 }
 
-/// Some triangulation: points from left to right, each joined to the edges of the hull that it sees.
+/// Computes any triangulation by a sweep: adds the points from left to right and joins each to the hull edges that it
+/// sees.
 fn swept(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(points[a].y.total_cmp(&points[b].y)));
     let area_of = |a: usize, b: usize, c: usize| area([points[a], points[b], points[c]]);
-    // The first points may lie on one line; the first one beside it makes a fan.
+    // The first points may be collinear; the first point off their line makes a fan with them.
     let apex = (2..order.len()).find(|&k| area_of(order[0], order[1], order[k]) != 0.0).ok_or(SpaceError::Flat)?;
     let mut triangles = Vec::new();
     let mut hull: Vec<usize> = order[..apex].to_vec();
@@ -242,20 +246,22 @@ fn swept(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
     for &point in &order[apex + 1..] {
         let count = hull.len();
         let sees = |k: usize| area_of(hull[k % count], hull[(k + 1) % count], point) < 0.0;
-        // The edges seen follow each other: from the first that is seen after one that is not.
+        // The visible edges are consecutive: find the first one that follows an invisible edge.
         let first = (0..count).find(|&k| sees(k) && !sees(k + count - 1)).ok_or(SpaceError::Flat)?;
         let seen = (0..count).take_while(|&k| sees(first + k)).count();
         triangles.extend((first..first + seen).map(|k| [hull[(k + 1) % count], hull[k % count], point]));
-        // What lies between the ends of what is seen is no longer on the hull.
+        // The points between the ends of the visible part are no longer on the hull.
         let rest = (first + seen..=first + count).map(|k| hull[k % count]);
         hull = rest.chain([point]).collect();
     }
     Ok(triangles)
 }
 
-/// Makes a triangulation that of Delaunay: flips edges while a corner lies within the circle of the triangle beyond.
+/// Makes a triangulation Delaunay: flips edges while a triangle's circumcircle contains the opposite corner of its
+/// neighbour.
 fn flip(points: &[Vec2], triangles: &mut [[usize; 3]]) {
-    // Each flip raises the smallest of six angles; rounding is not to go in circles.
+    // Each flip increases the smallest of six angles, so this terminates in exact arithmetic; the limit guards against
+    // cycles by rounding.
     let mut left = points.len() * points.len();
     while left > 0 {
         let Some((first, second, corners)) = badly_joined(points, triangles) else { return };
@@ -265,13 +271,13 @@ fn flip(points: &[Vec2], triangles: &mut [[usize; 3]]) {
     }
 }
 
-/// Two triangles a-b-c and a-c-d whose common edge is to be b-d.
+/// Finds two triangles a-b-c and a-c-d whose common edge should be b-d instead.
 fn badly_joined(points: &[Vec2], triangles: &[[usize; 3]]) -> Option<(usize, usize, [usize; 4])> {
     for (first, one) in triangles.iter().enumerate() {
         for k in 0..3 {
             let [c, a, b] = [one[k], one[(k + 1) % 3], one[(k + 2) % 3]];
             for (second, other) in triangles.iter().enumerate().skip(first + 1) {
-                // The edge c-a of the one is a-c in the other.
+                // The edge c-a of one triangle is a-c in the other.
                 let Some(at) = (0..3).find(|&at| other[at] == a && other[(at + 1) % 3] == c) else { continue };
                 let d = other[(at + 2) % 3];
                 if is_within_circle([a, b, c, d].map(|corner| points[corner])) {
@@ -283,7 +289,7 @@ fn badly_joined(points: &[Vec2], triangles: &[[usize; 3]]) -> Option<(usize, usi
     None
 }
 
-/// True if d lies within the circle through a, b and c by more than rounding, and a-b-c-d is convex.
+/// Returns `true` if d lies inside the circle through a, b and c by more than rounding, and a-b-c-d is convex.
 fn is_within_circle([a, b, c, d]: [Vec2; 4]) -> bool {
     let [origin_x, origin_y] = wide(d);
     let [a_d, b_d, c_d] = [a, b, c].map(|corner| {

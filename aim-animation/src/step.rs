@@ -1,11 +1,11 @@
-//! [`Step`]: the way of one frame through a clip.
+//! [`Step`]: the movement of one frame through a clip's local time.
 
 use crate::float::{floor, narrow};
 
-/// The most ends of a clip that one step passes.
+/// Maximum number of ends of a clip that one step passes.
 const MOST_ENDS: f64 = 65_536.0;
 
-/// What becomes of a clip that is at its end.
+/// Behaviour of a clip at its end.
 ///
 /// ```
 /// use aim_animation::{Control, Looping};
@@ -18,17 +18,17 @@ const MOST_ENDS: f64 = 65_536.0;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Looping {
-    /// It stops there, or at its beginning when it is played backwards.
+    /// Stops at the end; or at the beginning, if played backwards.
     Once,
-    /// It begins again.
+    /// Starts again from the beginning.
     #[default]
     Repeat,
-    /// It goes back, and at the beginning forward again.
+    /// Reverses at the end, and again at the beginning.
     PingPong,
 }
 
-/// The way through a clip's local time that a control took in one frame: over its ends any number of times, in either
-/// direction. Tells which [events](crate::Clip::events_passed) are passed and how far the root moves.
+/// The movement of a control through a clip's local time in one frame, past any number of ends and in either direction.
+/// Determines which [events](crate::Clip::events_passed) are passed and how far the root moves.
 ///
 /// ```
 /// use aim_animation::Control;
@@ -43,70 +43,71 @@ pub struct Step {
     pub(crate) from_s: f64,
     pub(crate) to_s: f64,
     pub(crate) length_s: f64,
-    /// The number of times that an end of the clip is passed.
+    /// Number of times that an end of the clip is passed.
     pub(crate) ends: u32,
     pub(crate) is_forward: bool,
     pub(crate) bounces: bool,
-    /// Whether what happens where the step begins belongs to it.
+    /// `true` if events exactly at the start of the step belong to it.
     pub(crate) includes_from: bool,
 }
 
-/// A piece of a step between the ends of the clip; `to_s` is less than `from_s` if it goes backward.
+/// Part of a step between ends of the clip. It runs backwards if `to_s` is less than `from_s`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// The local time at which it begins, seconds.
+    /// Local time at its start, seconds.
     pub from_s: f64,
-    /// The local time at which it ends, seconds; included.
+    /// Local time at its end, inclusive, seconds.
     pub to_s: f64,
-    /// Whether what happens at `from_s` belongs to it.
+    /// `true` if events exactly at `from_s` belong to it.
     pub includes_from: bool,
 }
 
 impl Step {
-    /// The step of a control that is not moved.
+    /// Empty step of a control that does not move.
     pub(crate) fn none(at_s: f64, length_s: f64) -> Self {
         Self { from_s: at_s, to_s: at_s, length_s, ends: 0, is_forward: true, bounces: false, includes_from: false }
     }
 
-    /// The local time at which the step begins, seconds.
+    /// Local time at the start of the step, seconds.
     #[must_use]
     pub fn from_s(&self) -> f32 {
         narrow(self.from_s)
     }
 
-    /// The local time at which the step ends, seconds.
+    /// Local time at the end of the step, seconds.
     #[must_use]
     pub fn to_s(&self) -> f32 {
         narrow(self.to_s)
     }
 
-    /// How often an end of the clip was passed.
+    /// Number of times that an end of the clip was passed.
     #[must_use]
     pub fn ends_passed(&self) -> u32 {
         self.ends
     }
 
-    /// The pieces between the ends of the clip, in order.
+    /// Splits the step at the ends of the clip; returns the pieces in order.
     pub fn pieces(&self) -> impl Iterator<Item = Piece> + use<> {
         let step = *self;
         (0..=step.ends).map(move |index| step.piece(index))
     }
 
-    /// Piece `index` of those that [`pieces`](Self::pieces) tells.
+    /// Piece `index` of [`pieces`](Self::pieces).
     pub(crate) fn piece(&self, index: u32) -> Piece {
         let end = |is_high: bool| if is_high { self.length_s } else { 0.0 };
-        // A step that bounces changes its direction at each end.
+        // A bouncing step reverses at each end.
         let is_forward = self.is_forward != (self.bounces && index % 2 == 1);
         Piece {
             from_s: if index == 0 { self.from_s } else { end(!is_forward) },
             to_s: if index == self.ends { self.to_s } else { end(is_forward) },
-            // The turning point of a step that bounces was told on arriving.
+            // The turning point of a bouncing step already belongs to the piece that arrives there.
             includes_from: if index == 0 { self.includes_from } else { !self.bounces },
         }
     }
 }
 
-/// The number of ends on the way from one round to another. Keeps it even or odd where there are too many.
+/// Number of ends between two rounds, limited to about `MOST_ENDS`. The limit preserves parity, which the direction
+/// after bouncing depends on.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
 pub(crate) fn count(rounds: f64) -> u32 {
     let rounds = rounds.abs();

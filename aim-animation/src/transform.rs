@@ -1,12 +1,12 @@
-//! [`Transform`]: a bone's place in its parent's space, by its parts.
+//! [`Transform`]: a bone's transform in its parent's space, as translation, rotation and scale.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::rotation::{cross, dot, length, nearest_orthogonal, product, turned, unit};
 
-/// A bone's transform in its parent's space: scale first, then rotation, then translation.
+/// A bone's transform in its parent's space: scale is applied first, then rotation, then translation.
 ///
-/// The one local transform of this project. What every bone has is here; [skew](crate::SkewedTransform), which next to
-/// none has, is apart.
+/// This is the local transform used throughout the project. Skew, which hardly any bone has, is kept separately in
+/// [`SkewedTransform`](crate::SkewedTransform).
 ///
 /// ```
 /// use aim_animation::Transform;
@@ -20,11 +20,11 @@ use aim_runtime::rotation::{cross, dot, length, nearest_orthogonal, product, tur
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Transform {
-    /// The bone's origin, in units of the parent.
+    /// Position of the bone's origin, in units of the parent.
     pub translation: Vec3,
-    /// A unit quaternion.
+    /// Rotation, a unit quaternion.
     pub rotation: Quat,
-    /// Factors along the bone's own axes: negative where it is mirrored, zero where it is hidden.
+    /// Factors along the bone's own axes; negative ones mirror the bone, 0 hides it.
     pub scale: Vec3,
 }
 
@@ -38,25 +38,25 @@ impl Transform {
     /// No translation, no rotation, scale 1.
     pub const IDENTITY: Self = Self { translation: Vec3::ZERO, rotation: Quat::IDENTITY, scale: Vec3::ONE };
 
-    /// A transform without scale: what most bones have.
+    /// A transform with scale 1.
     #[must_use]
     pub const fn new(translation: Vec3, rotation: Quat) -> Self {
         Self { translation, rotation, scale: Vec3::ONE }
     }
 
-    /// A translation alone.
+    /// A transform with a translation only.
     #[must_use]
     pub const fn from_translation(translation: Vec3) -> Self {
         Self { translation, ..Self::IDENTITY }
     }
 
-    /// A rotation alone, by a unit quaternion.
+    /// A transform with a rotation only, given as a unit quaternion.
     #[must_use]
     pub const fn from_rotation(rotation: Quat) -> Self {
         Self { rotation, ..Self::IDENTITY }
     }
 
-    /// The affine map from the bone's space to its parent's.
+    /// Returns the affine map from the bone's space to its parent's.
     #[must_use]
     #[inline]
     pub fn to_affine(&self) -> Affine3A {
@@ -66,11 +66,12 @@ impl Transform {
         Affine3A { matrix3, translation: self.translation.into() }
     }
 
-    /// The parts of an affine map; `None` if it is not finite.
+    /// Decomposes an affine map; `None` if it is not finite.
     ///
-    /// The scale is the lengths of the columns, the rotation the [nearest](nearest_orthogonal) to them. Skew is lost
-    /// ([`SkewedTransform`](crate::SkewedTransform) keeps it); a mirror becomes one along x. Where one column is zero, the
-    /// rotation follows from the other two; where more are, or where columns are parallel, it is the identity.
+    /// The scale has the lengths of the columns; the rotation is the [nearest](nearest_orthogonal) to their directions.
+    /// Skew is lost ([`SkewedTransform`](crate::SkewedTransform) keeps it). A mirrored map gets a negative scale along
+    /// x. If one column is zero, the rotation follows from the other two; if more are zero, or columns are parallel, it
+    /// is the identity.
     #[must_use]
     pub fn from_affine(affine: &Affine3A) -> Option<Self> {
         if !affine.is_finite() {
@@ -84,14 +85,15 @@ impl Transform {
         scale.is_finite().then_some(Self { translation: affine.translation.into(), rotation, scale })
     }
 
-    /// True if translation, rotation and scale are finite and the rotation is a unit quaternion to 1e-4.
+    /// Returns `true` if translation, rotation and scale are finite and the rotation is a unit quaternion to 1e-4.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let off = dot(self.rotation, self.rotation) - 1.0;
         self.translation.is_finite() && self.scale.is_finite() && off.abs() < 2e-4
     }
 
-    /// The rigid transform `self · other`: `other` in the space of `self`. Scales are ignored, and 1 in the result.
+    /// Returns the rigid transform `self · other`: `other` in the space of `self`. Scales are ignored; the result has
+    /// scale 1.
     ///
     /// ```
     /// use aim_animation::Transform;
@@ -108,35 +110,36 @@ impl Transform {
         Self::new(self.translation + self.turned(other.translation), made_unit(product(self.rotation, other.rotation)))
     }
 
-    /// The inverse of the rigid transform; the scale is ignored, and 1 in the result.
+    /// Returns the inverse of the rigid transform. The scale is ignored; the result has scale 1.
     #[must_use]
     pub fn rigid_inverse(&self) -> Self {
         let rotation = made_unit(self.rotation.conjugate());
         Self::new(-Self::from_rotation(rotation).turned(self.translation), rotation)
     }
 
-    /// Turns the bone by a rotation in its own space, as a corrected joint is: `local' = local · rotation`. The scale
-    /// stays, and where it mirrors it mirrors the rotation, too.
+    /// Rotates the bone in its own space, as when a joint is corrected: `local' = local · rotation`. The scale does not
+    /// change; if it mirrors, the rotation is mirrored accordingly.
     pub fn turn(&mut self, rotation: Quat) {
-        // Behind a mirror S the turn is S·R·S⁻¹: about the mirrored axis, the other way round.
+        // With a mirror S, the rotation is S·R·S⁻¹: about the mirrored axis, and by the opposite angle if det S < 0.
         let sign = self.scale.signum();
         let axis = Vec3::new(rotation.x, rotation.y, rotation.z) * (sign * (sign.x * sign.y * sign.z));
         let turn = Quat::from_xyzw(axis.x, axis.y, axis.z, rotation.w);
         self.rotation = made_unit(product(self.rotation, turn));
     }
 
-    /// A vector turned by the rotation.
+    /// Rotates a vector.
     fn turned(&self, v: Vec3) -> Vec3 {
         turned(self.rotation, v.into()).into()
     }
 }
 
-/// The quaternion at length 1; the identity if it has none.
+/// Returns the quaternion with length 1; the identity if it cannot be normalised.
 pub(crate) fn made_unit(rotation: Quat) -> Quat {
     unit(rotation).unwrap_or(Quat::IDENTITY)
 }
 
-/// A right-handed frame for the columns, whether their x axis had to be mirrored for that, and their lengths.
+/// Returns a right-handed frame for the columns, whether its x axis had to be mirrored for that, and the lengths of the
+/// columns.
 fn frame_and_scale(m: &Mat3A) -> (Mat3A, bool, Vec3) {
     let columns = [m.x_axis, m.y_axis, m.z_axis];
     let scale = Vec3::from_array(columns.map(length));
@@ -148,7 +151,7 @@ fn frame_and_scale(m: &Mat3A) -> (Mat3A, bool, Vec3) {
     (frame, mirrored, scale)
 }
 
-/// The columns made unit, and a single one that vanishes square to the others.
+/// Normalises the columns. A single zero column becomes perpendicular to the others.
 fn completed(columns: [Vec3A; 3]) -> Mat3A {
     let mut unit = columns.map(|column| {
         let length = length(column);

@@ -1,18 +1,19 @@
-//! Accessor data as `f32`s: every range checked with checked arithmetic before a byte is touched.
+//! Reads accessor data as `f32`s. Every range is validated with checked arithmetic before any byte is read.
 
 use core::cell::Cell;
 
 use crate::error::Error;
 use crate::raw::{Accessor, BufferView, Raw};
 
-/// Elements an accessor without any bytes behind it may claim (its zeros must fit into memory).
+/// Maximum number of elements of an accessor without a buffer view, whose zeros are allocated without any bytes in the
+/// file.
 const MAX_IMPLIED: usize = 1 << 24;
 
-/// The document's typed parts and its buffers' bytes.
+/// The document's typed parts and the bytes of its buffers.
 pub(crate) struct Data<'a> {
     pub(crate) raw: &'a Raw,
     pub(crate) buffers: &'a [Option<&'a [u8]>],
-    /// Numbers that may still be decoded.
+    /// Budget: count of numbers that may still be decoded.
     budget: Cell<usize>,
 }
 
@@ -37,7 +38,7 @@ pub(crate) fn size_of(component_type: u32) -> Option<usize> {
     })
 }
 
-/// One component. Normalised integers map to 0…1 or −1…1 as the specification says.
+/// Decodes one component. Normalised integers map to 0…1 or −1…1, as specified.
 #[expect(clippy::cast_precision_loss, reason = "indices above 2^24 never pass through here as floats that matter")]
 fn component(bytes: &[u8], component_type: u32, normalized: bool) -> f32 {
     let scaled = |value: f32, largest: f32| {
@@ -56,18 +57,19 @@ fn component(bytes: &[u8], component_type: u32, normalized: bool) -> f32 {
 
 impl<'a> Data<'a> {
     pub(crate) fn new(raw: &'a Raw, buffers: &'a [Option<&'a [u8]>]) -> Self {
-        // Sharing accessors is legitimate, but a small file must not grow without bound by naming one a million times.
+        // Sharing accessors is legitimate, but a small file must not allocate without bound by referring to one a
+        // million times.
         let bytes: usize = buffers.iter().flatten().map(|b| b.len()).sum();
         let budget = Cell::new(bytes.saturating_mul(64).saturating_add(4 * MAX_IMPLIED));
         Self { raw, buffers, budget }
     }
 
-    /// The number of a mesh's morph targets.
+    /// The number of morph targets of a mesh.
     pub(crate) fn target_count(&self, mesh: usize) -> usize {
         self.raw.meshes[mesh].primitives.first().and_then(|first| first.targets.as_array()).map_or(0, Vec::len)
     }
 
-    /// The bytes of a buffer view.
+    /// Returns the bytes of a buffer view, and the view.
     fn view(&self, index: usize, place: &str) -> Result<(&'a [u8], &'a BufferView), Error> {
         let view = self.raw.views.get(index);
         let view = view.ok_or_else(|| Error::invalid(place, format!("bufferViews[{index}] does not exist")))?;
@@ -86,12 +88,12 @@ impl<'a> Data<'a> {
         Ok((bytes, view))
     }
 
-    /// The bytes of a buffer view as they are.
+    /// Returns the raw bytes of a buffer view.
     pub(crate) fn bytes(&self, index: usize, place: &str) -> Result<&'a [u8], Error> {
         self.view(index, place).map(|(bytes, _)| bytes)
     }
 
-    /// `count` elements of `size` bytes, `stride` apart, from `offset` of a view.
+    /// Returns `count` elements of `size` bytes each, starting at `offset` in a view, at the view's stride.
     fn elements(
         &self,
         view: usize,
@@ -126,12 +128,12 @@ impl<'a> Data<'a> {
         Ok(())
     }
 
-    /// The accessor at `index`, checked to exist.
+    /// Returns the accessor at `index`, or an error if it does not exist.
     pub(crate) fn accessor(&self, index: usize, place: &str) -> Result<&'a Accessor, Error> {
         self.raw.accessors.get(index).ok_or_else(|| Error::invalid(place, format!("accessors[{index}] does not exist")))
     }
 
-    /// All components of all elements, flat; `shapes` are the shapes that make sense at `place`.
+    /// Decodes all components of all elements into one flat vector. `shapes` are the accessor types allowed at `place`.
     pub(crate) fn floats(&self, index: usize, shapes: &[&str], place: &str) -> Result<Vec<f32>, Error> {
         let accessor = self.accessor(index, place)?;
         let at = format!("accessors[{index}]");
@@ -147,7 +149,7 @@ impl<'a> Data<'a> {
         };
         let mut out = Vec::new();
         if let Some(view) = accessor.buffer_view {
-            // The iterator knows that its elements lie inside the buffer, so the capacity is bounded by it.
+            // `elements` has checked that all elements lie inside the buffer, which bounds the capacity.
             let elements = self.elements(view, accessor.byte_offset, width * part, accessor.count, &at)?;
             self.spend(accessor.count.saturating_mul(width), &at)?;
             out.reserve(accessor.count * width);

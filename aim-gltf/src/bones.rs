@@ -1,4 +1,4 @@
-//! Bones that no file has, as a document.
+//! Documents made from bones instead of a file.
 
 use aim_animation::Skeleton;
 use aim_animation::glam::Affine3A;
@@ -9,15 +9,15 @@ use crate::error::Error;
 use crate::raw::{self, Raw};
 
 impl Document {
-    /// A document of bones alone: for characters that were read by something else, to be measured, proposed a rig for and aimed
-    /// as those of files are.
+    /// Makes a document from bones alone. For characters loaded by another program, so that they can be measured, get a
+    /// proposed rig and be aimed like characters from files.
     ///
-    /// `inverse_binds` are, in the skeleton's order of bones, the maps from the space of the mesh to that of the bone which skinning
-    /// uses; `None` for bones that move no mesh. The document's nodes are the bones, in the same order. [`with_clips`](Self::with_clips)
-    /// writes it as a file.
+    /// `inverse_binds` are the inverse bind matrices used for skinning, bone space ← mesh space, one for each bone in
+    /// the skeleton's order; `None` for bones that move no mesh. The document's nodes are the bones, in the same order.
+    /// [`with_clips`](Self::with_clips) writes it as a file.
     ///
     /// # Errors
-    /// [`Error::Bones`] where there is another number of maps than of bones, or one that is not finite.
+    /// [`Error::Bones`] if the number of matrices differs from the number of bones, or if one is not finite.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Vec3};
@@ -80,7 +80,7 @@ impl Document {
     }
 }
 
-/// The bones without a parent, and the children of each bone.
+/// Returns the bones without a parent, and the children of each bone.
 fn children(skeleton: &Skeleton) -> (Vec<usize>, Vec<Vec<usize>>) {
     let (mut roots, mut children) = (Vec::new(), vec![Vec::new(); skeleton.len()]);
     for (bone, parent) in skeleton.parents().iter().enumerate() {
@@ -89,7 +89,7 @@ fn children(skeleton: &Skeleton) -> (Vec<usize>, Vec<Vec<usize>>) {
     (roots, children)
 }
 
-/// The JSON of a document of bones.
+/// Generates the JSON of a document made from bones.
 pub(crate) fn bones_as_json(document: &Document) -> Value {
     let skeleton = document.skeleton();
     let (roots, children) = children(skeleton);

@@ -1,4 +1,4 @@
-//! Animations read: a clip's bones are those of the skeleton, its scalars the weights of morph targets.
+//! Reads animations as clips: their bones are those of the skeleton, their scalars the weights of morph targets.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -12,17 +12,17 @@ use crate::error::Error;
 use crate::raw;
 use crate::skeleton::Skeleton;
 
-/// The paths of the properties that clips move.
+/// The `path` of each node property that a clip can animate.
 pub(crate) const PATHS: [&str; 4] = ["translation", "rotation", "scale", "weights"];
 
-/// The keys of one property of one node, as a file has them.
+/// The keys of one property of one node, as stored in the file.
 struct Channel<'a> {
     node: usize,
     path: &'a str,
     place: String,
     curve: Curve,
     times: Arc<[f32]>,
-    /// Per key `width` numbers, or of cubic splines three times as many: in-tangent, value, out-tangent.
+    /// `width` numbers per key; for cubic splines three times as many: in-tangent, value, out-tangent.
     values: Vec<f32>,
     width: usize,
 }
@@ -43,8 +43,8 @@ impl Channel<'_> {
         track.map_err(|error| Error::invalid(&self.place, error.to_string()))
     }
 
-    /// Rotations made unit in double precision, so that what quantised integers lost does not grow; a zero quaternion means
-    /// no rotation.
+    /// Normalises rotations in double precision, so that quantisation errors of integer components do not grow. A zero
+    /// quaternion becomes the identity.
     fn make_unit(&mut self) {
         let cubic = self.curve == Curve::Cubic;
         for (_, four) in self.values.chunks_exact_mut(4).enumerate().filter(|(k, _)| !cubic || k % 3 == 1) {
@@ -55,11 +55,11 @@ impl Channel<'_> {
     }
 }
 
-/// The numbers of the scalars that are the weights of each node's morph targets; nodes as the skeleton counts them, scalars in
-/// the file's order.
+/// Range of scalars that are the weights of a node's morph targets, by node index of the skeleton. Scalars are numbered
+/// in the file's order of nodes.
 pub(crate) type MorphScalars = BTreeMap<usize, Range<usize>>;
 
-/// All clips.
+/// Reads all clips.
 pub(crate) fn read_clips(data: &Data<'_>, skeleton: &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error> {
     let mut next = 0;
     let scalars = data.raw.nodes.iter().enumerate().filter_map(|(node, raw)| {
@@ -77,7 +77,8 @@ pub(crate) fn read_clips(data: &Data<'_>, skeleton: &Skeleton) -> Result<(Vec<Cl
     Ok((clips, scalars))
 }
 
-/// Of several that move the same, which the specification forbids, the last counts.
+/// Adds a channel to a clip. If several channels animate the same property, which the specification forbids, the last
+/// one wins.
 fn with_channel(clip: Clip, mut channel: Channel<'_>, scalars: &MorphScalars) -> Result<Clip, Error> {
     let node = channel.node;
     Ok(match channel.path {
@@ -103,7 +104,7 @@ fn read_channels<'a>(
     scalars: &MorphScalars,
 ) -> Result<Vec<Channel<'a>>, Error> {
     let mut channels = Vec::with_capacity(animation.channels.len());
-    // Channels usually share their times.
+    // Channels usually share their times: decode each input accessor only once.
     let mut inputs: Vec<(usize, Arc<[f32]>)> = Vec::new();
     for (k, channel) in animation.channels.iter().enumerate() {
         let place = format!("animations[{index}].channels[{k}]");
@@ -120,7 +121,8 @@ fn read_channels<'a>(
                     let problem = "its times must be one or more, not negative, and increasing";
                     return Err(Error::invalid(format!("{place}.input"), problem));
                 }
-                // Two keys at one time are how some exporters write a jump.
+                // Some exporters write a jump as two keys with the same time: move the second to the next representable
+                // time.
                 for k in 1..times.len() {
                     if times[k] <= times[k - 1] {
                         times[k] = f32::next_up(times[k - 1]);
@@ -145,7 +147,8 @@ fn read_channels<'a>(
         let Some(node) = skeleton.bone_of(node).filter(|node| skeleton.is_in_file(*node)) else {
             return Err(Error::invalid(place, format!("its target nodes[{node}] does not exist")));
         };
-        // Other paths are those of extensions, such as animation pointers: kept in the file, no part of a pose.
+        // Other paths belong to extensions, such as animation pointers. They are kept in the file but are not part of a
+        // pose.
         let (shape, width) = match (channel.target.path.as_str(), scalars.get(&node)) {
             ("translation" | "scale", _) => ("VEC3", 3),
             ("rotation", _) => ("VEC4", 4),

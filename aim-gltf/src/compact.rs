@@ -1,4 +1,4 @@
-//! A written document without what its replaced clips alone used: their accessors, buffer views and bytes.
+//! Removes the accessors, buffer views and bytes that only replaced clips used from a written document.
 
 use core::ops::Range;
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,38 +8,38 @@ use serde_json::{Value, json};
 use crate::document::Document;
 use crate::references::{self, index, list};
 
-/// The bytes that a clip takes in a file.
+/// Bytes that a clip takes in a file.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ClipSize {
-    /// Of its keys: times and values, each accessor once, also where other clips use it too.
+    /// Bytes of the keys, times and values. Each accessor is counted once, even if other clips share it.
     pub keys: usize,
-    /// Of the JSON text that describes them: the animation and its accessors.
+    /// Bytes of the JSON text that describes the keys: the animation and its accessors.
     pub text: usize,
-    /// The keys, channel by channel.
+    /// Bytes of the keys by channel.
     pub channels: Vec<ChannelSize>,
 }
 
-/// The bytes of the keys of one channel.
+/// Bytes of the keys of one channel.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ChannelSize {
-    /// The bone that it moves.
+    /// The bone that the channel moves.
     pub bone: usize,
     /// The property: `translation`, `rotation`, `scale` or `weights`.
     pub path: String,
-    /// The bytes; of what several channels of the clip share, such as times, an equal part.
+    /// The bytes. An accessor that several channels of the clip share, such as times, is divided equally among them.
     pub bytes: f64,
 }
 
 impl Document {
-    /// The bytes that each of the [clips](Self::clips) takes in the file.
+    /// Returns the bytes that each of the [clips](Self::clips) takes in the file.
     #[must_use]
     pub fn clip_sizes(&self) -> Vec<ClipSize> {
         let json = self.json();
         let [accessors, animations] = ["accessors", "animations"]
             .map(|key| json.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice));
-        // Clips of bones that no file has are not animations of the JSON.
+        // The clips of a document made from bones are not animations in its JSON.
         let size = |animation| self.clip_size(animation, accessors);
         (0..self.clips().len()).map(|clip| animations.get(clip).map_or_else(ClipSize::default, size)).collect()
     }
@@ -74,10 +74,10 @@ impl Document {
     }
 }
 
-/// Takes out of a document and its chunk, buffer 0, those accessors among `candidates` that nothing uses any more, their
-/// buffer views and their bytes. Everything else keeps its order and its bytes; its numbers and offsets follow.
+/// Removes the accessors among `candidates` that are no longer referenced from a document, and their buffer views and
+/// bytes from its chunk, buffer 0. Everything else keeps its order and its bytes; indices and offsets are updated.
 ///
-/// Nothing is changed where an extension may refer to accessors or views in a way that is not known.
+/// Changes nothing if the document has an extension that may refer to accessors or views in an unknown way.
 pub(crate) fn drop_unused(json: &mut Value, chunk: &mut Vec<u8>, candidates: &BTreeSet<usize>) {
     let is_chunk = json["buffers"].get(0).is_some_and(|buffer| buffer.get("uri").is_none());
     if !is_chunk || !references::are_known(json) {
@@ -97,7 +97,7 @@ pub(crate) fn drop_unused(json: &mut Value, chunk: &mut Vec<u8>, candidates: &BT
     dead.remove(json);
 }
 
-/// What nothing uses any more, by number.
+/// Indices of the accessors and buffer views that nothing refers to.
 struct Dead {
     accessors: BTreeSet<usize>,
     views: BTreeSet<usize>,
@@ -118,7 +118,8 @@ impl Dead {
         Self { accessors, views: views.difference(&kept).copied().collect() }
     }
 
-    /// The ranges of the chunk that hold nothing else: whole words, so that all stays aligned.
+    /// Returns the ranges of the chunk that hold only dead data. They consist of whole 4-byte words, which keeps all
+    /// other data aligned.
     fn cuts(&self, json: &mut Value, length: usize) -> Vec<Range<usize>> {
         let mut is_dead = vec![false; length / 4];
         let mut mark = |range: Range<usize>, dead: bool| {
@@ -143,7 +144,7 @@ impl Dead {
                 mark(view.range.clone(), true);
             }
         }
-        // What else is in views: images, sparse accessors, what no one knows.
+        // Views also hold other live data: images, sparse accessors, and views that no accessor refers to.
         let mut whole: BTreeSet<usize> = (0..views.len()).filter(|view| !by_accessors.contains(view)).collect();
         references::visit_other_views(json, &mut |view| whole.extend(index(Some(view))));
         for (at, accessor) in
@@ -165,7 +166,7 @@ impl Dead {
         runs.filter(|(dead, _)| *dead).map(|(_, range)| range).collect()
     }
 
-    /// Takes them out of their lists, and numbers the references to the others anew.
+    /// Removes the dead entries from their lists and renumbers the references to the others.
     fn remove(&self, json: &mut Value) {
         let renumber = |dead: &BTreeSet<usize>, reference: &mut Value| {
             if let Some(at) = index(Some(reference)) {
@@ -189,7 +190,7 @@ impl Dead {
     }
 }
 
-/// Moves views, and accessors in them, to where their bytes are without the cuts.
+/// Moves the offsets of buffer views, and of accessors in them, to where their bytes are after the cuts.
 fn move_offsets(json: &mut Value, cuts: &[Range<usize>]) {
     let moved = |at: usize| {
         let before = cuts.iter().take_while(|cut| cut.start < at);
@@ -214,14 +215,15 @@ fn move_offsets(json: &mut Value, cuts: &[Range<usize>]) {
     json["buffers"][0]["byteLength"] = moved(length).into();
 }
 
-/// Sets an offset, of which 0 is the default.
+/// Sets an offset; leaves it out if it is 0, the default, and not yet present.
 fn set(json: &mut Value, key: &str, offset: usize) {
     if offset > 0 || json.get(key).is_some() {
         json[key] = json!(offset);
     }
 }
 
-/// A buffer view: its bytes, and whether they are the chunk's.
+/// A buffer view: its byte range (empty outside the chunk), its stride (0 if tightly packed), and whether it is in the
+/// chunk.
 struct View {
     range: Range<usize>,
     stride: usize,
@@ -238,7 +240,7 @@ fn views(json: &mut Value) -> Vec<View> {
     list(json, "bufferViews").map(view).collect()
 }
 
-/// The bytes of an accessor in the chunk; none of another buffer's.
+/// Returns the byte range of an accessor in the chunk; empty if it is in another buffer.
 fn place(accessor: &Value, view: &View) -> Range<usize> {
     let size = element(accessor);
     let stride = if view.stride > 0 { view.stride } else { size };
@@ -250,14 +252,14 @@ fn place(accessor: &Value, view: &View) -> Range<usize> {
     start..start.saturating_add(length).min(view.range.end)
 }
 
-/// The bytes of an element of an accessor.
+/// Returns the size of one element of an accessor, bytes.
 fn element(accessor: &Value) -> usize {
     let shape = accessor.get("type").and_then(Value::as_str).and_then(crate::accessor::components);
     let part = accessor.get("componentType").and_then(Value::as_u64).and_then(|kind| u32::try_from(kind).ok());
     shape.unwrap_or(0) * part.and_then(crate::accessor::size_of).unwrap_or(0)
 }
 
-/// A number of bytes or elements; 0 where there is none.
+/// Returns a count of bytes or elements; 0 if the member is missing.
 fn number(json: &Value, key: &str) -> usize {
     index(json.get(key)).unwrap_or(0)
 }

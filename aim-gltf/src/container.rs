@@ -1,4 +1,4 @@
-//! The GLB container: taken apart with every length checked, put together with every length right.
+//! The GLB container: splits it with every length checked, and assembles it.
 
 use core::ops::Range;
 
@@ -8,10 +8,10 @@ const MAGIC: [u8; 4] = *b"glTF";
 const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 
-/// A file's JSON text and, in a GLB with one, its binary chunk (with its padding).
+/// A file's JSON text and, for a GLB that has one, its binary chunk (with padding).
 pub(crate) struct Parts<'a> {
     pub(crate) json: &'a [u8],
-    /// Range of the chunk in the file.
+    /// Byte range of the chunk in the file.
     pub(crate) bin: Option<Range<usize>>,
 }
 
@@ -24,7 +24,7 @@ fn damaged(problem: impl Into<String>) -> Error {
     Error::Container(problem.into())
 }
 
-/// Splits a `.glb` into its chunks; a `.gltf` is returned as JSON whole.
+/// Splits a `.glb` into its chunks; a `.gltf` is returned whole as JSON.
 pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     if bytes.is_empty() {
         return Err(Error::Empty);
@@ -32,7 +32,7 @@ pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     if bytes.starts_with(&MAGIC) {
         return split_glb(bytes);
     }
-    // A byte order mark is against the specification, but harmless.
+    // The specification forbids a byte order mark, but it is harmless.
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match text.iter().find(|b| !b.is_ascii_whitespace()) {
         Some(b'{') => Ok(Parts { json: text, bin: None }),
@@ -47,7 +47,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     if version != 2 {
         return Err(Error::Version(format!("binary container version {version}")));
     }
-    // Bytes after the stated length are not ours; missing ones are an error.
+    // Ignore bytes after the stated length; missing ones are an error.
     let length = length as usize;
     let whole = bytes
         .get(..length)
@@ -65,7 +65,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
             (0, JSON) => json = Some(body),
             (0, _) => return Err(damaged("its first chunk is not JSON")),
             (1, BIN) => bin = Some(start..start + body.len()),
-            _ => {} // unknown chunks are to be ignored
+            _ => {} // the specification requires unknown chunks to be ignored
         }
         at = start + body.len();
         index += 1;
@@ -74,10 +74,11 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     Ok(Parts { json, bin })
 }
 
-/// A GLB of a JSON text and a binary chunk; pads the one with spaces and the other with zeros, as the format asks.
+/// Assembles a GLB from a JSON text and a binary chunk. Pads the JSON with spaces and the chunk with zeros to multiples
+/// of 4 bytes, as the format requires.
 ///
 /// # Errors
-/// [`Error::Clip`] where the file would be longer than a GLB may be.
+/// [`Error::Clip`] if the file would exceed the 4 GiB limit of a GLB.
 pub fn to_glb(json: &[u8], bin: Option<&[u8]>) -> Result<Vec<u8>, Error> {
     let too_long = || Error::Clip("the file would be longer than a GLB's 4 GiB".into());
     let padded = |n: usize| n.checked_next_multiple_of(4);

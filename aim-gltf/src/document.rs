@@ -1,4 +1,5 @@
-//! A loaded file: its JSON and binary chunk untouched, what is understood of it checked and typed.
+//! [`Document`]: a loaded file. Its JSON and binary chunk are kept unchanged; the parts that are understood are
+//! validated and typed.
 
 use core::fmt;
 use core::ops::Range;
@@ -19,24 +20,24 @@ use crate::skeleton::Skeleton;
 use crate::skin::{self, SkinnedPoint};
 use crate::uri::{self, Uri};
 
-/// The place of a buffer's bytes.
+/// Location of the bytes of a buffer.
 pub(crate) enum Buffer {
     /// The GLB's binary chunk.
     Chunk,
     /// Decoded from a data URI, or read from a file beside the document.
     Loaded {
         bytes: Vec<u8>,
-        /// True when the bytes are not part of the document's own text.
+        /// `true` if the bytes were read from another file, `false` if from a data URI.
         external: bool,
     },
-    /// Nowhere: a placeholder that some compression extension fills.
+    /// Not available: a placeholder that a compression extension fills.
     Missing,
 }
 
-/// A glTF 2.0 document (`.glb`, `.gltf`, `.vrm`), ready to be measured, sampled and written with a new clip.
+/// A glTF 2.0 document (`.glb`, `.gltf`, `.vrm`), ready to be measured, sampled and written with new clips.
 ///
-/// Everything reachable from here has been checked: indices exist, the nodes form a forest, data lies
-/// inside its buffers, numbers are finite.
+/// Everything reachable from a document has been validated: indices exist, the nodes form a forest, data lies inside
+/// its buffers, numbers are finite.
 ///
 /// ```
 /// use aim_gltf::Document;
@@ -55,9 +56,9 @@ pub(crate) enum Buffer {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Document {
-    /// The JSON part, which parses; of bones that no file has, made when it is asked for.
+    /// The JSON part as text, known to parse. For a document made from bones it is generated on first use.
     text: OnceLock<Vec<u8>>,
-    /// The same as a tree, ten times as large: made when it is asked for.
+    /// The JSON part as a tree, about ten times as large as the text: parsed on first use.
     json: OnceLock<Value>,
     pub(crate) extensions: Value,
     pub(crate) chunk: Option<Vec<u8>>,
@@ -79,10 +80,10 @@ pub(crate) struct Parts {
     pub(crate) folder: Option<PathBuf>,
 }
 
-/// Reads the clips; a parameter, so that a program which needs none has nothing that reads them.
+/// Function that reads the clips. Passed as a parameter so that a program without clips does not link the clip reader.
 pub(crate) type ReadClips = fn(&Data<'_>, &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error>;
 
-/// No clips.
+/// A [`ReadClips`] that reads no clips.
 pub(crate) fn no_clips(_: &Data<'_>, _: &Skeleton) -> Result<(Vec<Clip>, MorphScalars), Error> {
     Ok(Default::default())
 }
@@ -97,29 +98,29 @@ impl fmt::Debug for Document {
 }
 
 impl Document {
-    /// Loads a file; external buffers are looked for relative to it.
+    /// Loads a file. Paths of external buffers are relative to its folder.
     ///
     /// # Errors
-    /// Anything that makes the file unreadable or contradictory; see [`Error`].
+    /// Any [`Error`] that makes the file unreadable or contradictory.
     pub fn load(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let bytes = uri::read_file(path)?;
         Self::parse(bytes, Some(path.parent().unwrap_or(Path::new(""))), read_clips)
     }
 
-    /// Reads a document from memory; external buffers are then an error.
+    /// Reads a document from memory. External buffers are an error, because there is no folder to look in.
     ///
     /// # Errors
-    /// Anything that makes the file unreadable or contradictory; see [`Error`].
+    /// Any [`Error`] that makes the file unreadable or contradictory.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         Self::parse(bytes.to_vec(), None, read_clips)
     }
 
-    /// The same without the file's clips, which are then not even checked: for characters that are to be measured, and are moved by
-    /// something else.
+    /// Reads a document from memory without its clips, which are not validated either. For characters that are only
+    /// measured, or that are animated by another program.
     ///
     /// # Errors
-    /// As [`from_bytes`](Self::from_bytes), but for clips.
+    /// As [`from_bytes`](Self::from_bytes), except for errors in clips.
     pub fn without_clips(bytes: &[u8]) -> Result<Self, Error> {
         Self::parse(bytes.to_vec(), None, no_clips)
     }
@@ -128,7 +129,7 @@ impl Document {
         let parts = container::split(&bytes)?;
         let text = parts.json.to_vec();
         let (raw, extensions) = Raw::parse(&text)?;
-        // What remains of the bytes is the chunk: large files are held once.
+        // Reuse the allocation for the chunk, so that a large file is in memory only once.
         let chunk = parts.bin.map(|bin| {
             bytes.truncate(bin.end);
             bytes.drain(..bin.start);
@@ -161,29 +162,29 @@ impl Document {
         })
     }
 
-    /// The nodes, their rest pose and bind pose.
+    /// The nodes, with their rest pose and bind pose.
     #[must_use]
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// The animation clips, in the file's order. Their bones are those of the [skeleton](Self::skeleton), their scalars [the weights of morph
-    /// targets](Self::morph_scalars).
+    /// The animation clips, in the file's order. Their bones are those of the [skeleton](Self::skeleton); their scalars
+    /// are the weights of morph targets, numbered by [`morph_scalars`](Self::morph_scalars).
     #[must_use]
     pub fn clips(&self) -> &[Clip] {
         &self.clips
     }
 
-    /// The numbers of the scalars that are the weights of a node's morph targets; empty of a node without any.
+    /// Returns the range of scalars that are the weights of a node's morph targets; empty if the node has none.
     #[must_use]
     pub fn morph_scalars(&self, node: usize) -> Range<usize> {
         self.morph_scalars.get(&node).cloned().unwrap_or_default()
     }
 
-    /// The clip of that name; the first one, if several share it.
+    /// Returns the clip with this name; the first one, if several share it.
     ///
     /// # Errors
-    /// [`Error::UnknownClip`] with the names there are.
+    /// [`Error::UnknownClip`], which lists the names of the file's clips.
     pub fn clip(&self, name: &str) -> Result<&Clip, Error> {
         self.clips.iter().find(|clip| clip.name() == name).ok_or_else(|| Error::UnknownClip {
             name: name.into(),
@@ -191,33 +192,35 @@ impl Document {
         })
     }
 
-    /// The clip that stands for the character where none is chosen: the first in whose name the word `idle` is, else the first.
+    /// Returns the clip to show when none was chosen: the first whose name contains `idle` (in any case), else the
+    /// first.
     ///
-    /// Files list clips by the alphabet, and what comes first there is an attack, a dance or a death.
+    /// Files often list clips alphabetically, and the first of those tends to be an attack, a dance or a death.
     #[must_use]
     pub fn default_clip(&self) -> Option<&Clip> {
         let is_idle = |clip: &&Clip| clip.name().to_ascii_lowercase().contains("idle");
         self.clips.iter().find(is_idle).or(self.clips.first())
     }
 
-    /// The JSON part as it stands in the file, members in their order.
+    /// The JSON part as it is in the file, with its members in the file's order.
     #[must_use]
     pub fn json(&self) -> &Value {
         self.json.get_or_init(|| serde_json::from_slice(self.text()).unwrap_or_default())
     }
 
-    /// The same as text.
+    /// The JSON part as text.
     pub(crate) fn text(&self) -> &[u8] {
         self.text.get_or_init(|| bones_as_json(self).to_string().into_bytes())
     }
 
-    /// True if a mesh names morph targets that turn eyes as `ARKit` does, `eyeLookInLeft` and the like, whether it has them or not.
+    /// Returns `true` if a mesh names morph targets of `ARKit` that turn the eyes (`eyeLookInLeft` etc.), even if it
+    /// lacks the targets themselves.
     #[must_use]
     pub fn names_morph_eyes(&self) -> bool {
         self.names_morph_eyes
     }
 
-    /// The files beside it that it refers to: buffers and images. None of a document read from memory.
+    /// Paths of the files that this document refers to: buffers and images. Empty for a document read from memory.
     #[must_use]
     pub fn external_files(&self) -> Vec<PathBuf> {
         let Some(folder) = &self.folder else { return Vec::new() };
@@ -230,20 +233,20 @@ impl Document {
         .collect()
     }
 
-    /// The GLB's binary chunk as it stands in the file, with its padding.
+    /// The GLB's binary chunk as it is in the file, including its padding.
     #[must_use]
     pub fn binary_chunk(&self) -> Option<&[u8]> {
         self.chunk.as_deref()
     }
 
-    /// The vertices of every mesh, with what they are bound to.
+    /// The vertices of every mesh, with the joints that they are bound to.
     #[must_use]
     pub fn points(&self) -> &[SkinnedPoint] {
         &self.points
     }
 }
 
-/// The bytes behind a buffer.
+/// Returns the bytes of a buffer; `None` if they are missing.
 pub(crate) fn bytes_of<'a>(buffer: &'a Buffer, chunk: Option<&'a [u8]>) -> Option<&'a [u8]> {
     match buffer {
         Buffer::Chunk => chunk,

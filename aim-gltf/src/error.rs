@@ -1,18 +1,18 @@
-//! The error type: each way in which a file can be unusable, with what was expected and what to do.
+//! The error type: every way in which a file can be unusable, what was expected, and what to do about it.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 
-/// Why a file could not be read, understood or written.
+/// Reason why a file could not be read, understood or written.
 ///
-/// `Display` is one line: what is wrong, what was expected, what to do. Paths appear only where the
-/// failure belongs to a file other than the one that the caller named, or to the file system.
+/// `Display` gives one line: what is wrong, what was expected, what to do. A path appears only if the failure concerns
+/// a file other than the one the caller named, or if it comes from the file system.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The file system refused to hand out a file.
+    /// A file could not be read from the file system.
     #[error("cannot read {}: {source}", .path.display())]
     Read {
         /// The file.
@@ -20,33 +20,33 @@ pub enum Error {
         /// The operating system's error.
         source: io::Error,
     },
-    /// The file system refused to take a file; nothing was left behind.
+    /// A file could not be written; what was at its path before is unchanged.
     #[error("cannot write {}: {source}; nothing was changed, {}", .path.display(), remedy(.source))]
     Write {
-        /// The file that should have appeared.
+        /// The path that was to be written.
         path: PathBuf,
         /// The operating system's error.
         source: io::Error,
     },
-    /// A folder, a pipe or a device at this path, where a file is needed.
+    /// The path is a folder, a pipe or a device, but a file is needed.
     #[error("{} is a folder or a device; give the path of a file", .0.display())]
     NotAFile(PathBuf),
-    /// No bytes at all.
+    /// The file has no bytes.
     #[error("the file is empty; expected a .glb, .gltf or .vrm file")]
     Empty,
-    /// Neither a GLB container nor JSON text; its first bytes, at most four.
+    /// The file is neither a GLB container nor JSON text; holds its first bytes, at most four.
     #[error(
         "not a glTF file: it starts with the bytes {0:02x?}, but a .glb or .vrm starts with \"glTF\" and a .gltf with \"{{\"; \
          export the character as glTF 2.0"
     )]
     NotGltf(Vec<u8>),
-    /// A GLB container whose header or chunks contradict the file's length, and what was expected.
+    /// The header or the chunks of a GLB container contradict the length of the file; holds what was expected.
     #[error("the GLB container is damaged: {0}; export or download the file again")]
     Container(String),
-    /// A version other than glTF 2, as the file states it.
+    /// The file is of another version than glTF 2; holds the version it states.
     #[error("this is glTF {0}, and only version 2 is understood; convert it to glTF 2.0")]
     Version(String),
-    /// JSON that does not parse; the parser's message, with line and column.
+    /// The JSON does not parse; holds the parser's message, with line and column.
     #[error("the JSON part does not parse: {0}; export or download the file again")]
     Json(String),
     /// A part of the document contradicts the glTF 2.0 specification.
@@ -57,15 +57,15 @@ pub enum Error {
         /// The contradiction, and what was expected.
         problem: String,
     },
-    /// A buffer's bytes are needed and not at hand.
+    /// The bytes of a buffer are needed but not available.
     #[error("{place}: {problem}")]
     NoData {
         /// The place, such as `buffers[1]`.
         place: String,
-        /// The reason, and a remedy.
+        /// The reason and a remedy.
         problem: String,
     },
-    /// No node of that name.
+    /// No node has this name.
     #[error("no node is called \"{name}\"; {}", known(.nearest, "the nearest names are", "nodes"))]
     UnknownNode {
         /// The name asked for.
@@ -73,15 +73,15 @@ pub enum Error {
         /// The most similar names of the file, best first.
         nearest: Vec<String>,
     },
-    /// Several nodes of that name, and not exactly one of them is a joint.
+    /// Several nodes have this name, and not exactly one of them is a joint.
     #[error("{} nodes are called \"{name}\" (node indices {nodes:?}); rename all but one of them", .nodes.len())]
     AmbiguousNode {
         /// The name asked for.
         name: String,
-        /// Their indices in the file.
+        /// Indices of these nodes in the file.
         nodes: Vec<usize>,
     },
-    /// No clip of that name.
+    /// No clip has this name.
     #[error("no clip is called \"{name}\"; {}", known(.available, "the file has", "clips"))]
     UnknownClip {
         /// The name asked for.
@@ -89,16 +89,16 @@ pub enum Error {
         /// The names of the file's clips.
         available: Vec<String>,
     },
-    /// A clip handed over for writing that does not fit the document, and what was expected.
+    /// A clip to be written does not fit the document; holds what was expected.
     #[error("the clip cannot be written: {0}")]
     Clip(String),
-    /// Bones handed over that cannot be made a document, and what was expected.
+    /// The bones given cannot be made into a document; holds what was expected.
     #[error("the bones cannot be made a document: {0}")]
     Bones(String),
 }
 
 impl Error {
-    /// The message after the name of the file that was read, unless it names that already.
+    /// The message prefixed with the name of the file that was read, unless the message already contains it.
     #[must_use]
     pub fn in_file(&self, file: &Path) -> String {
         match self {
@@ -112,7 +112,7 @@ impl Error {
     }
 }
 
-/// `introduction a, b, c`, cut after eight names; without names, that the file has no `things`.
+/// Formats `introduction a, b, c`, cut after eight names; for an empty list, says that the file has no `things`.
 fn known(names: &[String], introduction: &str, things: &str) -> String {
     match names {
         [] => format!("the file has no {things}"),
@@ -121,7 +121,7 @@ fn known(names: &[String], introduction: &str, things: &str) -> String {
     }
 }
 
-/// What to do about a file that cannot be written.
+/// Remedy for a file that cannot be written.
 fn remedy(error: &io::Error) -> &'static str {
     if error.kind() == io::ErrorKind::NotFound { "make its folder first" } else { "choose another place" }
 }

@@ -1,4 +1,4 @@
-//! Files appear whole or not at all.
+//! Atomic writing: a file appears complete or not at all.
 
 use std::ffi::OsString;
 use std::fs;
@@ -7,16 +7,16 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 
-/// Writes `bytes` to `path` by way of a temporary file beside it, renamed once it is complete.
+/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`.
 ///
 /// # Errors
-/// [`Error::NotAFile`] when a folder or a device is in the way, [`Error::Write`] when the file system refuses; what was at
-/// `path` before is then still there, and the temporary file is gone.
+/// [`Error::NotAFile`] if `path` is a folder or a device, [`Error::Write`] if the file system refuses. In both cases
+/// what was at `path` before is still there, and the temporary file has been removed.
 pub fn write_file(path: impl AsRef<Path>, bytes: &[u8]) -> Result<(), Error> {
     write_files(&[(path.as_ref(), bytes)])
 }
 
-/// Writes several files that belong together: none takes its place before all are complete.
+/// Writes several files that belong together: none is renamed into place before all are written completely.
 ///
 /// # Errors
 /// As [`write_file`], for the first file that cannot be written.
@@ -25,17 +25,17 @@ pub fn write_files(files: &[(&Path, &[u8])]) -> Result<(), Error> {
     staged.into_iter().try_for_each(Staged::rename)
 }
 
-/// A complete file beside the place that it is for; gone when dropped.
+/// A completely written temporary file beside its destination; removed when dropped.
 struct Staged<'a> {
     path: &'a Path,
-    /// The same where links lead.
+    /// `path` with symbolic links resolved.
     place: PathBuf,
     temporary: PathBuf,
 }
 
 impl<'a> Staged<'a> {
     fn write(path: &'a Path, bytes: &[u8]) -> Result<Self, Error> {
-        // Folders, pipes, devices, and links to streams such as /dev/stdout: renaming would put a file in their place.
+        // For folders, pipes, devices and links to streams such as /dev/stdout, renaming would replace them by a file.
         let in_the_way =
             fs::metadata(path).is_ok_and(|there| !there.is_file()) || (path.starts_with("/dev") && path.is_symlink());
         let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
@@ -66,7 +66,7 @@ impl<'a> Staged<'a> {
 
 impl Drop for Staged<'_> {
     fn drop(&mut self) {
-        // Nothing more can be done if even this fails, and after the renaming it is meant to.
+        // A failure here cannot be handled. After the renaming the file no longer exists, so failing is expected.
         let _ = fs::remove_file(&self.temporary);
     }
 }

@@ -1,8 +1,8 @@
-//! Bones of a VRM file, in both versions of the format.
+//! Humanoid bones of a VRM file, versions 0.x and 1.0.
 
 use serde_json::Value;
 
-/// (VRM bone name, node index) pairs from a file's `extensions`; whatever is malformed is left out.
+/// Returns (VRM bone name, node index) pairs from a file's `extensions`; malformed entries are skipped.
 pub(crate) fn vrm_bones(extensions: &Value) -> Vec<(String, usize)> {
     let index = |value: &Value| value.get("node").and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
     let bones = |name: &str| extensions.get(name)?.get("humanoid")?.get("humanBones");

@@ -1,10 +1,11 @@
-//! glTF 2.0 characters in and out: skeletons, clips, meshes read, files written with further clips.
+//! glTF 2.0 characters: reads skeletons, clips and meshes, and writes files back with added clips.
 //!
-//! Any `.glb`, `.gltf` or `.vrm` becomes a [`Document`]; a broken one becomes one [`Error`] that says what is wrong, and
-//! nothing in here panics on a file. [`Document::with_clips`] writes the file again, its old bytes first and unchanged.
+//! Any `.glb`, `.gltf` or `.vrm` file loads as a [`Document`]; an invalid one returns an [`Error`] that says what is
+//! wrong. No file content makes this crate panic. [`Document::with_clips`] writes the file again: the old bytes come
+//! first, unchanged, and the new data is appended.
 //!
-//! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file keeps to the rules). Matrices
-//! act on column vectors, `world ← node`. Times are seconds.
+//! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file follows the specification).
+//! Matrices act on column vectors, `world ← node`. Times are in seconds.
 //!
 //! ```
 //! use aim_animation::glam::Quat;

@@ -1,41 +1,42 @@
-//! Look-at range maps of a VRM file, version 1.0 or 0.x.
+//! [`LookAt`]: the look-at range maps of a VRM file, version 1.0 or 0.x.
 //!
-//! A range map takes the angle to the target on one side to the angle by which the eye turns there, usually a smaller
-//! one: VRM eyes are drawn large.
+//! A range map converts the angle to the target on one side into the angle by which the eye turns there. That is
+//! usually smaller, because VRM eyes are drawn large.
 
 use serde_json::Value;
 
 use crate::document::Document;
 
-/// Part of a VRM character that looking moves.
+/// Part of a VRM character that gaze moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LookAtKind {
-    /// The bones `leftEye` and `rightEye`.
+    /// Bones `leftEye` and `rightEye`.
     Bone,
-    /// The expressions `lookLeft`, `lookRight`, `lookUp` and `lookDown`.
+    /// Expressions `lookLeft`, `lookRight`, `lookUp` and `lookDown`.
     Expression,
 }
 
-/// A linear map from the target's angle in one direction to the eye's, constant from its largest input on.
+/// Linear map from the target's angle in one direction to the output for the eye, clamped at the largest input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeMap {
-    /// The input, degrees, from which on the output is largest; if it is not above 0, any positive input gives that.
+    /// Input at which the output reaches its maximum, degrees. If it is not above 0, every positive input gives the
+    /// maximum.
     pub input_max_value: f64,
-    /// The largest output: degrees for bones, a weight for expressions.
+    /// Largest output: degrees for bones, a weight for expressions.
     pub output_scale: f64,
 }
 
 impl RangeMap {
-    /// Whether it turns an eye (or gives an expression weight) at all.
+    /// Returns `true` if the map has any effect: its output is not always 0.
     #[must_use]
     pub fn moves(&self) -> bool {
         self.output_scale > 0.0
     }
 
-    /// The output for `input` degrees; inputs below 0 (or not a number) count as 0.
+    /// Returns the output for `input` degrees; an input below 0 or NaN is treated as 0.
     #[must_use]
     pub fn apply(&self, input: f64) -> f64 {
-        // Not a number is not above 0 either.
+        // This comparison is also false for NaN.
         if input > 0.0 {
             let share = if self.input_max_value > 0.0 { (input / self.input_max_value).min(1.0) } else { 1.0 };
             share * self.output_scale
@@ -44,7 +45,7 @@ impl RangeMap {
         }
     }
 
-    /// The least input, degrees, that gives `output`; 0 of a map that moves nothing.
+    /// Returns the smallest input, degrees, that gives `output`; 0 if the map moves nothing.
     #[must_use]
     pub fn input(&self, output: f64) -> f64 {
         let share = output / self.output_scale;
@@ -52,23 +53,23 @@ impl RangeMap {
     }
 }
 
-/// A VRM file's `lookAt`.
+/// The `lookAt` of a VRM file: one range map for each direction of gaze.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LookAt {
-    /// What moves.
+    /// The part that gaze moves.
     pub kind: LookAtKind,
-    /// Towards the nose.
+    /// Map for looking towards the nose.
     pub horizontal_inner: RangeMap,
-    /// Away from the nose; for expressions, both ways.
+    /// Map for looking away from the nose; for expressions, to either side.
     pub horizontal_outer: RangeMap,
-    /// Downwards.
+    /// Map for looking down.
     pub vertical_down: RangeMap,
-    /// Upwards.
+    /// Map for looking up.
     pub vertical_up: RangeMap,
 }
 
-/// A number that makes no sense, and what is used instead.
+/// An invalid number and the value used instead.
 pub(crate) struct Doubt<'a> {
     place: &'a str,
     value: &'a Value,
@@ -77,14 +78,14 @@ pub(crate) struct Doubt<'a> {
 }
 
 impl LookAt {
-    /// Reads the file's `lookAt`; `None` if it is no VRM file or has none. A number that is missing, or that makes no sense, is
-    /// VRM's default: 90° of input, and 90° (for expressions 1) of output.
+    /// Reads the file's `lookAt`; `None` if the document is not a VRM file or has none. Missing or invalid numbers are
+    /// replaced by VRM's defaults: 90° of input, and 90° (for expressions, weight 1) of output.
     #[must_use]
     pub fn of(document: &Document) -> Option<Self> {
         Self::read(&document.extensions, &mut |_| ())
     }
 
-    /// The numbers of the file's `lookAt` that make no sense and what is used instead, a sentence each.
+    /// Returns a sentence for each invalid number in the file's `lookAt`, with the value used instead.
     #[must_use]
     pub fn doubts(document: &Document) -> Vec<String> {
         let mut doubts = Vec::new();
@@ -94,20 +95,20 @@ impl LookAt {
         doubts
     }
 
-    /// The same from a document's `extensions`; `doubt` is told the numbers that make no sense.
+    /// Reads the `lookAt` from a document's `extensions`; calls `doubt` for each invalid number.
     pub(crate) fn read(extensions: &Value, doubt: &mut dyn FnMut(Doubt<'_>)) -> Option<Self> {
         if let Some(look) = extensions.get("VRMC_vrm").and_then(|vrm| vrm.get("lookAt")) {
             let is_expression = look.get("type").and_then(Value::as_str) == Some("expression");
             let keys = ["VRMC_vrm.lookAt.rangeMap", "inputMaxValue", "outputScale"];
             return Some(Self::with_maps(look, is_expression, keys, doubt));
         }
-        // Version 0.x; its curves are linear in all exported files.
+        // Version 0.x. Its curves are linear in all exported files.
         let look = extensions.get("VRM")?.get("firstPerson")?;
         let is_expression = look.get("lookAtTypeName")?.as_str() == Some("BlendShape");
         Some(Self::with_maps(look, is_expression, ["VRM.firstPerson.lookAt", "xRange", "yRange"], doubt))
     }
 
-    /// Reads the four maps. `path` is where they are, up to the direction in their names.
+    /// Reads the four maps. `path` is their common path, up to the direction at the end of their names.
     fn with_maps(
         look: &Value,
         is_expression: bool,
@@ -140,14 +141,14 @@ impl LookAt {
         }
     }
 
-    /// The maps of the left eye's headings to the right and to the left, and of its pitches down and up; of the right eye the first two
-    /// are exchanged.
+    /// Maps for the left eye: headings to the right and to the left, pitches down and up. The right eye has the first
+    /// two exchanged.
     #[must_use]
     pub fn left_eye(&self) -> [RangeMap; 4] {
         [self.horizontal_inner, self.horizontal_outer, self.vertical_down, self.vertical_up]
     }
 
-    /// The same of the right eye.
+    /// Maps for the right eye: headings to the right and to the left, pitches down and up.
     #[must_use]
     pub fn right_eye(&self) -> [RangeMap; 4] {
         [self.horizontal_outer, self.horizontal_inner, self.vertical_down, self.vertical_up]

@@ -1,4 +1,4 @@
-//! Materials of surfaces: base colours and their images. Parts that cannot be understood are left out.
+//! [`Material`]: base colours of surfaces and their images. Parts that cannot be read are left out.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -11,20 +11,20 @@ use crate::document::Document;
 use crate::raw::number;
 use crate::uri::{self, Uri};
 
-/// Bytes of images at most; those that would go beyond are left out.
+/// Maximum total size of the images read, bytes; images that would exceed it are left out.
 const MOST_IMAGE_BYTES: usize = 1 << 28;
 
 /// Appearance of a part of the surface.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Material {
-    /// The base colour: linear red, green, blue and opacity, in 0…1. It multiplies the texture's.
+    /// Base colour: linear red, green, blue and opacity, in 0…1. Multiplies the texture.
     pub colour: [f32; 4],
-    /// The base colour's picture, if one can be read.
+    /// Picture of the base colour, if there is one that can be read.
     pub texture: Option<Texture>,
-    /// Meaning of opacity.
+    /// Interpretation of opacity.
     pub alpha: Alpha,
-    /// True if the back of a triangle is drawn.
+    /// `true` if the back of a triangle is drawn.
     pub is_double_sided: bool,
 }
 
@@ -34,42 +34,42 @@ impl Default for Material {
     }
 }
 
-/// Meaning of opacity.
+/// Interpretation of opacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Alpha {
-    /// Nothing.
+    /// Opacity is ignored.
     Opaque,
-    /// Below this nothing is seen, from it on all.
+    /// Fully opaque where opacity is at least this cutoff, invisible below it.
     Mask(f32),
-    /// The share of what is seen.
+    /// Opacity is the fraction blended over the background.
     Blend,
 }
 
-/// A picture and how it continues past its sides.
+/// A picture and how it continues beyond its edges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Texture {
-    /// Which of [`Surface::images`](crate::Surface::images).
+    /// Index into [`Surface::images`](crate::Surface::images).
     pub image: usize,
-    /// Its continuation to the sides, and up and down.
+    /// Continuation beyond its edges: horizontal, vertical.
     pub wrap: [Wrap; 2],
-    /// The set of texture coordinates, and what is done to them: applied when they are read.
+    /// The set of texture coordinates and the transform applied to them when they are read.
     pub(crate) set: u64,
     pub(crate) transform: Affine2,
 }
 
-/// Continuation of a picture past its sides.
+/// Continuation of a picture beyond its edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Wrap {
-    /// It starts again.
+    /// The picture repeats.
     Repeat,
-    /// It starts again mirrored.
+    /// The picture repeats, mirrored every second time.
     Mirror,
-    /// Its last pixels do.
+    /// The pixels at the edge repeat.
     Clamp,
 }
 
-/// The materials of a document by their index, and the encoded images that they use.
+/// Reads the materials of a document, in the file's order, and the encoded images that they use.
 pub(crate) fn read(document: &Document, data: &Data<'_>) -> (Vec<Material>, Vec<Arc<[u8]>>) {
     let file = document.json();
     let mut images = Images { document, data, known: HashMap::new(), all: Vec::new(), left: MOST_IMAGE_BYTES };
@@ -95,8 +95,8 @@ fn read_one(material: &Value, file: &Value, images: &mut Images<'_>) -> Material
     }
 }
 
-/// The object that holds the base colour, and the names of its factor and texture: the specification's, or those of its
-/// first extension.
+/// Returns the object that holds the base colour and the names of its factor and texture: those of the specification,
+/// or those of `KHR_materials_pbrSpecularGlossiness` if only that is present.
 fn base(material: &Value) -> (Option<&Value>, &'static str, &'static str) {
     let old = material.get("extensions").and_then(|all| all.get("KHR_materials_pbrSpecularGlossiness"));
     match material.get("pbrMetallicRoughness") {
@@ -125,7 +125,7 @@ fn read_texture(info: &Value, file: &Value, images: &mut Images<'_>) -> Option<T
         image: images.find(usize::try_from(texture.get("source")?.as_u64()?).ok()?)?,
         wrap: [wrap("wrapS"), wrap("wrapT")],
         set: set.and_then(Value::as_u64).unwrap_or(0),
-        // Its rotation is the other way round, for pictures run downwards.
+        // The extension's rotation is counter-clockwise as seen, but v points down: negate the angle.
         transform: Affine2::from_scale_angle_translation(
             pair("scale").unwrap_or(Vec2::ONE),
             -turn,
@@ -138,14 +138,14 @@ fn element<'a>(file: &'a Value, list: &str, index: &Value) -> Option<&'a Value> 
     file.get(list)?.get(usize::try_from(index.as_u64()?).ok()?)
 }
 
-/// Images as they are asked for.
+/// Images, read on first use.
 struct Images<'a> {
     document: &'a Document,
     data: &'a Data<'a>,
-    /// Position of each image of the file among all; `None` if it cannot be read.
+    /// Index into `all` by the file's image index; `None` if the image cannot be read.
     known: HashMap<usize, Option<usize>>,
     all: Vec<Arc<[u8]>>,
-    /// Bytes that may still be taken.
+    /// Bytes left of [`MOST_IMAGE_BYTES`].
     left: usize,
 }
 

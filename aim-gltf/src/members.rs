@@ -1,4 +1,4 @@
-//! Members of JSON objects as the types that are expected of them.
+//! Typed access to members of JSON objects.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use serde_json::{Map, Value};
 
 use crate::error::Error;
 
-/// Something that is not as it has to be.
+/// A JSON value that does not have the expected type.
 pub(crate) struct Mistake {
-    /// Its place in the element, such as `.sparse.indices`.
+    /// Path inside the element, such as `.sparse.indices`.
     place: String,
     problem: String,
 }
@@ -31,18 +31,18 @@ impl Mistake {
         self
     }
 
-    /// As an error of an element of one of the document's arrays.
+    /// Converts to an error at an element of one of the document's arrays.
     pub(crate) fn at(self, array: &str, index: usize) -> Error {
         Error::invalid(format!("{array}[{index}]{}", self.place), self.problem)
     }
 }
 
-/// A part of a document that is made of JSON; members that it does not know are ignored.
+/// A type that can be read from JSON; unknown members are ignored.
 pub(crate) trait FromJson: Sized {
     fn from_json(value: Value) -> Result<Self, Mistake>;
 }
 
-/// The members of an object, which are taken one after the other.
+/// The members of an object, removed as they are read.
 pub(crate) struct Members(Map<String, Value>);
 
 impl Members {
@@ -53,17 +53,17 @@ impl Members {
         }
     }
 
-    /// Any JSON; `None` where there is no such member.
+    /// Takes a member of any type; `None` if it is missing.
     pub(crate) fn take(&mut self, key: &str) -> Option<Value> {
         self.0.get_mut(key).map(Value::take)
     }
 
-    /// `None` where there is no such member, or `null`.
+    /// Reads a member; `None` if it is missing or `null`.
     pub(crate) fn optional<T: FromJson>(&mut self, key: &str) -> Result<Option<T>, Mistake> {
         self.take(key).filter(|value| !value.is_null()).map(|value| inside(key, value)).transpose()
     }
 
-    /// The type's default where there is no such member.
+    /// Reads a member; the type's default if it is missing.
     pub(crate) fn or_default<T: FromJson + Default>(&mut self, key: &str) -> Result<T, Mistake> {
         self.take(key).map_or_else(|| Ok(T::default()), |value| inside(key, value))
     }

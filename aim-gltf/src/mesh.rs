@@ -1,4 +1,4 @@
-//! A document's surface as one mesh on one skin, with all of its influences and morph targets.
+//! Converts a document's surface to one mesh on one skin, with all influences and morph targets.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -14,25 +14,26 @@ use crate::skeleton::Skeleton;
 use crate::skin::to_index;
 use crate::surface::Surface;
 
-/// Ways of vertices to morph targets at most; a file with more shows its first ones.
+/// Maximum number of displacements of vertices by morph targets; further ones are dropped.
 const MOST_MORPHS: usize = 8_000_000;
-/// Morph targets at most, counted for each node; nodes past that have none.
+/// Maximum number of morph targets, counted once for each node that shows them; a node that would exceed it gets none.
 const MOST_TARGETS: usize = 1 << 20;
 
-/// What moves the vertices of a surface beside the first four joints of each.
+/// Everything that moves the vertices of a surface apart from the first four joints of each.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Movers {
-    /// The vertex, the joint of its skin, and the weight; in the order of the vertices.
+    /// (vertex, joint of its skin, weight), ordered by vertex.
     joints: Vec<(usize, u16, f32)>,
     morphs: Vec<Morph>,
-    /// The targets of each node that has some, in the order of the targets.
+    /// Each node that has morph targets, with the range of their numbers.
     targets: Vec<(usize, Range<usize>)>,
-    /// The weight of each target where no clip has any.
+    /// Weight at rest of each target, used where no clip animates it.
     weights: Vec<f32>,
 }
 
 impl Movers {
-    /// Numbers the morph targets of node `index` of the file, which is this bone, with their weights at rest.
+    /// Numbers the morph targets of node `index` of the file, which is `bone` of the skeleton, and stores their weights
+    /// at rest.
     pub(crate) fn add_targets(&mut self, data: &Data<'_>, index: usize, bone: usize) -> Range<usize> {
         let start = self.weights.len();
         let count = data.raw.nodes[index].mesh.map_or(0, |mesh| data.target_count(mesh));
@@ -44,7 +45,7 @@ impl Movers {
         start..self.weights.len()
     }
 
-    /// Adds the joints of a primitive's vertices past the first four. What cannot be read is left out.
+    /// Adds the joints of a primitive's vertices after the first four. Data that cannot be read is skipped.
     pub(crate) fn add_joints(&mut self, data: &Data<'_>, primitive: &Primitive, vertices: Range<usize>) {
         let before = self.joints.len();
         for set in 1.. {
@@ -57,11 +58,11 @@ impl Movers {
             let pairs = joints.iter().zip(&weights).enumerate().map(of);
             self.joints.extend(pairs.take(4 * vertices.len()).filter(|(_, _, weight)| *weight > 0.0));
         }
-        // Sets stand one after the other.
+        // The sets were read one after the other: group the joints by vertex.
         self.joints[before..].sort_by_key(|(vertex, ..)| *vertex);
     }
 
-    /// Adds the ways of a primitive's vertices to the node's morph targets, which have these numbers.
+    /// Adds the displacements of a primitive's vertices by the node's morph targets, whose numbers are `targets`.
     pub(crate) fn add_morphs(
         &mut self,
         data: &Data<'_>,
@@ -92,12 +93,13 @@ impl Movers {
 }
 
 impl Surface {
-    /// The whole surface as one [`Mesh`] on one [`Skin`], to be deformed, drawn by a GPU, and hit by rays. Vertices,
-    /// triangles and normals keep their numbers.
+    /// Returns the whole surface as one [`Mesh`] on one [`Skin`], to be deformed, drawn by a GPU or hit by rays. The
+    /// indices of vertices, triangles and normals stay the same.
     ///
-    /// The skin's joints are the bones that move something: those of the file's skins with their inverse binds, and nodes
-    /// whose meshes are rigid. A bone with several inverse binds is several joints. The matrices lead to the space of the
-    /// model, in which [`Skeleton::to_model`](aim_animation::Skeleton::to_model) has the bones.
+    /// The joints of the skin are the bones that move part of the surface: joints of the file's skins, with their
+    /// inverse bind matrices, and nodes with rigid meshes. A bone with several inverse bind matrices becomes several
+    /// joints. The joint matrices map to model space, as given by
+    /// [`Skeleton::to_model`](aim_animation::Skeleton::to_model).
     ///
     /// ```no_run
     /// use aim_animation::MeshPose;
@@ -146,19 +148,20 @@ impl Surface {
             .and_then(|mesh| mesh.with_normals(self.normals()))
             .and_then(|mesh| mesh.with_morphs(&*self.movers.morphs));
         let skin = Skin::with_inverse_rest(skeleton, joints.bones, joints.inverse_rest);
-        // Never refused: all has been checked where it was read.
+        // Cannot fail: everything was validated when it was read.
         mesh.ok().zip(skin.ok()).unwrap_or_default()
     }
 
-    /// The weights of the [mesh](Self::mesh)'s morph targets where no clip has any: those of each node that shows some, one
-    /// after the other.
+    /// Weights at rest of the [mesh](Self::mesh)'s morph targets, used where no clip animates them. The targets of each
+    /// node that has some are consecutive.
     #[must_use]
     pub fn morph_weights(&self) -> &[f32] {
         &self.movers.weights
     }
 
-    /// The numbers of a node's morph targets among [those](Self::morph_weights); empty if it has none. Where a clip moves
-    /// them, they are the scalars of the pose in [`Document::morph_scalars`](crate::Document::morph_scalars).
+    /// Returns the range of a node's morph targets in [`morph_weights`](Self::morph_weights); empty if it has none.
+    /// Their animated weights are the scalars of the pose given by
+    /// [`Document::morph_scalars`](crate::Document::morph_scalars).
     #[must_use]
     pub fn morph_targets(&self, node: usize) -> Range<usize> {
         let found = self.movers.targets.iter().find(|(of, _)| *of == node);
@@ -166,14 +169,14 @@ impl Surface {
     }
 }
 
-/// The joints of a mesh, numbered as they are first met.
+/// The joints of a mesh, numbered in order of first use.
 struct Joints<'a> {
     skeleton: &'a Skeleton,
     bones: Vec<usize>,
     inverse_rest: Vec<Affine3A>,
-    /// By bone and the bits of the inverse bind.
+    /// Joint number by bone and by the bits of its inverse bind matrix.
     known: HashMap<(usize, [u32; 12]), u32>,
-    /// The same of each skin's joints.
+    /// Joint number by skin and joint of the skin; `None` until it is used.
     of_skins: Vec<Vec<Option<u32>>>,
 }
 
@@ -183,7 +186,7 @@ impl<'a> Joints<'a> {
         Self { skeleton, bones: Vec::new(), inverse_rest: Vec::new(), known: HashMap::new(), of_skins }
     }
 
-    /// A skin's joint; `None` if there is no such joint.
+    /// Returns the number of a skin's joint; `None` if there is no such joint.
     fn of_skin(&mut self, skin: usize, joint: usize) -> Option<u32> {
         let known = *self.of_skins.get(skin)?.get(joint)?;
         Some(known.unwrap_or_else(|| {
@@ -195,7 +198,7 @@ impl<'a> Joints<'a> {
         }))
     }
 
-    /// A node that shows a rigid mesh.
+    /// Returns the joint number of a node that shows a rigid mesh.
     fn of_node(&mut self, node: usize) -> u32 {
         self.numbered(node, Affine3A::IDENTITY)
     }
@@ -210,7 +213,7 @@ impl<'a> Joints<'a> {
     }
 }
 
-/// A number of vertices, joints or targets: far fewer than 32 bits count.
+/// Narrows a number of vertices, joints or targets, all of which are limited far below 2³².
 fn narrow(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }

@@ -1,8 +1,8 @@
-//! Eyes that a file shows by morph targets instead of bones: `eyeLookInLeft` and the others of `ARKit`, or the expressions
-//! of a VRM file that look left, right, up and down.
+//! Eyes that a file moves with morph targets instead of bones: `ARKit` targets such as `eyeLookInLeft`, or the
+//! expressions of a VRM file for looking left, right, up and down.
 //!
-//! Such an eye becomes a bone that is no node of the file ([`Skeleton::is_in_file`](crate::Skeleton::is_in_file)): it stands amid
-//! the vertices that its targets move, on the joint that carries most of them.
+//! Each such eye becomes a bone that is not a node of the file ([`Skeleton::is_in_file`](crate::Skeleton::is_in_file)).
+//! It is placed in the middle of the vertices that its targets move, as a child of the joint that carries most of them.
 
 use std::collections::BTreeMap;
 
@@ -15,10 +15,10 @@ use crate::raw::{Mesh, number};
 use crate::skeleton::Skin;
 use crate::skin::read_primitive;
 
-/// Angles at which the targets of `ARKit` are taken to have their full weight, degrees: to the right, to the left, down and up, as
-/// far as people turn their eyes before the head follows. Files do not tell.
+/// Angles at which the targets of `ARKit` are assumed to have full weight, degrees: right, left, down, up. Files do not
+/// state them; these are about the angles to which people turn their eyes before the head follows.
 const FULL_DEG: [f64; 4] = [35.0, 35.0, 25.0, 20.0];
-/// For both eyes the targets of `ARKit` that look right, left, down and up.
+/// For each eye its bone name, its VRM bone name, and the `ARKit` targets for looking right, left, down and up.
 const ARKIT: [(&str, &str, [&str; 4]); 2] = [
     ("left eye (morph targets)", "leftEye", ["eyeLookInLeft", "eyeLookOutLeft", "eyeLookDownLeft", "eyeLookUpLeft"]),
     (
@@ -27,7 +27,8 @@ const ARKIT: [(&str, &str, [&str; 4]); 2] = [
         ["eyeLookOutRight", "eyeLookInRight", "eyeLookDownRight", "eyeLookUpRight"],
     ),
 ];
-/// The same of VRM's expressions, which turn both eyes at once; version 0 has these words in lower case.
+/// Bone name, VRM bone name and expressions of VRM, which turn both eyes at once. Version 0.x spells the expressions in
+/// lower case.
 const EXPRESSIONS: (&str, &str, [&str; 4]) =
     ("eyes (morph targets)", "eyes", ["lookRight", "lookLeft", "lookDown", "lookUp"]);
 
@@ -35,19 +36,19 @@ const EXPRESSIONS: (&str, &str, [&str; 4]) =
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MorphEye {
-    /// Its node, which is none of the file's.
+    /// Its node in the skeleton, which is not a node of the file.
     pub node: usize,
-    /// Looking to the right, to the left, down and up.
+    /// Looking right, left, down and up.
     pub ways: [MorphWay; 4],
 }
 
-/// Looking one way by morph targets.
+/// Morph targets for looking in one direction.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MorphWay {
-    /// From degrees to the weight, 0…1, of the targets together; one that moves nothing where there is none.
+    /// Map from degrees to the common weight of the targets, 0…1; a map that moves nothing if there are no targets.
     pub map: RangeMap,
-    /// The targets.
+    /// The morph targets, of any meshes.
     pub binds: Vec<MorphBind>,
 }
 
@@ -55,26 +56,26 @@ pub struct MorphWay {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct MorphBind {
-    /// The node.
+    /// The node that shows the mesh.
     pub node: usize,
-    /// The target, as the mesh numbers them.
+    /// Index among the mesh's targets.
     pub target: usize,
-    /// Its weight where the targets together have 1.
+    /// Its weight when the common weight is 1.
     pub weight: f64,
 }
 
-/// An eye to be added to a skeleton, which then counts nodes otherwise: all of these are the file's.
+/// An eye to be added to the skeleton. All node indices are the file's, because adding bones renumbers the nodes.
 pub(crate) struct FoundEye {
     pub(crate) name: &'static str,
     pub(crate) vrm_bone: &'static str,
     pub(crate) parent: usize,
     pub(crate) translation: Vec3,
     pub(crate) ways: [MorphWay; 4],
-    /// For the nodes that show it, the weights of their meshes where no clip has any.
+    /// Weights at rest of the meshes that show the eye, by node.
     pub(crate) at_rest: Vec<(usize, Vec<f32>)>,
 }
 
-/// The eyes that look by morph targets. `extensions` are the document's.
+/// Finds the eyes that look by morph targets. `extensions` are the document's.
 pub(crate) fn find(data: &Data<'_>, skins: &[Skin], extensions: &Value) -> Vec<FoundEye> {
     let look = LookAt::read(extensions, &mut |_| ());
     let found = match look.filter(|look| look.kind == LookAtKind::Expression) {
@@ -103,7 +104,7 @@ fn ways(maps: [RangeMap; 4], binds: [Vec<MorphBind>; 4]) -> [MorphWay; 4] {
     })
 }
 
-/// The eyes by the names of `ARKit`.
+/// Finds the eyes by the target names of `ARKit`.
 fn arkit(data: &Data<'_>) -> Vec<(&'static str, &'static str, [MorphWay; 4])> {
     let mut named: BTreeMap<&str, Vec<MorphBind>> = BTreeMap::new();
     for (node, mesh) in data.raw.nodes.iter().enumerate().filter_map(|(at, node)| Some((at, node.mesh?))) {
@@ -121,7 +122,8 @@ fn arkit(data: &Data<'_>) -> Vec<(&'static str, &'static str, [MorphWay; 4])> {
     ARKIT.map(eye).into()
 }
 
-/// The names of a mesh's morph targets, as exporters write them: beside the mesh or beside its first primitive.
+/// Returns the names of a mesh's morph targets from `extras.targetNames`, which exporters attach to the mesh or to its
+/// first primitive.
 fn target_names<'a>(data: &Data<'a>, mesh: usize) -> impl Iterator<Item = &'a str> {
     let mesh = &data.raw.meshes[mesh];
     let names = |extras: &'a Value| extras.get("targetNames")?.as_array();
@@ -129,7 +131,7 @@ fn target_names<'a>(data: &Data<'a>, mesh: usize) -> impl Iterator<Item = &'a st
     names.into_iter().flatten().map(|name| name.as_str().unwrap_or_default())
 }
 
-/// True if a mesh names targets of `ARKit`.
+/// Returns `true` if a mesh names targets of `ARKit`.
 pub(crate) fn names_morph_eyes(mesh: &Mesh) -> bool {
     let names = mesh.extras.get("targetNames").and_then(Value::as_array);
     names.into_iter().flatten().filter_map(Value::as_str).any(is_arkit)
@@ -139,7 +141,8 @@ fn is_arkit(name: &str) -> bool {
     name.starts_with("eyeLook")
 }
 
-/// What a VRM expression binds, in either version of the format; targets that are not there are left out.
+/// Returns the morph targets bound to a VRM expression, in either version of the format; targets that do not exist are
+/// skipped.
 fn of_expression(data: &Data<'_>, extensions: &Value, word: &str) -> Vec<MorphBind> {
     let index = |bind: &Value, key: &str| bind.get(key)?.as_u64().and_then(|at| usize::try_from(at).ok());
     let weight = |bind: &Value, whole: f64| {
@@ -160,7 +163,7 @@ fn of_expression(data: &Data<'_>, extensions: &Value, word: &str) -> Vec<MorphBi
         };
         let groups = list(vrm.get("blendShapeMaster"), "blendShapeGroups");
         for bind in list(groups.iter().find(is_meant), "binds") {
-            // Of a mesh, whichever nodes show it; weights are percentages.
+            // Version 0.x binds a target of a mesh, for every node that shows it. Its weights are percentages.
             let Some(((mesh, target), weight)) =
                 index(&bind, "mesh").zip(index(&bind, "index")).zip(weight(&bind, 100.0))
             else {
@@ -178,8 +181,8 @@ fn of_expression(data: &Data<'_>, extensions: &Value, word: &str) -> Vec<MorphBi
     found.into_iter().map(bind).filter(|bind| is_there(bind.node, bind.target)).collect()
 }
 
-/// The joint that carries most of what the targets move, and the middle of that in the joint's space; vertices count by the
-/// squares of their ways.
+/// Returns the joint that carries most of the vertices moved by the targets, and their centre in the joint's space.
+/// Each vertex is weighted by its squared displacement.
 fn place(data: &Data<'_>, skins: &[Skin], ways: &[MorphWay; 4]) -> Option<(usize, Vec3)> {
     let mut moved: BTreeMap<usize, (f64, DVec3)> = BTreeMap::new();
     for MorphBind { node, target, .. } in ways.iter().flat_map(|way| &way.binds) {
@@ -187,7 +190,7 @@ fn place(data: &Data<'_>, skins: &[Skin], ways: &[MorphWay; 4]) -> Option<(usize
         for primitive in &data.raw.meshes[data.raw.nodes[*node].mesh?].primitives {
             let accessor = primitive.targets.get(target).and_then(|target| target.get("POSITION")?.as_u64());
             let Some(accessor) = accessor.and_then(|at| usize::try_from(at).ok()) else { continue };
-            // What cannot be read tells no place.
+            // Data that cannot be read does not contribute.
             let Ok(ways) = data.floats(accessor, &["VEC3"], "a morph target") else { continue };
             let Ok(points) = read_primitive(data, *node, primitive) else { continue };
             for (way, point) in ways.chunks_exact(3).zip(&points) {
@@ -205,7 +208,7 @@ fn place(data: &Data<'_>, skins: &[Skin], ways: &[MorphWay; 4]) -> Option<(usize
     Some((joint, (sum / total).as_vec3())).filter(|(_, place)| total > 0.0 && place.is_finite())
 }
 
-/// The weights of a node's mesh where no clip has any, one for each target.
+/// Returns the weights at rest of a node's mesh, one for each morph target.
 pub(crate) fn weights_at_rest(data: &Data<'_>, node: usize) -> Vec<f32> {
     let node = &data.raw.nodes[node];
     let mesh = node.mesh.unwrap_or_default();

@@ -1,16 +1,17 @@
-//! Normals where a file gives none: smooth across its faces, sharp across its edges.
+//! Computes normals for meshes without any: smooth across shallow edges, hard at creases.
 
 use std::collections::HashMap;
 
 use aim_animation::glam::Vec3;
 
-/// The cosine past which an edge is an edge: 60°.
+/// Cosine of the crease angle, 60°: a face that deviates more from a vertex's own normal is not averaged into it.
 const CREASE: f32 = 0.5;
-/// Faces at one place that are smoothed at most; the rest of a fan of more stays as it is.
+/// Maximum number of faces averaged at one position, which bounds the cost. Where more meet, only faces that share a
+/// vertex are averaged.
 const MOST_AT_ONE_PLACE: usize = 64;
 
-/// A direction of length one for each position. Faces count by their area, those that meet at one place count for
-/// each other where they turn by less than 60°; a vertex without a face has none, zero.
+/// Returns a unit normal for each position: the sum of the faces at that position that deviate by less than 60° from
+/// the vertex's own faces, weighted by area. Zero for a vertex without faces.
 pub(crate) fn normals(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3> {
     let faces: Vec<Vec3> = triangles.iter().map(|t| face(t.map(|vertex| positions[vertex]))).collect();
     let mut own = vec![Vec3::ZERO; positions.len()];
@@ -32,14 +33,14 @@ pub(crate) fn normals(positions: &[Vec3], triangles: &[[usize; 3]]) -> Vec<Vec3>
     positions.iter().zip(&own).map(smooth).collect()
 }
 
-/// Twice the area, along the normal; none of a triangle too thin to have one.
+/// Returns the normal of a triangle, with twice its area as length; zero if that is not finite.
 fn face([a, b, c]: [Vec3; 3]) -> Vec3 {
     let normal = (b - a).cross(c - a);
     if normal.is_finite() { normal } else { Vec3::ZERO }
 }
 
 fn key(position: Vec3) -> [u32; 3] {
-    // −0 and 0 are one place.
+    // Adding 0 turns −0 into 0.
     (position + Vec3::ZERO).to_array().map(f32::to_bits)
 }
 

@@ -1,4 +1,4 @@
-//! The parts of the JSON that are understood, typed; everything else stays in the `Value` untouched.
+//! Typed parts of the JSON. Everything else stays unread in the document's `Value`.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub(crate) struct Node {
     pub(crate) translation: Option<[f64; 3]>,
     pub(crate) rotation: Option<[f64; 4]>,
     pub(crate) scale: Option<[f64; 3]>,
-    /// Numbers, if it is right; they matter to eyes alone.
+    /// An array of numbers in a valid file. Kept untyped so that a malformed one does not make the file unreadable.
     pub(crate) weights: Value,
 }
 
@@ -65,7 +65,7 @@ pub(crate) struct Accessor {
 }
 
 impl Accessor {
-    /// The first `count` elements of a buffer view, in single precision.
+    /// Describes the first `count` elements of a buffer view as single-precision floats.
     pub(crate) fn of_floats(view: usize, count: usize, shape: &str) -> Self {
         Self {
             buffer_view: Some(view),
@@ -190,7 +190,8 @@ impl FromJson for Mesh {
 
 pub(crate) struct Primitive {
     pub(crate) attributes: BTreeMap<String, usize>,
-    /// An array of objects with accessors, if it is right; they matter to eyes alone.
+    /// An array of objects with accessors in a valid file. Kept untyped so that a malformed one does not make the file
+    /// unreadable.
     pub(crate) targets: Value,
     pub(crate) extras: Value,
 }
@@ -288,18 +289,18 @@ pub(crate) struct Raw {
     pub(crate) scenes: Vec<Scene>,
 }
 
-/// The top of a JSON text: its members, not looked into. Trees are an order larger than their text, so one is made of an
-/// element at a time.
+/// Top-level members of a JSON text, not parsed yet. A parsed tree is about ten times as large as its text, so only one
+/// element at a time is parsed.
 struct Top<'a>(BTreeMap<String, &'a RawValue>);
 
 fn syntax(error: &serde_json::Error) -> Error {
     Error::Json(error.to_string())
 }
 
-/// Levels that a tree can be made of.
+/// Maximum nesting depth; `serde_json` refuses to parse deeper than 128 levels.
 const MOST_LEVELS: usize = 120;
 
-/// Depth of nesting of a JSON text.
+/// Returns the nesting depth of a JSON text.
 fn depth(text: &[u8]) -> usize {
     let (mut depth, mut most, mut is_text, mut is_escaped) = (0_usize, 0, false, false);
     for byte in text {
@@ -332,12 +333,12 @@ impl<'a> Top<'a> {
         serde_json::from_str(whole.get()).map(Self).map_err(|e| syntax(&e))
     }
 
-    /// The tree of a member; null if there is none.
+    /// Parses a member; `Null` if there is none.
     fn tree(&mut self, key: &str) -> Result<Value, Error> {
         self.0.remove(key).map_or(Ok(Value::Null), tree)
     }
 
-    /// Types the array `key`, naming the element that does not fit.
+    /// Reads the array `key` as typed elements. An error names the element that does not fit.
     fn array<T: FromJson>(&mut self, key: &str) -> Result<Vec<T>, Error> {
         let mut typed = Vec::new();
         for (index, element) in self.elements(key)?.into_iter().enumerate() {
@@ -356,7 +357,7 @@ impl<'a> Top<'a> {
 }
 
 impl Raw {
-    /// The typed parts of a JSON text, and its `extensions`; all of the text is looked at.
+    /// Parses the typed parts of a JSON text, and its `extensions`. The rest is checked to be valid JSON.
     pub(crate) fn parse(text: &[u8]) -> Result<(Self, Value), Error> {
         let mut top = Top::read(text)?;
         match top.tree("asset")?.get("version").and_then(Value::as_str) {
@@ -382,7 +383,7 @@ impl Raw {
     }
 }
 
-/// A number in single precision: infinite where it is beyond that; `None` of what is no number.
+/// Converts a number to single precision, infinite if out of range; `None` if `value` is not a number.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,

@@ -1,10 +1,10 @@
-//! The references of a document to its accessors and buffer views, all in one place.
+//! All references of a document to its accessors and buffer views.
 
 use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-/// Beginnings of the names of extensions that refer to no accessor and no buffer view.
+/// Name prefixes of extensions that refer to no accessor and no buffer view.
 const WITHOUT_REFERENCES: [&str; 9] = [
     "KHR_animation_pointer",
     "KHR_lights_",
@@ -19,7 +19,8 @@ const WITHOUT_REFERENCES: [&str; 9] = [
 const DRACO: &str = "KHR_draco_mesh_compression";
 const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// True if all references of the document are those that are visited here: no extension is in it that may have others.
+/// Returns `true` if the functions of this module visit all references of the document: it has no extension that may
+/// contain others.
 pub(crate) fn are_known(json: &Value) -> bool {
     let is_known = |name: &str| {
         [DRACO, INSTANCING].contains(&name) || WITHOUT_REFERENCES.iter().any(|begin| name.starts_with(begin))
@@ -50,7 +51,7 @@ pub(crate) fn visit_accessors(json: &mut Value, visit: &mut dyn FnMut(&mut Value
     instances.flat_map(|instances| members(instances, "attributes")).for_each(visit);
 }
 
-/// Calls `visit` with each reference to a buffer view that is not an accessor's.
+/// Calls `visit` with each reference to a buffer view that does not come from an accessor.
 pub(crate) fn visit_other_views(json: &mut Value, visit: &mut dyn FnMut(&mut Value)) {
     list(json, "images").filter_map(|image| image.get_mut("bufferView")).for_each(&mut *visit);
     let primitives = list(json, "meshes").flat_map(|mesh| list(mesh, "primitives"));
@@ -59,7 +60,7 @@ pub(crate) fn visit_other_views(json: &mut Value, visit: &mut dyn FnMut(&mut Val
         .for_each(visit);
 }
 
-/// Calls `visit` with each reference of an accessor to a buffer view.
+/// Calls `visit` with each reference from an accessor to a buffer view.
 pub(crate) fn visit_views_of(accessor: &mut Value, visit: &mut dyn FnMut(&mut Value)) {
     accessor.get_mut("bufferView").into_iter().for_each(&mut *visit);
     for part in ["indices", "values"] {
@@ -68,18 +69,18 @@ pub(crate) fn visit_views_of(accessor: &mut Value, visit: &mut dyn FnMut(&mut Va
     }
 }
 
-/// The accessors that an animation uses.
+/// Returns the indices of the accessors that an animation uses.
 pub(crate) fn accessors_of(animation: &Value) -> BTreeSet<usize> {
     let samplers = animation.get("samplers").and_then(Value::as_array).into_iter().flatten();
     samplers.flat_map(|sampler| ["input", "output"].map(|key| index(sampler.get(key)))).flatten().collect()
 }
 
-/// A reference as an index.
+/// Converts a reference to an index.
 pub(crate) fn index(reference: Option<&Value>) -> Option<usize> {
     reference?.as_u64().and_then(|index| usize::try_from(index).ok())
 }
 
-/// The elements of an array of that name.
+/// Returns the elements of the array `key`; none if there is no such array.
 pub(crate) fn list<'a>(json: &'a mut Value, key: &str) -> impl Iterator<Item = &'a mut Value> + use<'a> {
     json.get_mut(key).and_then(Value::as_array_mut).into_iter().flatten()
 }

@@ -1,4 +1,4 @@
-//! [`Skeleton`]: the nodes of a file as bones, and what only the file knows of them.
+//! [`Skeleton`]: the nodes of a file as bones, plus the file's own data about them.
 
 use core::ops::Deref;
 use std::collections::BTreeMap;
@@ -13,39 +13,42 @@ use crate::humanoid::vrm_bones;
 use crate::morph_eyes::{self, MorphEye};
 use crate::raw::{self, Raw};
 
-/// Facts that a file states of a bone.
+/// Data that a file states about a node.
 #[derive(Debug, Clone, Default)]
 #[non_exhaustive]
 pub struct Node {
-    /// Its index among the file's nodes; `None` of an eye that looks by morph targets, which is no node of the file.
+    /// Index among the file's nodes; `None` for an eye that looks by morph targets, which is not a node of the file.
     pub index: Option<usize>,
-    /// True when some skin lists it as a joint.
+    /// `true` if a skin lists the node as a joint.
     pub is_joint: bool,
-    /// Joint space ← mesh space, from the first skin that lists the joint with one.
+    /// Inverse bind matrix, joint space ← mesh space, from the first skin that gives one for this joint.
     pub inverse_bind: Option<DAffine3>,
-    /// The mesh it shows.
+    /// Index of the mesh that the node shows.
     pub mesh: Option<usize>,
-    /// The skin its mesh is bound to.
+    /// Index of the skin that its mesh is bound to.
     pub skin: Option<usize>,
-    /// Its VRM bone name, such as `leftEye` (names used here are the same in VRM 0.x and 1.0).
+    /// VRM bone name, such as `leftEye`. The names used in this project are the same in VRM 0.x and 1.0.
     pub vrm_bone: Option<String>,
 }
 
-/// The nodes of a document, and one more for each eye that looks by morph targets, as an [`aim_animation::Skeleton`]: parents,
-/// names (`node12` where the file gives none) and transforms at rest are those of the bones.
+/// The nodes of a document as an [`aim_animation::Skeleton`], plus one bone for each eye that looks by morph targets.
+/// Dereferences to that skeleton, which has the parents, the names (`node12` if the file gives none) and the rest
+/// transforms.
 ///
-/// Nodes are counted as bones are, depth first, and so are those of a document's clips; [`Node::index`] is the number in the file.
+/// Node indices are bone indices, in depth-first order, here and in the document's clips. The index in the file is
+/// [`Node::index`].
 #[derive(Debug, Clone)]
 pub struct Skeleton {
     bones: aim_animation::Skeleton,
     nodes: Vec<Node>,
     morph_eyes: Vec<MorphEye>,
-    /// For the nodes that show those eyes, the weights of their meshes where no clip has any.
+    /// Morph target weights at rest of the meshes that show these eyes, by node.
     morph_weights: BTreeMap<usize, Vec<f32>>,
     skins: Vec<Skin>,
 }
 
-/// A skin: joints, as the file's nodes until the skeleton is made, and their inverse bind matrices where given.
+/// A skin: its joints and their inverse bind matrices, where given. The joints are the file's node indices until the
+/// skeleton is built, bone indices afterwards.
 #[derive(Debug, Clone)]
 pub(crate) struct Skin {
     pub(crate) joints: Vec<usize>,
@@ -61,7 +64,7 @@ impl Deref for Skeleton {
 }
 
 impl Skeleton {
-    /// `extensions` are the document's.
+    /// Builds the skeleton; `extensions` are the document's.
     pub(crate) fn read(data: &Data<'_>, extensions: &Value) -> Result<Self, Error> {
         let raw = data.raw;
         let parents = parents(raw)?;
@@ -119,31 +122,32 @@ impl Skeleton {
         &self.morph_eyes
     }
 
-    /// The weights of a node's mesh where no clip has any: of nodes that show such eyes.
+    /// Returns the morph target weights of a node's mesh at rest, that is, without a clip. `None` for nodes that show
+    /// none of the [`morph_eyes`](Self::morph_eyes).
     #[must_use]
     pub fn morph_weights(&self, node: usize) -> Option<&[f32]> {
         self.morph_weights.get(&node).map(Vec::as_slice)
     }
 
-    /// True of the file's own nodes; false of those that stand for eyes which look by morph targets.
+    /// Returns `true` for the file's own nodes, `false` for bones added for eyes that look by morph targets.
     #[must_use]
     pub fn is_in_file(&self, node: usize) -> bool {
         self.nodes.get(node).is_some_and(|node| node.index.is_some())
     }
 
-    /// The file's facts of each node.
+    /// The file's data about each node.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// True when any node is a joint of a skin.
+    /// Returns `true` if any node is a joint of a skin.
     #[must_use]
     pub fn has_skin(&self) -> bool {
         self.skins.iter().any(|skin| !skin.joints.is_empty())
     }
 
-    /// The joints of a skin, and their inverse bind matrices where given.
+    /// Returns the joints of a skin and their inverse bind matrices, where given.
     #[must_use]
     pub fn skin(&self, index: usize) -> (&[usize], &[Option<DAffine3>]) {
         let Skin { joints, binds } = &self.skins[index];
@@ -156,10 +160,11 @@ impl Skeleton {
         self.skins.len()
     }
 
-    /// The node of that name. Where several share it, the only joint among them is meant.
+    /// Returns the node with this name. If several share it, returns the one that is a joint, provided that it is the
+    /// only joint among them.
     ///
     /// # Errors
-    /// [`Error::UnknownNode`] with the nearest names, or [`Error::AmbiguousNode`].
+    /// [`Error::UnknownNode`] with the most similar names, or [`Error::AmbiguousNode`].
     pub fn find(&self, name: &str) -> Result<usize, Error> {
         let all: Vec<usize> = self.bones.named(name).collect();
         let joints: Vec<usize> = all.iter().copied().filter(|i| self.nodes[*i].is_joint).collect();
@@ -173,10 +178,10 @@ impl Skeleton {
         }
     }
 
-    /// Up to five names like `name`, best first.
+    /// Returns up to five names similar to `name`, best first.
     fn nearest_names(&self, name: &str) -> Vec<String> {
         if cfg!(aim_small) {
-            // Programs that are downloaded ask for names that are there.
+            // Size-optimised builds leave the edit distance out: their callers ask for names that exist.
             return self.names().iter().take(5).cloned().collect();
         }
         let mut scored: Vec<(usize, &String)> =
@@ -186,7 +191,7 @@ impl Skeleton {
         scored.into_iter().take(5).map(|(_, name)| name.clone()).collect()
     }
 
-    /// The local transforms `seconds` into a clip; nodes without a channel are at rest.
+    /// Returns the local transforms `seconds` into a clip; nodes without a track are at rest.
     #[must_use]
     pub fn pose(&self, clip: &Clip, seconds: f32) -> Vec<Transform> {
         let mut pose = self.rest().to_vec();
@@ -194,10 +199,11 @@ impl Skeleton {
         pose
     }
 
-    /// Forward kinematics in double precision, by which results are judged: world ← node for every node, from the local
-    /// transforms of all nodes. [`to_model`](aim_animation::Skeleton::to_model) is the same for every frame of a game.
+    /// Forward kinematics in double precision, the reference that results are checked against: the map world ← node of
+    /// every node, computed from the local transforms of all nodes. Per frame, use the faster
+    /// [`to_model`](aim_animation::Skeleton::to_model).
     ///
-    /// A `pose` shorter than the node list is completed by the rest pose.
+    /// Nodes beyond the end of `pose` take their rest transform.
     #[must_use]
     pub fn world_f64(&self, pose: &[Transform]) -> Vec<DAffine3> {
         let mut world: Vec<DAffine3> = Vec::with_capacity(self.len());
@@ -209,7 +215,7 @@ impl Skeleton {
     }
 }
 
-/// Each node's parent, or why the nodes are no forest.
+/// Returns each node's parent, or the reason why the nodes are not a forest.
 fn parents(raw: &Raw) -> Result<Vec<Option<usize>>, Error> {
     let mut parents = vec![None; raw.nodes.len()];
     for (index, node) in raw.nodes.iter().enumerate() {
@@ -241,13 +247,13 @@ fn parents(raw: &Raw) -> Result<Vec<Option<usize>>, Error> {
     Ok(parents)
 }
 
-/// The local transform of a node; `None` if its matrix is beyond single precision.
+/// Returns the local transform of a node; `None` if its matrix exceeds single precision.
 fn rest(node: &raw::Node) -> Option<Transform> {
     if let Some(matrix) = &node.matrix {
         return Transform::from_affine(&affine_of(matrix).as_affine3a());
     }
     let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
-    // A zero quaternion is invalid, but what its author meant is plain.
+    // A zero quaternion is invalid, but clearly meant as no rotation.
     let unit = rotation.length() > 1e-9 && rotation.length().is_finite();
     Some(Transform {
         translation: DVec3::from_array(node.translation.unwrap_or_default()).as_vec3(),
@@ -256,7 +262,7 @@ fn rest(node: &raw::Node) -> Option<Transform> {
     })
 }
 
-/// The skins, joints as the file's nodes.
+/// Reads the skins; their joints are the file's node indices.
 fn read_skins(data: &Data<'_>) -> Result<Vec<Skin>, Error> {
     let read = |(index, skin): (usize, &raw::Skin)| {
         let place = format!("skins[{index}]");
@@ -279,25 +285,25 @@ fn inverse_binds(data: &Data<'_>, skin: &raw::Skin, place: &str) -> Result<Vec<O
     if matrices.len() < skin.joints.len() {
         return Err(Error::invalid(place, format!("{} matrices for {} joints", matrices.len(), skin.joints.len())));
     }
-    // A singular matrix hides a joint; it says nothing about its axes.
+    // A singular matrix is used to hide a joint and tells nothing about its axes.
     let is_usable = |a: &DAffine3| a.matrix3.determinant().abs() > 1e-30 && a.inverse().is_finite();
     let usable = |m: &[f32; 16]| Some(affine_of(&m.map(f64::from))).filter(is_usable);
     Ok(matrices.iter().take(skin.joints.len()).map(usable).collect())
 }
 
-/// Edit distance, letters compared without case; of the first 64 letters, so that the work is bounded.
+/// Case-insensitive edit distance of the first 64 characters, which bounds the cost.
 fn distance(a: &str, b: &str) -> usize {
     let letters = |s: &str| s.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<_>>();
     strsim::generic_levenshtein(&letters(a), &letters(b))
 }
 
-/// A local transform as an affine map, parent ← node, with the rotation made unit to double precision.
+/// Converts a local transform to an affine map, parent ← node, with the rotation renormalised in double precision.
 fn affine_f64(local: &Transform) -> DAffine3 {
     let rotation = local.rotation.as_dquat().normalize();
     DAffine3::from_scale_rotation_translation(local.scale.as_dvec3(), rotation, local.translation.as_dvec3())
 }
 
-/// A column-major glTF matrix as an affine map; the last row is taken as (0, 0, 0, 1).
+/// Converts a column-major glTF matrix to an affine map; the last row is assumed to be (0, 0, 0, 1).
 fn affine_of(columns: &[f64; 16]) -> DAffine3 {
     DAffine3::from_mat4(DMat4::from_cols_array(columns))
 }

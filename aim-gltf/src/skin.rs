@@ -1,4 +1,4 @@
-//! Mesh vertices and the joints they hang on, as far as measuring needs them: positions and weights.
+//! [`SkinnedPoint`]: mesh vertices and their joints, as far as measuring needs them (positions and weights).
 
 use std::collections::BTreeSet;
 
@@ -12,40 +12,40 @@ use crate::skeleton::Skeleton;
 /// A vertex: its position in mesh space, the node that shows it, and its joints.
 #[derive(Debug, Clone)]
 pub struct SkinnedPoint {
-    // Kept as narrow as files have them: there are as many as the file is large.
+    // Types as narrow as in files, because there are many of these.
     position: Vec3,
     node: u32,
-    /// (index into the skin's joints, weight); empty when the mesh is not skinned.
+    /// (index into the skin's joints, weight); all weights are 0 if the mesh is not skinned.
     joints: [(u16, f32); 4],
 }
 
 impl SkinnedPoint {
-    /// In mesh space.
+    /// Position in mesh space.
     #[must_use]
     pub fn position(&self) -> Vec3 {
         self.position
     }
 
-    /// The node whose mesh it belongs to.
+    /// The node that shows the vertex's mesh.
     #[must_use]
     pub fn node(&self) -> usize {
         self.node as usize
     }
 
-    /// With its node counted as the skeleton counts them.
+    /// Replaces the file's node index by that of the skeleton.
     pub(crate) fn counted(self, skeleton: &Skeleton) -> Self {
         let node = skeleton.bone_of(self.node()).and_then(|node| u32::try_from(node).ok());
         Self { node: node.unwrap_or(u32::MAX), ..self }
     }
 
-    /// Indices into the joints of that node's skin, with their weights, which are 0 where there are fewer; all of them
-    /// where the mesh is not skinned.
+    /// Up to four (index into the joints of the node's skin, weight). Unused entries have weight 0; all of them if the
+    /// mesh is not skinned.
     #[must_use]
     pub fn joints(&self) -> [(u16, f32); 4] {
         self.joints
     }
 
-    /// The index of the joint with the largest weight; `None` where the mesh is not skinned.
+    /// Index of the joint with the largest weight; `None` if the mesh is not skinned.
     #[must_use]
     pub fn heaviest(&self) -> Option<usize> {
         let (joint, weight) = self.joints.iter().fold((0, 0.0), |best, at| if at.1 > best.1 { *at } else { best });
@@ -53,8 +53,9 @@ impl SkinnedPoint {
     }
 }
 
-/// The vertices of every mesh, as the first node shows it that does (preferably skinned). Primitives without positions
-/// are skipped, vertices that several primitives share are taken once.
+/// Reads the vertices of every mesh that a node shows. The node of a vertex is the first that shows its mesh,
+/// preferably one with a skin. Primitives without positions are skipped, and positions shared by several primitives are
+/// read once.
 pub(crate) fn read_points(data: &Data<'_>, skeleton: &Skeleton) -> Result<Vec<SkinnedPoint>, Error> {
     let mut points = Vec::new();
     for (mesh_index, mesh) in data.raw.meshes.iter().enumerate() {
@@ -73,14 +74,14 @@ pub(crate) fn read_points(data: &Data<'_>, skeleton: &Skeleton) -> Result<Vec<Sk
     Ok(points)
 }
 
-/// The vertices of one primitive as node `index` of the file shows it, which is their node, in the accessor's order; none
-/// without positions that can be read.
+/// Reads the vertices of one primitive, in the accessor's order, as shown by node `index` of the file. Their node is
+/// that file index. Empty if there are no positions that can be read.
 pub(crate) fn read_primitive(data: &Data<'_>, index: usize, primitive: &Primitive) -> Result<Vec<SkinnedPoint>, Error> {
     let node = &data.raw.nodes[index];
     let attribute = |name: &str| primitive.attributes.get(name).copied();
     let Some(positions) = attribute("POSITION") else { return Ok(Vec::new()) };
     let place = format!("the mesh of nodes[{index}]");
-    // Compressed geometry is no obstacle to aiming: only its shape stays unknown.
+    // Compressed geometry does not prevent aiming: only its shape stays unknown.
     let positions = match data.floats(positions, &["VEC3"], &place) {
         Err(Error::NoData { .. }) => return Ok(Vec::new()),
         other => other?,
@@ -122,7 +123,7 @@ pub(crate) fn to_index(joint: f32) -> u16 {
     joint as u16
 }
 
-/// The node that moves a vertex most: its heaviest joint, or the node that shows it.
+/// Returns the node that moves a vertex most: its heaviest joint, or the node that shows it if it has none.
 #[must_use]
 pub fn carrier(skeleton: &Skeleton, point: &SkinnedPoint) -> usize {
     let skin = skeleton.nodes()[point.node()].skin;

@@ -1,4 +1,5 @@
-//! The triangles that a file shows, ready to be posed and drawn. What cannot be read is left out, never an error.
+//! [`Surface`]: the triangles of a document, ready to be posed and drawn. Parts that cannot be read are left out,
+//! without an error.
 
 use core::ops::Range;
 use std::sync::Arc;
@@ -15,22 +16,22 @@ use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
 use crate::skin::{SkinnedPoint, carrier, read_primitive};
 
-/// Triangles drawn at most; a file with more shows its first ones.
+/// Maximum number of triangles; further ones are dropped.
 const MOST_TRIANGLES: usize = 2_000_000;
-/// Vertices at most, as triangles.
+/// Maximum number of vertices; a primitive that would exceed it is skipped.
 const MOST_VERTICES: usize = 4_000_000;
 
-/// One triangle.
+/// A triangle of a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Triangle {
-    /// Indices into the positions, counter-clockwise seen from outside.
+    /// Indices into the vertices, counter-clockwise seen from outside.
     pub vertices: [usize; 3],
-    /// Which of the [`Surface::materials`]; `None` where the file gives it none.
+    /// Index into [`Surface::materials`]; `None` if the file gives none.
     pub material: Option<usize>,
 }
 
-/// The meshes of a document: what its nodes show, skinned or not.
+/// The meshes of a document as its nodes show them, skinned or not.
 #[derive(Debug, Clone, Default)]
 pub struct Surface {
     points: Vec<SkinnedPoint>,
@@ -44,9 +45,9 @@ pub struct Surface {
 }
 
 impl Document {
-    /// The triangles of every mesh that a node shows, and what they look like. Points, lines, and geometry that is
-    /// compressed or broken are left out, and so are pictures that cannot be found; shapes are those
-    /// without morph targets, which [`Surface::mesh`] has.
+    /// Returns the triangles of every mesh that a node shows, with their appearance. Points, lines, compressed or
+    /// broken geometry and missing pictures are left out. Vertices have no morph targets applied; [`Surface::mesh`]
+    /// includes those.
     #[must_use]
     pub fn surface(&self) -> Surface {
         let mut surface = Surface::default();
@@ -77,28 +78,28 @@ impl Document {
     }
 }
 
-/// A primitive as a node shows it.
+/// A primitive as shown by a node.
 struct Part<'a> {
     data: &'a Data<'a>,
     /// The file's index of the node.
     node: usize,
     primitive: &'a Primitive,
     json: &'a Value,
-    /// True if the node turns it inside out.
+    /// `true` if the node's transform is mirrored (negative determinant), which reverses the winding.
     is_mirrored: bool,
-    /// The numbers of the node's morph targets.
+    /// Numbers of the node's morph targets.
     targets: Range<usize>,
 }
 
 impl Part<'_> {
-    /// As many of an attribute as there are vertices; none if it is missing or broken.
+    /// Reads an attribute that has a value for each vertex; `None` if it is missing or broken.
     fn attribute<const N: usize>(&self, name: &str, shape: &str, vertices: usize) -> Option<Vec<[f32; N]>> {
         let accessor = *self.primitive.attributes.get(name)?;
         let floats = self.data.floats(accessor, &[shape], name).ok()?;
         (floats.len() == N * vertices).then(|| floats.as_chunks().0.to_vec())
     }
 
-    /// Linear colours that the vertices multiply the material's by.
+    /// Linear vertex colours, which multiply the material's.
     fn tints(&self, vertices: usize) -> Option<Vec<[f32; 4]>> {
         let tints = self.attribute("COLOR_0", "VEC4", vertices).or_else(|| {
             let opaque = |[r, g, b]: [f32; 3]| [r, g, b, 1.0];
@@ -107,7 +108,7 @@ impl Part<'_> {
         tints.map(|tints| tints.into_iter().map(|tint| tint.map(|part| part.clamp(0.0, 1.0))).collect())
     }
 
-    /// Its triangles among `vertices` vertices, outside first.
+    /// Returns the primitive's triangles among its `vertices` vertices, counter-clockwise seen from outside.
     fn triangles(&self, vertices: usize) -> Vec<[usize; 3]> {
         let corners = match self.json.get("indices").map(Value::as_u64) {
             None => (0..vertices).collect(),
@@ -143,7 +144,8 @@ impl Surface {
         let given = given.map(|given| given.into_iter().map(Vec3::from).collect::<Vec<_>>());
         self.normals.extend(given.unwrap_or_else(|| {
             let positions: Vec<Vec3> = points.iter().map(SkinnedPoint::position).collect();
-            // In the mesh's own space, where a mirror has not yet turned anything.
+            // The winding of mirrored triangles has been swapped above, but normals are in the mesh's own space: undo
+            // it.
             let inside_out = if part.is_mirrored { -1.0 } else { 1.0 };
             normals(&positions, &triangles).into_iter().map(|normal| normal * inside_out).collect()
         }));
@@ -167,27 +169,27 @@ impl Surface {
         &self.triangles
     }
 
-    /// The materials, as the file numbers them.
+    /// The materials, in the file's order.
     #[must_use]
     pub fn materials(&self) -> &[Material] {
         &self.materials
     }
 
-    /// The pictures that materials use, encoded as in the file: PNG or JPEG, if it keeps to the rules.
+    /// The pictures that materials use, encoded as in the file: PNG or JPEG, if it follows the specification.
     #[must_use]
     pub fn images(&self) -> &[Arc<[u8]>] {
         &self.images
     }
 
-    /// Coordinates of each vertex on its material's picture: right and down from its upper left, in 0…1 and beyond. Zero
-    /// without a picture.
+    /// Coordinates of each vertex in its material's picture: right and down from the upper left corner, the picture
+    /// being 0…1. Zero if there is no picture.
     #[must_use]
     pub fn texture_coordinates(&self) -> &[Vec2] {
         &self.texture_coordinates
     }
 
-    /// Factors of each vertex on its material's colour: linear red, green, blue and opacity in 0…1. Ones if not
-    /// given.
+    /// Colour factor of each vertex, which multiplies its material's colour: linear red, green, blue and opacity, in
+    /// 0…1. All ones if the file gives none.
     #[must_use]
     pub fn tints(&self) -> &[[f32; 4]] {
         &self.tints
@@ -199,21 +201,22 @@ impl Surface {
         &self.points
     }
 
-    /// The normals of the vertices, in the meshes' own spaces, of length one or zero. Those that the file does not give are
-    /// the faces', smooth where they turn by less than 60°.
+    /// The normals of the vertices, each in the space of its mesh, of length one or zero. Normals missing in the file
+    /// are computed from the faces, smoothed across edges of less than 60°.
     #[must_use]
     pub fn normals(&self) -> &[Vec3] {
         &self.normals
     }
 
-    /// The node that moves a vertex most: its heaviest joint, or the node that shows it; `None` past the last vertex.
+    /// Returns the node that moves a vertex most: its heaviest joint, or the node that shows it. `None` if there is no
+    /// such vertex.
     #[must_use]
     pub fn node_of(&self, skeleton: &Skeleton, vertex: usize) -> Option<usize> {
         self.points.get(vertex).map(|point| carrier(skeleton, point))
     }
 }
 
-/// The triples of corners by the primitive's mode: lists, strips and fans have triangles.
+/// Splits corners into triangles by the primitive's `mode`: list (4), strip (5) or fan (6). Other modes have none.
 fn triangles(mode: Option<u64>, corners: &[usize]) -> Vec<[usize; 3]> {
     let strip = |(k, w): (usize, &[usize])| if k % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
     match mode {

@@ -1,4 +1,4 @@
-//! Buffer and image URIs: data URIs decoded, relative ones turned into paths, nothing fetched.
+//! Buffer and image URIs: decodes data URIs and turns relative ones into paths. Nothing is fetched.
 
 use std::path::{Path, PathBuf};
 
@@ -8,7 +8,7 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig, ge
 
 use crate::error::Error;
 
-/// Accepts missing padding, which several exporters leave away.
+/// Base64 decoder that accepts missing padding, which several exporters omit.
 const LENIENT: GeneralPurpose = GeneralPurpose::new(
     &alphabet::STANDARD,
     GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent),
@@ -16,13 +16,13 @@ const LENIENT: GeneralPurpose = GeneralPurpose::new(
 
 /// The target of a URI.
 pub(crate) enum Uri {
-    /// The bytes themselves.
+    /// Decoded bytes of a data URI.
     Data(Vec<u8>),
     /// A path relative to the glTF file.
     Relative(PathBuf),
 }
 
-/// Understands `text`, found at `place`.
+/// Parses the URI `text`; `place` is where it was found, for error messages.
 pub(crate) fn parse(text: &str, place: &str) -> Result<Uri, Error> {
     if text.get(..5).is_some_and(|s| s.eq_ignore_ascii_case("data:")) {
         let (head, body) =
@@ -53,7 +53,7 @@ pub(crate) fn parse(text: &str, place: &str) -> Result<Uri, Error> {
     Ok(Uri::Relative(path))
 }
 
-/// Decodes `%41` to `A`; a percent sign without two hexadecimal digits stays as it is.
+/// Percent-decodes, such as `%41` to `A`; a percent sign without two hexadecimal digits is kept.
 fn percent_decode(text: &str) -> Vec<u8> {
     let bytes = text.as_bytes();
     let digit = |at: usize| bytes.get(at).and_then(|b| char::from(*b).to_digit(16)).and_then(|d| u8::try_from(d).ok());
@@ -73,12 +73,13 @@ fn percent_decode(text: &str) -> Vec<u8> {
     out
 }
 
-/// Bytes as a data URI of that media type.
+/// Encodes bytes as a base64 data URI of this media type.
 pub(crate) fn to_data(media_type: &str, bytes: &[u8]) -> String {
     format!("data:{media_type};base64,{}", STANDARD.encode(bytes))
 }
 
-/// Reads a regular file whole; folders, pipes and devices are refused before they can block or never end.
+/// Reads a whole regular file. Folders, pipes and devices are rejected first, because reading them can block or never
+/// end.
 pub(crate) fn read_file(path: &Path) -> Result<Vec<u8>, Error> {
     let fail = |source| Error::Read { path: path.to_path_buf(), source };
     if !std::fs::metadata(path).map_err(fail)?.is_file() {

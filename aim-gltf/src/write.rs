@@ -1,4 +1,4 @@
-//! A document written again with further clips: old bytes first and unchanged, new ones appended.
+//! Writes a document with added clips: the old bytes come first, unchanged, and the new ones are appended.
 
 mod weights;
 
@@ -22,28 +22,30 @@ fn refuse(problem: impl Into<String>) -> Error {
 }
 
 impl Document {
-    /// The document as a GLB, with each of `clips` in place of the clip of that name, or after all others.
+    /// Returns the document as a GLB with `clips` added. A clip replaces the clip of the same name, or else goes after
+    /// all others. Clips without tracks are not written: glTF has no empty animations.
     ///
-    /// The binary chunk begins with the old one's bytes; members of the JSON that are not understood stay as they
-    /// are and where they are. External buffers, and external images that can be read, move into the file. Of the
-    /// old JSON only what must change does: array lengths, buffer 0, and the `matrix` of a node that a clip moves,
-    /// which becomes translation, rotation and scale.
+    /// The binary chunk begins with the old one's bytes. Members of the JSON that are not understood keep their content
+    /// and place. External buffers, and external images that can be read, are embedded. The old JSON changes only where
+    /// it must: array lengths, buffer 0, and the `matrix` of a node that a clip moves, which becomes translation,
+    /// rotation and scale.
     ///
-    /// Every track is written as the curve that it is. The weights of a mesh's morph targets, which have one sampler, have keys at the
-    /// times of all of their tracks. Events are not written, glTF has none: keep them beside the file, or in
+    /// Tracks keep their kind of curve. The weights of a mesh's morph targets share one sampler, which gets keys at the
+    /// times of all of their tracks. Events are not written, because glTF has none: keep them beside the file, or in
     /// [`PackedClip::to_bytes`](aim_animation::PackedClip::to_bytes).
     ///
     /// # Errors
-    /// [`Error::Clip`] when a clip moves nodes or morph targets that the file does not have.
+    /// [`Error::Clip`] if a clip moves nodes or morph targets that the file does not have.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
         self.write(clips, None).and_then(Written::into_glb)
     }
 
-    /// The same without what the replaced clips alone used: their keys, and what describes them. So a file becomes smaller where its
-    /// clips do.
+    /// Returns the document as a GLB like [`with_clips`](Self::with_clips), but drops the data that only replaced clips
+    /// used: their keys and the accessors and buffer views that describe them. The file shrinks if the new clips are
+    /// smaller.
     ///
-    /// Other bytes keep their order, and what refers to them follows. With an extension in the file that may refer to them in a
-    /// way that is not known, all old bytes stay, as [`with_clips`](Self::with_clips) leaves them.
+    /// The remaining bytes keep their order, and references to them are updated. If the file has an extension that may
+    /// refer to them in an unknown way, all old bytes are kept, as by [`with_clips`](Self::with_clips).
     ///
     /// # Errors
     /// As [`with_clips`](Self::with_clips).
@@ -59,8 +61,8 @@ impl Document {
         written.into_glb()
     }
 
-    /// The same with one clip; what else the file says of the clip `like` (extras, channels that are not understood), it then
-    /// says of this one, too.
+    /// Returns the document as a GLB like [`with_clips`](Self::with_clips), with one clip. If it replaces no clip, it
+    /// copies the other members of the clip named `like`: extras, and channels that are not understood.
     ///
     /// # Errors
     /// As [`with_clips`](Self::with_clips).
@@ -84,8 +86,8 @@ impl Document {
         Ok(Written { json, chunk })
     }
 
-    /// Puts an animation where the clip of its name is, else after all others, keeping what else that one says, or the one that
-    /// it is like.
+    /// Puts an animation in the place of the clip of its name, or else after all others. Keeps the other members of
+    /// that clip, or else of the one named `like`.
     fn place(&self, json: &mut Value, (name, like): (&str, Option<&str>), animation: Value) {
         let animations = array(json, "animations");
         let find = |name: &str| self.clips().iter().position(|clip| clip.name() == name);
@@ -102,7 +104,7 @@ impl Document {
         }
     }
 
-    /// That what a clip moves is in the file.
+    /// Checks that everything that a clip moves is in the file.
     fn check(&self, clip: &Clip) -> Result<(), Error> {
         let skeleton = self.skeleton();
         if let Some(tracks) = clip.tracks().iter().find(|tracks| !skeleton.is_in_file(tracks.bone)) {
@@ -118,7 +120,7 @@ impl Document {
         }
     }
 
-    /// An animated node may not have a `matrix`.
+    /// Replaces the `matrix` of an animated node, where glTF forbids it, by translation, rotation and scale.
     fn release_matrix(&self, json: &mut Value, bone: usize) {
         let index = self.skeleton().nodes()[bone].index;
         let node = index.and_then(|index| json.get_mut("nodes")?.get_mut(index)?.as_object_mut());
@@ -130,7 +132,7 @@ impl Document {
         node.insert("scale".into(), json!(rest.scale.to_array().map(f64::from)));
     }
 
-    /// Puts everything external and the new data into the file; returns the binary chunk.
+    /// Embeds external buffers, images and the new data; returns the binary chunk.
     fn embed(&self, json: &mut Value, data: Appended) -> Result<Option<Vec<u8>>, Error> {
         for (index, buffer) in self.buffers.iter().enumerate().skip(1) {
             if let Buffer::Loaded { bytes, external: true } = buffer {
@@ -139,7 +141,7 @@ impl Document {
         }
         self.embed_images(json);
         let mut chunk = self.chunk.clone();
-        // Only buffer 0 may be the chunk, and only if nothing else claims that place.
+        // Only buffer 0 can be the chunk, and only if nothing else occupies that place.
         let target = match self.buffers.first() {
             None => Some(chunk.take().unwrap_or_default()),
             Some(Buffer::Chunk) => chunk.take(),
@@ -170,7 +172,7 @@ impl Document {
         }
         if let Some(buffer) = buffers[0].as_object_mut() {
             buffer.shift_remove("uri");
-            // Untouched chunks keep their length: it may lie below the chunk's by padding.
+            // An untouched chunk keeps its stated length, which may be smaller than the chunk because of padding.
             if !data.bytes.is_empty() || !matches!(self.buffers.first(), Some(Buffer::Chunk)) {
                 buffer.insert("byteLength".into(), bytes.len().into());
             }
@@ -181,7 +183,7 @@ impl Document {
         Ok(Some(bytes))
     }
 
-    /// External images that are there and are images become data URIs; others keep their URI.
+    /// Turns external images that exist and have a known format into data URIs; other images keep their URI.
     fn embed_images(&self, json: &mut Value) {
         let Some(folder) = &self.folder else { return };
         let images = json.get_mut("images").and_then(Value::as_array_mut);
@@ -189,7 +191,7 @@ impl Document {
             let Some(text) = image.get("uri").and_then(Value::as_str) else { continue };
             let Ok(Uri::Relative(path)) = uri::parse(text, "images") else { continue };
             let Ok(bytes) = uri::read_file(&folder.join(path)) else { continue };
-            // Judged by content, so that no other file is ever drawn in by a URI.
+            // The content decides, so that a URI cannot embed a file that is not an image.
             if let Some(kind) = image_type(&bytes) {
                 image.insert("uri".into(), uri::to_data(kind, &bytes).into());
             }
@@ -197,8 +199,8 @@ impl Document {
     }
 }
 
-/// Channels that move no property of a node (animation pointers) go from the old animation into the new, keys as they
-/// are.
+/// Copies channels that move no property of a node (animation pointers) from the old animation to the new one, with
+/// their keys unchanged.
 fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
     let list = |key: &str| old.get(key).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
     for channel in list("channels") {
@@ -215,7 +217,7 @@ fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
     }
 }
 
-/// A document with its new clips, before it is put together.
+/// A document with its new clips, before the GLB is assembled.
 struct Written {
     json: Value,
     chunk: Option<Vec<u8>>,
@@ -228,7 +230,7 @@ impl Written {
     }
 }
 
-/// True of a clip that has tracks: the format knows no others.
+/// Returns `true` if a clip has tracks: glTF does not allow an animation without channels.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "filters hand out references")]
 fn moves(clip: &&Clip) -> bool {
     !(clip.tracks().is_empty() && clip.scalars().is_empty())
@@ -248,7 +250,8 @@ fn count(json: &Value, key: &str) -> usize {
     json.get(key).and_then(Value::as_array).map_or(0, Vec::len)
 }
 
-/// The array `key` of the document, made if it is not there. Loading has seen that what is there is an array.
+/// Returns the array `key` of the document, created if missing. Loading has checked that an existing member is an
+/// array.
 fn array<'a>(json: &'a mut Value, key: &str) -> &'a mut Vec<Value> {
     if !json.get(key).is_some_and(Value::is_array) {
         json[key] = Value::Array(Vec::new());
@@ -259,12 +262,12 @@ fn array<'a>(json: &'a mut Value, key: &str) -> &'a mut Vec<Value> {
     }
 }
 
-/// New bytes and the accessors on them.
+/// New bytes and the accessors that describe them.
 #[derive(Default)]
 struct Appended {
     bytes: Vec<u8>,
     accessors: Vec<Value>,
-    /// Key times written already, by their bits.
+    /// Accessors of key times written so far, by the bits of the times.
     times: BTreeMap<Vec<u32>, usize>,
 }
 
@@ -287,12 +290,13 @@ impl Appended {
         self.accessors.len() - 1
     }
 
-    /// One animation's JSON; `first` is the index its first new accessor will have, `view` that of the new view.
+    /// Appends the keys of one animation and returns its JSON. `first` is the index of the first new accessor, `view`
+    /// that of the new buffer view.
     fn animation(&mut self, document: &Document, clip: &Clip, [first, view]: [usize; 2]) -> Value {
         let mut animation = Animation { data: self, first, view, channels: Vec::new(), samplers: Vec::new() };
         let nodes = document.skeleton().nodes();
         for tracks in clip.tracks() {
-            // Of the file, as has been checked.
+            // `check` has verified that the bone is a node of the file.
             let Some(node) = nodes[tracks.bone].index else { continue };
             if let Some(track) = &tracks.translation {
                 animation.channel(node, ("translation", "VEC3"), &keys(&[track], |vector| vector.to_array()));
@@ -300,7 +304,7 @@ impl Appended {
             if let Some(track) = &tracks.rotation {
                 let mut rotations = keys(&[&track.with_unit_keys()], |rotation| rotation.to_array());
                 let cubic = rotations.curve == Curve::Cubic;
-                // Unit to the last digit.
+                // Normalise to full single precision.
                 for (_, four) in rotations.values.chunks_exact_mut(4).enumerate().filter(|(k, _)| !cubic || k % 3 == 1)
                 {
                     four.copy_from_slice(&Vec4::from_slice(four).as_dvec4().normalize().as_vec4().to_array());
@@ -325,7 +329,7 @@ impl Appended {
         json!({ "name": clip.name(), "channels": animation.channels, "samplers": animation.samplers })
     }
 
-    /// Adds the buffer view and the accessors to the document.
+    /// Adds the buffer view and the accessors to the document's JSON.
     fn describe(self, json: &mut Value, buffer: usize, start: usize) {
         let mut view = Map::new();
         view.insert("buffer".into(), buffer.into());
@@ -338,7 +342,7 @@ impl Appended {
     }
 }
 
-/// One animation as it grows.
+/// An animation being built.
 struct Animation<'a> {
     data: &'a mut Appended,
     first: usize,
@@ -366,7 +370,7 @@ impl Animation<'_> {
     }
 }
 
-/// The keys of a channel: at each of the times, which increase, a value, or of cubic splines in-tangent, value and out-tangent.
+/// The keys of a channel. Times increase; each has a value, or for cubic splines in-tangent, value and out-tangent.
 struct Keys {
     curve: Curve,
     times: Vec<f32>,
@@ -374,10 +378,11 @@ struct Keys {
     width: usize,
 }
 
-/// The keys of tracks that have the same times and the same curve, one track's numbers after the other's.
+/// Returns the keys of tracks with the same times and the same curve, interleaved: for each key the numbers of all
+/// tracks.
 fn keys<T: Keyed, const N: usize>(tracks: &[&Track<T>], numbers: impl Fn(T) -> [f32; N]) -> Keys {
     let (curve, times) = (tracks[0].curve(), tracks[0].times());
-    // What jumps at 0 is never seen before it.
+    // If two keys are at time 0 (a jump), the first is never sampled: drop it.
     let first = usize::from(times.get(1).is_some_and(|second| *second <= 0.0));
     let mut values = Vec::new();
     for k in first..times.len() {
@@ -389,8 +394,8 @@ fn keys<T: Keyed, const N: usize>(tracks: &[&Track<T>], numbers: impl Fn(T) -> [
             values.extend(of_key.flat_map(&numbers));
         }
     }
-    // Where a track jumps, two keys share a time, from which on it has the value of the second: the first comes a hair earlier, or
-    // where a key is there already, the second later.
+    // A track jumps with two keys at the same time, and has the second value from that time on; glTF needs increasing
+    // times. Move the first key to the preceding float, or, if that is taken, the second key to the following one.
     let mut times = times[first..].to_vec();
     for k in 1..times.len() {
         if times[k] <= times[k - 1] {

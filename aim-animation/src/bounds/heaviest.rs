@@ -1,9 +1,11 @@
-//! The joint or the bone that moves a point of a triangle most.
+//! Finds the joint or bone with the largest weight at a point of a triangle.
 
 use crate::mesh::Mesh;
 
-/// The joint, or whatever `key` counts joints as, that moves a point of a triangle most; of equals the lowest. `shares`
-/// are those of the corners; joints without a key do not count, but there has to be one.
+/// Returns the key with the largest total weight at a point of a triangle; on a tie, the lowest.
+///
+/// `shares` are the point's barycentric coordinates. `key` maps a joint to the key under which its weight is summed,
+/// such as its bone; joints mapped to `None` are ignored. At least one joint must have a key.
 pub(super) fn heaviest(
     mesh: &Mesh,
     corners: &[u32; 3],

@@ -1,4 +1,4 @@
-//! [`Hit`]: the nearest triangle that a ray meets.
+//! [`Hit`]: the nearest intersection of a ray with a mesh.
 
 use aim_runtime::glam::{Vec3, Vec3A};
 
@@ -8,41 +8,46 @@ use super::{BoneBoxes, Cluster};
 use crate::float::narrow;
 use crate::mesh::{Mesh, MeshError, MeshPose, facet_normal};
 
-/// The point at which a ray first meets a mesh.
+/// First intersection of a ray with a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Hit {
-    /// The bone that moves the point most, by all of its joints; of equals the lowest.
+    /// The bone with the largest weight at the point, summed over its joints; on a tie, the lowest.
     pub bone: usize,
-    /// The joint of that bone that moves the point most, as [`oriented`](BoneBoxes::oriented) takes it.
+    /// The joint of [`bone`](Self::bone) with the largest weight at the point, as an argument for
+    /// [`oriented`](BoneBoxes::oriented).
     pub joint: usize,
-    /// The triangle, counted as in the mesh.
+    /// Index of the triangle in the mesh.
     pub triangle: usize,
-    /// The part of the ray up to there, in lengths of its direction, often called *t*: the distance where that has length 1,
-    /// and 0…1 of a segment. Finite.
+    /// Ray parameter of the point, often called *t*, in lengths of the ray's direction: the distance for a unit
+    /// direction, 0…1 for a [segment](Ray::segment). Finite.
     pub part: f32,
-    /// The point, on the triangle.
+    /// The point on the triangle.
     pub point: Vec3,
-    /// The direction square to the triangle, to its outside, of length one; zero if it is too small to have one.
+    /// Unit normal of the triangle, pointing outward; zero if the triangle is too small to have one.
     ///
-    /// Corners are counter-clockwise seen from outside, and clockwise under a mirror: where the determinant of the joint
-    /// matrices is negative, blended at the point by weights and shares.
+    /// Corners are counter-clockwise seen from outside. They are clockwise where the skin is mirrored: where the joint
+    /// matrices, blended at the point by weights and barycentric coordinates, have a negative determinant.
     pub normal: Vec3,
-    /// The shares of the triangle's corners in the point, which sum to 1: for texture coordinates and the like.
+    /// Barycentric coordinates of the point, which sum to 1: for interpolating texture coordinates, for example.
     pub barycentric: [f32; 3],
 }
 
 impl BoneBoxes {
-    /// The nearest triangle of a mesh that a ray meets in a pose, from either side; of several that meet there, as at a
-    /// shared edge, the first. `None` if it meets none, or if the ray is [none](Ray::is_sound).
+    /// Returns the first intersection of a ray with a mesh in a pose; `None` if there is none, or if the ray is
+    /// [unsound](Ray::is_sound).
     ///
-    /// The same as a test of all triangles of the [deformed](Mesh::deform) mesh: no ray slips through between triangles
-    /// that share their vertices. Triangles of a corner that is not finite are not met, nor those that are further than
-    /// `f32::MAX` lengths of the direction.
+    /// - Triangles are hit from either side. Of several triangles at the same distance, as at a shared edge, the one
+    ///   with the lowest index is returned.
+    /// - The result is the same as that of testing all triangles of the [deformed](Mesh::deform) mesh. The test is
+    ///   watertight: no ray passes between triangles that share vertices.
+    /// - Triangles with a corner that is not finite are never hit, nor are triangles beyond `f32::MAX` lengths of the
+    ///   ray's direction.
     ///
     /// # Errors
-    /// Another mesh than the boxes were made of, told by its positions, triangles, influences and morph targets; or fewer
-    /// matrices than it hangs on.
+    /// [`MeshError::OtherMesh`] if the boxes were made from another mesh, as detected by a fingerprint of positions,
+    /// triangles, influences and morph targets. [`MeshError::Joints`] if the pose has fewer matrices than the mesh
+    /// needs.
     pub fn hit(&self, mesh: &Mesh, pose: &MeshPose<'_>, ray: &Ray) -> Result<Option<Hit>, MeshError> {
         let is_same = mesh.fingerprint() == self.fingerprint
             && mesh.positions().len() == self.vertices
@@ -97,19 +102,19 @@ impl BoneBoxes {
     }
 }
 
-/// A ray on its way through a mesh.
+/// State of a search for the nearest hit.
 struct Search<'a> {
     mesh: &'a Mesh,
     pose: &'a MeshPose<'a>,
     shear: Shear,
-    /// The end of the ray, or the nearest triangle that was met.
+    /// Ray parameter of the nearest hit so far, or else of the end of the ray.
     end: f64,
-    /// That triangle, and the shares of its corners.
+    /// Triangle of the nearest hit so far, and its barycentric coordinates.
     nearest: Option<(u32, [f64; 3])>,
 }
 
 impl Search<'_> {
-    /// The corners of a triangle in the pose.
+    /// Returns the corners of a triangle in the pose.
     fn corners(&self, corners: &[u32; 3]) -> [Vec3A; 3] {
         corners.map(|corner| self.mesh.placed(corner as usize, self.pose))
     }
@@ -117,7 +122,7 @@ impl Search<'_> {
     fn test(&mut self, triangle: u32) {
         let corners = self.corners(&self.mesh.triangles()[triangle as usize]);
         let Some(Crossing { part, barycentric }) = self.shear.crossing(corners) else { return };
-        // Of equals the first, in whichever order they are tested.
+        // On a tie, the lowest index wins, in whichever order the triangles are tested.
         let is_first = self.nearest.is_none_or(|(best, _)| part < self.end || triangle < best);
         if part >= 0.0 && part <= self.end && is_first {
             (self.end, self.nearest) = (part, Some((triangle, barycentric)));

@@ -1,7 +1,8 @@
-//! Boxes of bones, and what a ray hits of a mesh.
+//! Bounding boxes of bones, and ray casts against a skinned mesh.
 //!
-//! [`BoneBoxes`] are made once of a mesh; in a pose only the boxes are placed, and [`hit`](BoneBoxes::hit) places the vertices of
-//! those triangles alone whose boxes the ray meets. [`aabb`] has the boxes, [`ray`] the test of a triangle.
+//! [`BoneBoxes`] are computed once from a mesh. In a pose, only the boxes are transformed; [`hit`](BoneBoxes::hit)
+//! deforms only the triangles whose boxes the ray meets. Boxes are in [`aabb`], the test of a ray against a triangle is
+//! in [`ray`].
 
 mod aabb;
 mod heaviest;
@@ -20,10 +21,11 @@ pub use ray::Ray;
 
 use crate::mesh::{Mesh, MeshError, MeshPose, Skin};
 
-/// The boxes of a mesh's bones, computed once from its vertices at rest.
+/// Bounding boxes of a mesh's bones, computed once from its vertices at rest.
 ///
-/// A vertex of several joints lies in the convex hull of their boxes, not in one of them. So what a joint
-/// [carries](Self::carried) is bounded by the boxes of all joints that move it: whatever the pose, no vertex is outside.
+/// A vertex moved by several joints lies in the convex hull of their boxes, not necessarily in one of them. The bounds
+/// of the triangles that a joint [carries](Self::carried) therefore include the boxes of all joints that move their
+/// corners. In every pose, all of these vertices are inside.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Vec3};
@@ -45,56 +47,57 @@ use crate::mesh::{Mesh, MeshError, MeshPose, Skin};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoneBoxes {
-    /// Of each joint.
+    /// Bone of each joint.
     bones: Vec<usize>,
-    /// Space of the mesh ← axes of each joint at rest: a rotation, so that boxes are in units of the mesh.
+    /// Map from the axes of each joint at rest to mesh space. Orthogonal, so that boxes are in units of the mesh.
     axes: Vec<Mat3A>,
-    /// Of all vertices that a joint moves, joint by joint.
+    /// One part for each joint that moves a vertex, with all vertices that it moves; in ascending order of joints.
     moved: Vec<Part>,
     carriers: Vec<Carrier>,
     clusters: Vec<Cluster>,
-    /// Of carriers and clusters.
+    /// Parts of all carriers and clusters, which refer to them by ranges.
     parts: Vec<Part>,
     morphs: Vec<MorphExtent>,
-    /// Indices of triangles, carrier by carrier, cluster by cluster.
+    /// Indices of triangles, carrier by carrier, and cluster by cluster within each.
     triangles: Vec<u32>,
     vertices: usize,
-    /// By how much boxes are enlarged, in parts of what goes into a vertex.
+    /// Relative margin of the boxes, from [`aabb::rounding`].
     rounding: f32,
-    /// Of the mesh.
+    /// Fingerprint of the mesh.
     fingerprint: u64,
 }
 
-/// The triangles that hang on one joint most.
+/// The triangles assigned to one joint: those that it moves most.
 #[derive(Clone, Debug, PartialEq)]
 struct Carrier {
     joint: usize,
     whole: Cluster,
-    /// The same triangles, in small clusters.
+    /// The same triangles divided into small clusters.
     clusters: Range<usize>,
 }
 
-/// Triangles that are near each other at rest.
+/// A group of triangles that are near each other at rest.
 #[derive(Clone, Debug, PartialEq)]
 struct Cluster {
     triangles: Range<usize>,
-    /// For each joint that moves one of their corners.
+    /// One part for each joint that moves a corner of the triangles.
     parts: Range<usize>,
 }
 
-/// Triangles of a cluster at most: about as much work as placing the boxes of a few clusters.
+/// Upper limit of triangles in a cluster. Testing this many costs about as much as transforming the boxes of a few
+/// clusters.
 const MOST_IN_CLUSTER: usize = 16;
 
-/// The vertices among some that one joint moves.
+/// Bounds of those vertices of a set that one joint moves.
 #[derive(Clone, Debug, PartialEq)]
 struct Part {
     joint: usize,
-    /// Along the joint's axes, without morph targets.
+    /// Box along the joint's axes at rest, without morph targets.
     aabb: Aabb,
     morphs: Range<usize>,
 }
 
-/// The extent by which a morph target moves vertices of a part, along the joint's axes.
+/// Range of the displacements by which a morph target moves the vertices of a part at weight 1, along the joint's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct MorphExtent {
     target: u32,
@@ -103,13 +106,13 @@ struct MorphExtent {
 }
 
 impl BoneBoxes {
-    /// The boxes of a mesh on a skin.
+    /// Computes the boxes of a mesh on a skin.
     ///
     /// # Errors
-    /// A mesh that hangs on more joints than the skin has.
+    /// [`MeshError::Joints`] if the mesh refers to more joints than the skin has.
     pub fn new(mesh: &Mesh, skin: &Skin) -> Result<Self, MeshError> {
         mesh.check_joints(skin.len())?;
-        // The bone's axes at rest in the space of the mesh: those that its inverse rest makes x, y and z.
+        // The bone's axes at rest in mesh space: the columns of the rest matrix, made orthonormal.
         let axes_of = |inverse_rest: &Affine3A| {
             let inverse = aim_runtime::rotation::inverse(inverse_rest);
             inverse.and_then(|rest| nearest_orthogonal(rest.matrix3)).unwrap_or(Mat3A::IDENTITY)
@@ -147,7 +150,7 @@ impl BoneBoxes {
         Ok(boxes)
     }
 
-    /// The cluster of the triangles from `start` on.
+    /// Creates the cluster of the triangles from index `start` on.
     fn cluster(&mut self, mesh: &Mesh, start: usize) -> Cluster {
         let corners = self.triangles[start..].iter().flat_map(|triangle| mesh.triangles()[*triangle as usize]);
         let mut vertices: Vec<usize> = corners.map(|corner| corner as usize).collect();
@@ -158,7 +161,7 @@ impl BoneBoxes {
         Cluster { triangles: start..self.triangles.len(), parts: parts..self.parts.len() }
     }
 
-    /// The parts of some vertices, by joint.
+    /// Measures some vertices: returns one part for each joint that moves any of them, in ascending order of joints.
     fn measured(&mut self, mesh: &Mesh, vertices: Vec<usize>) -> Vec<Part> {
         let joints = |vertex: usize| mesh.influences(vertex).iter().map(move |i| (i.joint as usize, vertex));
         let mut moved: Vec<(usize, usize)> = vertices.into_iter().flat_map(joints).collect();
@@ -182,19 +185,19 @@ impl BoneBoxes {
         parts
     }
 
-    /// Adds a vertex's way to those of its target from `start` on.
+    /// Extends the range of a morph target, among those from index `start` on, to a vertex's displacement `way`.
     fn extend_morph(&mut self, start: usize, target: u32, way: Vec3) {
         let of_part = &self.morphs[start..];
         let at = start + of_part.partition_point(|extent| extent.target < target);
         if self.morphs.get(at).is_none_or(|extent| extent.target != target) {
-            // There may be vertices that it does not move.
+            // Begins with displacement 0, for vertices of the part that the target does not move.
             self.morphs.insert(at, MorphExtent { target, least: Vec3::ZERO, most: Vec3::ZERO });
         }
         let extent = &mut self.morphs[at];
         (extent.least, extent.most) = (extent.least.min(way), extent.most.max(way));
     }
 
-    /// A part's box in a pose, along the joint's axes, and the map from there.
+    /// Returns the box of a part in a pose: along the joint's axes, with the morph targets, and its transform.
     fn posed(&self, part: &Part, pose: &MeshPose<'_>) -> OrientedBox {
         let mut aabb = part.aabb;
         for extent in &self.morphs[part.morphs.clone()] {
@@ -208,7 +211,7 @@ impl BoneBoxes {
         OrientedBox { aabb, place: Affine3A { matrix3: matrix.matrix3 * self.axes[part.joint], ..*matrix } }
     }
 
-    /// The box around parts in a pose; `None` of none.
+    /// Returns the axis-aligned box around some parts in a pose; `None` if there are no parts.
     fn around(&self, parts: &[Part], pose: &MeshPose<'_>) -> Option<Aabb> {
         let placed = |part| {
             let OrientedBox { aabb, place } = self.posed(part, pose);
@@ -221,63 +224,70 @@ impl BoneBoxes {
         self.around(&self.parts[cluster.parts.clone()], pose)
     }
 
-    /// The box of all vertices that a joint moves, along the bone's own axes, as it alone would move them: tight around
-    /// what hangs on it alone, and what is drawn of a character's boxes. `None` if it moves none, or if there is no matrix
-    /// for it.
+    /// Returns the box, along the bone's own axes, of all vertices that a joint moves, as if no other joint moved them.
+    ///
+    /// It is tight around vertices moved by this joint alone, and suited for drawing a character's boxes; for bounds
+    /// that hold in every pose, use [`carried`](Self::carried). `None` if the joint moves no vertex or the pose has no
+    /// matrix for it.
     #[must_use]
     pub fn oriented(&self, joint: usize, pose: &MeshPose<'_>) -> Option<OrientedBox> {
         let part = self.moved.binary_search_by_key(&joint, |part| part.joint).ok()?;
         (joint < pose.matrices.len()).then(|| self.posed(&self.moved[part], pose))
     }
 
-    /// The box along the axes of the space around all triangles that hang on a joint most, whatever else moves their
-    /// corners. Not tight, as [`whole`](Self::whole) is not. Infinite if a matrix or a weight for it is not finite; `None` if
-    /// there are no such triangles.
+    /// Returns an axis-aligned box that contains the triangles assigned to a joint: those whose corners it moves most.
+    ///
+    /// The box accounts for all other joints that move the corners, and is not tight. It is infinite if a matrix or
+    /// morph weight that it depends on is not finite. `None` if no triangles are assigned to the joint.
     ///
     /// # Errors
-    /// Fewer matrices than the mesh hangs on.
+    /// [`MeshError::Joints`] if the pose has fewer matrices than the mesh needs.
     pub fn carried(&self, joint: usize, pose: &MeshPose<'_>) -> Result<Option<Aabb>, MeshError> {
         self.check_pose(pose)?;
         let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint).ok();
         Ok(carrier.and_then(|at| self.around_cluster(&self.carriers[at].whole, pose)))
     }
 
-    /// The box along the axes of the space around the whole mesh, for culling. Not tight: it is around the boxes of all that
-    /// each joint moves; for the extent itself, [deform](Mesh::deform) the mesh. Infinite if a matrix or a weight for it is not
-    /// finite; `None` of a mesh without vertices.
+    /// Returns an axis-aligned box that contains the whole mesh, for culling.
+    ///
+    /// The box is not tight: it is the union of the boxes of all joints, each around all vertices that the joint moves.
+    /// For the exact extent, [deform](Mesh::deform) the mesh. It is infinite if a matrix or morph weight that it
+    /// depends on is not finite. `None` if the mesh has no vertices.
     ///
     /// # Errors
-    /// Fewer matrices than the mesh hangs on.
+    /// [`MeshError::Joints`] if the pose has fewer matrices than the mesh needs.
     pub fn whole(&self, pose: &MeshPose<'_>) -> Result<Option<Aabb>, MeshError> {
         self.check_pose(pose)?;
         Ok(self.around(&self.moved, pose))
     }
 
-    /// The triangles that hang on a joint most; each hangs on one.
+    /// Returns the triangles assigned to a joint: those whose corners it moves most. Each triangle is assigned to one
+    /// joint.
     #[must_use]
     pub fn triangles(&self, joint: usize) -> &[u32] {
         let carrier = self.carriers.binary_search_by_key(&joint, |carrier| carrier.joint);
         carrier.map_or(&[], |at| &self.triangles[self.carriers[at].whole.triangles.clone()])
     }
 
-    /// Fails unless there is a matrix for each joint that moves a vertex.
+    /// Fails unless the pose has a matrix for each joint that moves a vertex.
     fn check_pose(&self, pose: &MeshPose<'_>) -> Result<(), MeshError> {
         let (needed, found) = (self.moved.last().map_or(0, |part| part.joint + 1), pose.matrices.len());
         if found >= needed { Ok(()) } else { Err(MeshError::Joints { needed, found }) }
     }
 }
 
-/// The joint that moves three corners most; of equals the lowest.
+/// Returns the joint with the largest total weight over three corners; on a tie, the lowest.
 fn carrier(mesh: &Mesh, corners: &[u32; 3]) -> usize {
     heaviest::heaviest(mesh, corners, [1.0; 3], |joint| Some(joint as usize))
 }
 
-/// The triangles in clusters, halved along the longest side until they are small.
+/// Divides triangles into clusters of at most [`MOST_IN_CLUSTER`], by halving them recursively along the longest side
+/// of their extent.
 fn clustered<'a>(mesh: &Mesh, triangles: &'a mut [u32]) -> Vec<&'a [u32]> {
     if triangles.len() <= MOST_IN_CLUSTER {
         return alloc::vec![triangles];
     }
-    // Three quarters of it: the sum stays finite.
+    // Three quarters of the centroid: a factor of 1/4 keeps the sum finite, and only the order matters.
     let middle = |triangle: u32| -> Vec3 {
         mesh.triangles()[triangle as usize].iter().map(|corner| mesh.positions()[*corner as usize] * 0.25).sum()
     };

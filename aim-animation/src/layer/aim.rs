@@ -1,4 +1,4 @@
-//! [`AimLayer`]: aims a rig at a point of the world.
+//! [`AimLayer`]: aims a rig at a point in world space.
 
 use alloc::sync::Arc;
 
@@ -9,7 +9,8 @@ use crate::aim_chain::{AimChain, AimFrame};
 use crate::figure::{Figure, Layer};
 use crate::pose::PoseError;
 
-/// Aims a rig of a figure: a gaze, or a gun by its barrel. Joints turn at their rates and within their ranges.
+/// Layer that aims a rig of a [`Figure`], such as a gaze or the barrel of a gun. Joints turn at their rates and within
+/// their ranges of motion.
 ///
 /// ```
 /// # mod turret { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/../aim-runtime/docs/turret.rs")); }
@@ -30,11 +31,11 @@ use crate::pose::PoseError;
 /// ```
 #[derive(Clone, Debug)]
 pub struct AimLayer<R> {
-    /// The target, in the world.
+    /// Target point, world space.
     pub target: Vec3,
-    /// How it is aimed; its weight fades the layer in and out at the joints' rates.
+    /// Settings of the aim. Changing the weight fades the layer in or out at the joints' rates.
     pub settings: Settings,
-    /// The rig and its memory.
+    /// The rig and its state.
     pub aim: DynAim<R>,
     chain: Arc<AimChain>,
     frame: AimFrame,
@@ -42,7 +43,8 @@ pub struct AimLayer<R> {
 }
 
 impl<R: Rig> AimLayer<R> {
-    /// A character's layer, at rest, with the world's origin as its target. Give an `Arc` where several share the chain.
+    /// Creates a layer for one character, at rest, with the world origin as the target. To share a chain between
+    /// characters, pass an `Arc`.
     #[must_use]
     pub fn new(chain: impl Into<Arc<AimChain>>, rig: R) -> Self {
         let chain = chain.into();
@@ -50,7 +52,7 @@ impl<R: Rig> AimLayer<R> {
         Self { target: Vec3::ZERO, settings: Settings::default(), aim: DynAim::new(rig), chain, frame, outcome: None }
     }
 
-    /// The outcome of the last frame; `None` before the first one.
+    /// Returns the outcome of the last frame; `None` before the first one.
     #[must_use]
     pub fn outcome(&self) -> Option<&Outcome> {
         self.outcome.as_ref()

@@ -1,4 +1,4 @@
-//! [`LimbLayer`]: brings the tip of a limb to a point.
+//! [`LimbLayer`]: brings the tip of a limb to a target.
 
 use alloc::vec::Vec;
 
@@ -14,56 +14,58 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// The space of a [`TipTarget`].
+/// Coordinate space of a [`TipTarget`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Space {
-    /// That of the model, which moves with the character.
+    /// Model space, which moves with the character.
     #[default]
     Model,
-    /// The world: a handrail.
+    /// World space: a handrail, for example.
     World,
-    /// That of a bone as the layers before have left it: a gun in the other hand.
+    /// Space of a bone in the pose left by the previous layers: a gun in the other hand, for example.
     Bone(usize),
 }
 
-/// Where the tip of a limb is to be.
+/// Target position of the tip of a limb, and optionally its orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TipTarget {
-    /// The point.
+    /// Target point, in [`space`](Self::space).
     pub point: Vec3,
-    /// The orientation of the tip's bone there, a unit quaternion; `None` keeps the animated one.
+    /// Target orientation of the tip's bone in [`space`](Self::space), a unit quaternion; `None` keeps the animated
+    /// one.
     pub rotation: Option<Quat>,
-    /// The space of both.
+    /// Space of the point and the rotation.
     pub space: Space,
 }
 
 impl TipTarget {
-    /// A point in the space of the model.
+    /// Creates a target point in model space.
     #[must_use]
     pub const fn model(point: Vec3) -> Self {
         Self { point, rotation: None, space: Space::Model }
     }
 
-    /// A point in the world.
+    /// Creates a target point in world space.
     #[must_use]
     pub const fn world(point: Vec3) -> Self {
         Self { point, rotation: None, space: Space::World }
     }
 
-    /// A point in the space of a bone.
+    /// Creates a target point in the space of a bone.
     #[must_use]
     pub const fn bone(bone: usize, point: Vec3) -> Self {
         Self { point, rotation: None, space: Space::Bone(bone) }
     }
 
-    /// With the orientation of the tip's bone, in the same space.
+    /// Sets the target orientation of the tip's bone, in the target's space.
     #[must_use]
     pub const fn with_rotation(mut self, rotation: Quat) -> Self {
         self.rotation = Some(rotation);
         self
     }
 
-    /// Point and rotation in the space of the model; `None` if there is no such bone or if something is not finite.
+    /// Converts point and rotation to model space; `None` if the bone does not exist, the place is singular or a result
+    /// is not finite.
     fn in_model(&self, figure: &Figure) -> Option<(Vec3, Option<Quat>)> {
         let space = match self.space {
             Space::Model => Affine3A::IDENTITY,
@@ -79,27 +81,31 @@ impl TipTarget {
     }
 }
 
-/// A limb whose tip is brought to a target: an arm by its hand. Of two bones it bends in closed form, in the plane of the animation
-/// unless [`two_bone`](Self::two_bone) says otherwise; of more by cyclic coordinate descent.
+/// Layer that brings the tip of a limb to a target: a hand at the end of an arm, for example.
 ///
-/// [`set_target`](Self::set_target) and [`release`](Self::release) fade within [`fade_s`](Self::fade_s) seconds, without a jump in place
-/// or speed, also when one interrupts the other. A target that moves is set every frame; from one that is elsewhere to the next, blend
-/// the targets yourself.
+/// A limb of two bones (two joints and the tip) is solved in closed form, in the bend plane of the animation unless
+/// [`two_bone`](Self::two_bone) selects another. Any other limb is solved by cyclic coordinate descent.
 ///
-/// In part, by the fade or by [`weight`](Self::weight), the tip of two bones is at that part of the straight way to its target, or to
-/// where it gets if that is out of reach. A limb of more bones, or with a [`two_bone`](Self::two_bone) other than [`TwoBone::new`], turns
-/// each joint by that part of its whole turn instead, so that poles and limits come in as gradually.
+/// [`set_target`](Self::set_target) and [`release`](Self::release) fade within [`fade_s`](Self::fade_s) seconds,
+/// continuous in position and velocity, even if one interrupts the other. Set a moving target every frame. A switch to
+/// a distant target is not faded: interpolate the targets yourself.
+///
+/// A partial weight, from the fade or from [`weight`](Self::weight), acts as follows:
+///
+/// - With two bones and [`TwoBone::new`], the tip moves that fraction of the straight line from its animated position
+///   to the target, or to the nearest reachable point.
+/// - Otherwise, each joint turns by that fraction of its full rotation, so that poles and limits also set in gradually.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimbLayer {
-    /// The part that is applied, 0…1, beside the fade; NaN counts as 0. Default 1.
+    /// Weight of the layer, 0…1, multiplied by the fade; NaN is treated as 0. Default 1.
     pub weight: f32,
-    /// The time in which it fades in and out, seconds; 0, the default, is at once.
+    /// Duration of fading in and out, seconds. Default 0: at once.
     pub fade_s: f32,
-    /// The solver of a limb of two bones: a pole is in the space of the model, a hinge's axis in that of the middle bone.
+    /// Solver for a two-bone limb. A pole is in model space, the axis of a hinge in the space of the middle bone.
     pub two_bone: TwoBone,
     limb: Limb,
     joints: Vec<CcdJoint>,
-    /// Memory for the rotations of the joints before.
+    /// Scratch memory for the joints' rotations before solving.
     before: Vec<Quat>,
     target: Option<TipTarget>,
     ramp: Ramp,
@@ -107,31 +113,33 @@ pub struct LimbLayer {
 }
 
 impl LimbLayer {
-    /// A limb from its first joint to its tip; each bone hangs on the one before, by any number of bones, which are carried along.
+    /// Creates a layer for a limb, given as bones from its first joint to its tip. Each bone must be a descendant of
+    /// the one before it, at any depth; the bones in between are carried along.
     ///
     /// # Errors
-    /// See [`LimbError`].
+    /// Fails if a bone is missing or out of order, or if two consecutive bones coincide in the rest pose: see
+    /// [`LimbError`].
     pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>) -> Result<Self, LimbError> {
         let (limb, joints) = Limb::at_rest(skeleton, limb.into())?;
         let (two_bone, ramp, before) = (TwoBone::new(), Ramp::default(), alloc::vec![Quat::IDENTITY; joints.len()]);
         Ok(Self { weight: 1.0, fade_s: 0.0, two_bone, limb, joints, before, target: None, ramp, error: 0.0 })
     }
 
-    /// With a time in which it fades in and out, seconds.
+    /// Sets the duration of fading in and out, seconds.
     #[must_use]
     pub const fn with_fade(mut self, fade_s: f32) -> Self {
         self.fade_s = fade_s;
         self
     }
 
-    /// With a solver of a limb of two bones.
+    /// Sets the solver for a two-bone limb.
     #[must_use]
     pub const fn with_two_bone(mut self, two_bone: TwoBone) -> Self {
         self.two_bone = two_bone;
         self
     }
 
-    /// With a target from the beginning, without a fade.
+    /// Sets the initial target, without a fade.
     #[must_use]
     pub fn with_target(mut self, target: TipTarget) -> Self {
         self.target = Some(target);
@@ -139,34 +147,40 @@ impl LimbLayer {
         self
     }
 
-    /// With a limit of a joint of a limb of more than two bones; a hinge's axis is in the space of the joint's bone. Nothing is done if
-    /// there is no such joint.
+    /// Sets the limit of a joint. The axis of a hinge is in the joint's bone space. Does nothing if the joint does not
+    /// exist.
+    ///
+    /// Limits are ignored for a limb of two bones (two joints and the tip): use the hinge of
+    /// [`two_bone`](Self::two_bone).
     #[must_use]
     pub fn with_limit(mut self, joint: usize, limit: CcdLimit) -> Self {
         self.limb.set_limit(joint, limit);
         self
     }
 
-    /// Has the tip at a target from now on.
+    /// Sets the target. Fades in if there was none or if the layer was released.
     pub fn set_target(&mut self, target: TipTarget) {
         self.target = Some(target);
         self.ramp.lead(1.0, self.fade_s);
     }
 
-    /// Leaves the tip to the animation again. While it fades it stays with its last target.
+    /// Releases the tip to the animation by fading out. The last target is used until the fade ends.
     pub fn release(&mut self) {
         self.ramp.lead(0.0, self.fade_s);
     }
 
-    /// The part that the fade applies by now, 0…1.
+    /// Returns the current weight of the fade, 0…1.
     #[must_use]
     pub fn faded_in(&self) -> f32 {
         clamped(self.ramp.value())
     }
 
-    /// The distance of the tip from where it was to be in the last frame, in units of the model: that by which the whole turns miss the
-    /// target, times the part that is applied. More than rounding where the limb does not reach that far. Infinite where the target has
-    /// no place: a bone that is not there, or what is not finite; then the limb stays as it was.
+    /// Returns the tip error of the last frame, model units: the distance from the target at full weight, times the
+    /// weight applied.
+    ///
+    /// It exceeds rounding errors if the target is out of reach. It is infinite if the target cannot be located,
+    /// because its bone does not exist or a value is not finite; the limb is then left unchanged. It is 0 without a
+    /// target or at weight 0.
     #[must_use]
     pub fn error(&self) -> f32 {
         self.error
@@ -192,7 +206,8 @@ impl Layer for LimbLayer {
         let mut part = Part { weight, before: &mut self.before };
         let is_straight = self.joints.len() == 2 && self.two_bone == TwoBone::new();
         if weight < 1.0 && is_straight {
-            // On the way to a target out of reach the limb would be stretched before the weight is 1, and stop with a jump in speed.
+            // Uses the nearest reachable point. With a target out of reach, the limb would be fully stretched at a
+            // weight below 1, and the tip would stop there abruptly.
             let (reached, missed) = self.limb.nearest(figure.model(), point);
             goal.point = animated + (reached - animated) * weight;
             part.weight = 1.0;

@@ -1,5 +1,9 @@
-//! The [`Layer`](crate::Layer)s that characters have. `limb.rs` brings a limb's tip to a point, `aim.rs` aims a rig, `poses.rs` blends
-//! poses that aim, `recoil.rs` kicks what a hand holds.
+//! Implementations of [`Layer`](crate::Layer).
+//!
+//! - `limb.rs` brings the tip of a limb to a point.
+//! - `aim.rs` aims a rig.
+//! - `poses.rs` blends aim poses.
+//! - `recoil.rs` kicks an object held in a hand.
 
 #[cfg(feature = "std")]
 mod aim;

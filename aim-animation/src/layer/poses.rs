@@ -1,4 +1,4 @@
-//! [`AimPoseSet`] and [`AimPosesLayer`]: poses of a clip that aim, blended by where they shall.
+//! [`AimPoseSet`] and [`AimPosesLayer`]: poses from a clip that aim in known directions, blended to aim at a target.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -17,15 +17,15 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
 
-/// Why poses cannot be aimed with.
+/// Error of [`AimPoseSet::from_clip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AimPoseError {
-    /// There is no such bone to aim by.
+    /// The bone of the [`AimLine`] does not exist.
     Bone(usize),
-    /// This pose aims in no direction, or in that of an earlier one.
+    /// This pose has no valid aim direction, or the same one as an earlier pose.
     Direction(usize),
-    /// The directions span no triangle: they lie on one great circle, or are too few.
+    /// The directions do not form a triangle: there are fewer than three, or they lie on one great circle.
     Flat,
 }
 
@@ -41,19 +41,19 @@ impl fmt::Display for AimPoseError {
 
 impl core::error::Error for AimPoseError {}
 
-/// The line that is aimed: a barrel in the hand that holds it, a gaze in its head.
+/// Line to aim, fixed to a bone: the barrel of a gun in a hand, or the gaze of a head.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AimLine {
-    /// The bone that it is fixed to.
+    /// The bone to which the line is fixed.
     pub bone: usize,
-    /// Its beginning, in the space of the bone.
+    /// Start point, bone space.
     pub origin: Vec3,
-    /// Its direction, in the space of the bone, of any length.
+    /// Direction, bone space, of any length but zero.
     pub forward: Vec3,
 }
 
 impl AimLine {
-    /// The line by the bones' local transforms, in the space of the model, its direction of length 1; `None` if it has none.
+    /// Returns origin and unit direction in model space for a local pose; `None` if either is not finite.
     fn in_model(&self, skeleton: &Skeleton, local: &[Transform]) -> Option<[Vec3A; 2]> {
         let at = skeleton.ancestry(self.bone).fold(Affine3A::IDENTITY, |at, bone| local[bone].to_affine() * at);
         let forward = at.transform_vector3a(self.forward.into());
@@ -63,27 +63,32 @@ impl AimLine {
     }
 }
 
-/// Poses that each aim in a direction, taken from the frames of a clip: of the bones that the clip moves, translations and scales, too.
-/// Shared by all characters of a kind; an [`AimPosesLayer`] aims with them.
+/// Poses that each aim in a known direction, sampled from a clip. Input of [`AimPosesLayer`]; shared by all characters
+/// of a kind.
+///
+/// The poses hold rotation, translation and scale of the bones that the clip moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AimPoseSet {
     line: AimLine,
-    /// The number of bones of the skeleton.
+    /// Number of bones of the skeleton.
     count: usize,
-    /// The bones of the poses, in ascending order, and how much of a pose each takes.
+    /// Bones of the poses, in ascending order, each with its mask weight.
     bones: Vec<(usize, f32)>,
-    /// Pose by pose, each bone by bone; rotations in the hemisphere of the first pose's.
+    /// Transforms, pose by pose and bone by bone within each. Rotations lie in the hemisphere of the first pose's.
     transforms: Vec<Transform>,
     poses: Vec<AimPose<'static>>,
     triangles: Vec<[usize; 3]>,
 }
 
 impl AimPoseSet {
-    /// The poses of a clip at these times, seconds. Bones that it does not move are at rest where the direction of a pose is measured,
-    /// which [`AimPosesLayer`] makes up for. Takes of the order of `n⁴` steps for `n` poses.
+    /// Samples the poses from a clip at these local times, seconds.
+    ///
+    /// The direction of each pose is measured with all other bones at rest. [`AimPosesLayer`] corrects for the
+    /// difference from the actual pose. Takes on the order of `n⁴` steps for `n` poses.
     ///
     /// # Errors
-    /// See [`AimPoseError`].
+    /// Fails if the line's bone does not exist, if a pose has no direction of its own, or if the directions do not form
+    /// a triangle: see [`AimPoseError`].
     pub fn from_clip(clip: &Clip, skeleton: &Skeleton, times_s: &[f32], line: AimLine) -> Result<Self, AimPoseError> {
         if line.bone >= skeleton.len() {
             return Err(AimPoseError::Bone(line.bone));
@@ -111,7 +116,8 @@ impl AimPoseSet {
         Ok(Self { line, count: skeleton.len(), bones, transforms, poses, triangles })
     }
 
-    /// With a mask of the skeleton: how much of a pose each bone takes; those of weight 0 stay as they are animated.
+    /// Sets a mask of the skeleton: the weight by which each bone takes the aim pose. Bones of weight 0 keep the
+    /// animation.
     #[must_use]
     pub fn with_mask(mut self, mask: &Mask) -> Self {
         for (bone, weight) in &mut self.bones {
@@ -120,7 +126,7 @@ impl AimPoseSet {
         self
     }
 
-    /// A bone's transform in a blend of poses.
+    /// Returns the transform of the bone at index `place` of the set, in a blend of poses.
     fn blend(&self, place: usize, blend: &Blend) -> Transform {
         let zero = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
         let mut sum = Transform { translation: Vec3::ZERO, rotation: zero, scale: Vec3::ZERO };
@@ -134,10 +140,11 @@ impl AimPoseSet {
     }
 }
 
-/// Poses a character so that its line aims at a point of the world, as an animator posed it; comes before the [aim](super::AimLayer)
-/// that does the rest.
+/// Layer that blends authored poses so that a line of the character aims at a point in world space. Run it before
+/// [`AimLayer`](super::AimLayer), which corrects the remaining angle.
 ///
-/// The poses that are blended are asked for what the line misses on top, until it is met: see [`AimPoses`].
+/// A blend does not aim exactly in the interpolated direction. The requested direction is therefore corrected by the
+/// remaining error, iteratively, until the line meets the target: see [`AimPoses`].
 ///
 /// ```
 /// use aim_animation::glam::{Quat, Vec3};
@@ -159,18 +166,19 @@ impl AimPoseSet {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct AimPosesLayer {
-    /// The target, in the world.
+    /// Target point, world space.
     pub target: Vec3,
-    /// The part of it all, 0…1; NaN counts as 0. Default 1.
+    /// Weight of the layer, 0…1; NaN is treated as 0. Default 1.
     pub weight: f32,
     set: Arc<AimPoseSet>,
-    /// The bones of the poses as animated.
+    /// Scratch memory: animated transforms of the bones of the poses.
     animated: Vec<Transform>,
     outcome: Option<AimPosesOutcome>,
 }
 
 impl AimPosesLayer {
-    /// A character's layer, with the world's origin as its target. Give an `Arc` where several share the poses.
+    /// Creates a layer for one character, with the world origin as the target. To share a set between characters, pass
+    /// an `Arc`.
     #[must_use]
     pub fn new(set: impl Into<Arc<AimPoseSet>>) -> Self {
         let set = set.into();
@@ -178,7 +186,8 @@ impl AimPosesLayer {
         Self { target: Vec3::ZERO, weight: 1.0, set, animated, outcome: None }
     }
 
-    /// The outcome of the last frame, as the poses at full weight met the target; `None` before the first one and at weight 0.
+    /// Returns the outcome of the last frame, with the poses at full weight. `None` before the first frame, at weight
+    /// 0, and if the target or the line is not finite.
     #[must_use]
     pub fn outcome(&self) -> Option<&AimPosesOutcome> {
         self.outcome.as_ref()
@@ -210,7 +219,9 @@ impl Layer for AimPosesLayer {
             shown = Some(*blend);
             pose(blend, 1.0, local);
             let [origin, forward] = set.line.in_model(skeleton, local)?;
-            // Seen from where the line began, so that it is met where the line passes through the target.
+            // The direction from the animated origin to the point of the line at the target's distance. It agrees with
+            // the wanted direction when the line passes through the target, even if the pose has moved the line's
+            // origin.
             Some((origin + forward * length(target - origin) - eye).into())
         }));
         if let Some(blend) = shown {

@@ -1,4 +1,4 @@
-//! [`Recoil`]: kicks what a hand holds.
+//! [`Recoil`]: kicks an object held in a hand.
 
 use alloc::vec::Vec;
 
@@ -14,10 +14,14 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// The recoil of a thing in a hand: pushed and turned at once, it returns without swinging over, and the arm gives way. Comes after the
-/// aim, which else aims it away, and before the second hand, which then follows.
+/// Layer that applies recoil to an object held in a hand. A kick gives the object a velocity and an angular velocity,
+/// and it returns without overshoot while the arm follows.
 ///
-/// Between kicks `x″ = −ω²x − 2ωx′`, critically damped, by its exact solution: the same at any frame rate.
+/// Run it after the aim, which would otherwise compensate for the kick, and before the layer of the second hand, which
+/// then follows the object.
+///
+/// Between kicks, the offset obeys the critically damped spring `x″ = −ω²x − 2ωx′`. It is advanced by the exact
+/// solution, so that the motion does not depend on the frame rate.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -40,28 +44,35 @@ use crate::transform::Transform;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recoil {
-    /// ω, a second; the farthest is 1/ω after a kick. Default 15; what is not positive and finite ends a kick at once.
+    /// Angular frequency ω of the spring, 1/s. After a kick from rest, the offset peaks 1/ω seconds later. Default 15.
+    ///
+    /// If it is not positive and finite, the offset returns to zero at once.
     pub rate: f32,
     limb: Limb,
     joints: Vec<CcdJoint>,
     grip: Affine3A,
-    /// Of the thing in its own space: offset and rotation vector, and their velocities.
+    /// Offset of the object in its own space: translation and rotation vector.
     offset: [Vec3; 2],
+    /// Velocity of both parts of the offset, per second.
     velocity: [Vec3; 2],
 }
 
 impl Recoil {
-    /// A thing that the tip of a limb holds, `grip` in the space of the tip's bone.
+    /// Creates a layer for an object held by the tip of a limb, given as bones from its first joint to its tip. `grip`
+    /// is the object's transform in the space of the tip's bone.
     ///
     /// # Errors
-    /// See [`LimbError`].
+    /// Fails if a bone is missing or out of order, or if two consecutive bones coincide in the rest pose: see
+    /// [`LimbError`].
     pub fn new(skeleton: &Skeleton, limb: impl Into<Vec<usize>>, grip: Affine3A) -> Result<Self, LimbError> {
         let (limb, joints) = Limb::at_rest(skeleton, limb.into())?;
         Ok(Self { rate: 15.0, limb, joints, grip, offset: [Vec3::ZERO; 2], velocity: [Vec3::ZERO; 2] })
     }
 
-    /// Kicks the thing, in its own space: by a velocity, in units of the model a second, and a rate of turning, radians a second. It
-    /// goes as far as velocity / (e·ω). What is not finite is ignored.
+    /// Adds a velocity, model units per second, and an angular velocity, radians per second, both in the object's own
+    /// space.
+    ///
+    /// From rest, the offset peaks at velocity / (e·ω). A sum that is not finite is ignored.
     pub fn kick(&mut self, velocity: Vec3, turning: Vec3) {
         for (own, kick) in self.velocity.iter_mut().zip([velocity, turning]) {
             if (*own + kick).is_finite() {
@@ -70,13 +81,14 @@ impl Recoil {
         }
     }
 
-    /// The offset by now, in the thing's own space.
+    /// Returns the current offset, in the object's own space.
     #[must_use]
     pub fn offset(&self) -> Transform {
         Transform::new(self.offset[0], exp(self.offset[1]))
     }
 
-    /// x = (x₀ + (v₀ + ω·x₀)·t)·e^(−ωt), and its derivative.
+    /// Advances offset and velocity by the exact solution of the spring: with s = v₀ + ω·x₀,
+    /// x = (x₀ + s·t)·e^(−ωt) and v = s·e^(−ωt) − ω·x.
     fn advance(&mut self, dt_s: f32) {
         let dt = if dt_s.is_finite() { dt_s.max(0.0) } else { 0.0 };
         let is_sprung = self.rate > 0.0 && self.rate.is_finite();
@@ -102,7 +114,7 @@ impl Layer for Recoil {
         let tip = figure.model()[self.limb.tip_bone()];
         let thing = Transform::from_affine(&attached(&tip, &self.grip));
         let Some((thing, hand)) = thing.zip(Transform::from_affine(&tip)) else { return Ok(()) };
-        // The thing is moved, and the hand with it.
+        // The kicked hand: thing · offset · (thing⁻¹ · hand).
         let hand_in_thing = thing.rigid_inverse().rigid_product(&hand);
         let kicked = thing.rigid_product(&self.offset()).rigid_product(&hand_in_thing);
         let turn = product(kicked.rotation, hand.rotation.conjugate());

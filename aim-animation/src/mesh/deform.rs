@@ -1,27 +1,27 @@
-//! [`MeshPose`], and vertices and normals moved by it.
+//! [`MeshPose`], and the deformation of vertices and normals by it.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Vec3, Vec3A};
 
 use super::normal::Cofactors;
 use super::{Influence, Mesh, MeshError, check_length};
 
-/// What moves a mesh in one frame.
+/// Everything that moves a mesh in one frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshPose<'a> {
-    /// The joint matrices that [`Skin::matrices`](crate::Skin::matrices) gives. Those past the mesh's joints are ignored.
+    /// Joint matrices from [`Skin::matrices`](crate::Skin::matrices). Excess ones are ignored.
     pub matrices: &'a [Affine3A],
-    /// The weights of the morph targets. Targets past the last have 0, weights past the last target are ignored.
+    /// Weights of the morph targets. Missing weights are 0, excess ones are ignored.
     pub morph_weights: &'a [f32],
 }
 
 impl<'a> MeshPose<'a> {
-    /// Joint matrices alone; all morph targets have the weight 0.
+    /// A pose with joint matrices only; all morph targets have weight 0.
     #[must_use]
     pub const fn new(matrices: &'a [Affine3A]) -> Self {
         Self { matrices, morph_weights: &[] }
     }
 
-    /// The same with weights of morph targets.
+    /// Sets the weights of the morph targets.
     #[must_use]
     pub const fn with_morph_weights(mut self, morph_weights: &'a [f32]) -> Self {
         self.morph_weights = morph_weights;
@@ -30,13 +30,14 @@ impl<'a> MeshPose<'a> {
 }
 
 impl Mesh {
-    /// The vertices where the pose has them, in the space that the matrices lead to: the morph targets first, then the
-    /// sum of the joint matrices by their weights (linear blend skinning).
+    /// Computes the vertex positions in a pose, in the target space of the joint matrices: adds the morph targets, then
+    /// applies the weighted sum of the joint matrices (linear blend skinning).
     ///
-    /// A matrix or a weight that is not finite makes the vertices that it moves not finite, and no others.
+    /// A matrix or weight that is not finite affects only the vertices that it moves.
     ///
     /// # Errors
-    /// A slice of another length than there are vertices, or fewer matrices than the mesh needs; then nothing is written.
+    /// `positions` has another length than there are vertices, or there are fewer matrices than the mesh needs; then
+    /// nothing is written.
     pub fn deform(&self, pose: &MeshPose<'_>, positions: &mut [Vec3]) -> Result<(), MeshError> {
         check_length(self.positions.len(), positions.len())?;
         self.check_joints(pose.matrices.len())?;
@@ -46,15 +47,16 @@ impl Mesh {
         Ok(())
     }
 
-    /// The normals where the pose has them, of length one: moved by the inverse's transpose of the blended matrix of the
-    /// `influences` heaviest joints of each vertex, one at least. Few change little of the light and save time;
-    /// `usize::MAX` is all of them.
+    /// Computes the unit normals in a pose: transforms them by the inverse transpose of the blended matrix. Only the
+    /// `influences` heaviest joints of each vertex are blended, at least one. A small number hardly changes the shading
+    /// and saves time; `usize::MAX` uses all.
     ///
-    /// Zero where the normal is, where the matrix leaves no direction, and where one is not finite.
+    /// A normal is zero if its rest normal is zero, if the matrix leaves it no direction, or if the result is not
+    /// finite.
     ///
     /// # Errors
-    /// A mesh without normals, a slice of another length than there are vertices, or fewer matrices than the mesh needs;
-    /// then nothing is written.
+    /// The mesh has no normals, `normals` has another length than there are vertices, or there are fewer matrices than
+    /// the mesh needs; then nothing is written.
     ///
     /// ```
     /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -82,7 +84,7 @@ impl Mesh {
         for (vertex, (normal, rest)) in normals.iter_mut().zip(&self.normals).enumerate() {
             let all = self.influences(vertex);
             let heaviest = &all[..all.len().min(influences.max(1))];
-            // Their weights need not sum to 1: a factor turns no normal.
+            // The weights need not sum to 1: a factor does not change the direction of a normal.
             let turn = Cofactors::new(blended(heaviest, pose.matrices).matrix3);
             let morphed = self.morphed(vertex, pose, (*rest).into(), |morph| morph.normal);
             *normal = turn.turned(morphed).into();
@@ -90,21 +92,21 @@ impl Mesh {
         Ok(())
     }
 
-    /// True if the blended matrix at a point of a triangle, by the shares of its corners, is a mirror.
+    /// Returns `true` if the blended matrix at a point of a triangle, given by barycentric coordinates, is a mirror.
     pub(crate) fn is_mirrored(&self, corners: &[u32; 3], shares: [f32; 3], matrices: &[Affine3A]) -> bool {
         let blended = |corner: u32| blended(self.influences(corner as usize), matrices).matrix3;
         let sum = corners.iter().zip(shares).fold(Mat3A::ZERO, |sum, (corner, share)| sum + blended(*corner) * share);
         Cofactors::new(sum).is_mirrored
     }
 
-    /// A vertex in a pose that has its matrices.
+    /// Returns the position of a vertex; `pose` must have all matrices that the mesh needs.
     #[inline]
     pub(crate) fn placed(&self, vertex: usize, pose: &MeshPose<'_>) -> Vec3A {
         let position = self.morphed(vertex, pose, self.positions[vertex].into(), |morph| morph.position);
         blended(self.influences(vertex), pose.matrices).transform_point3a(position)
     }
 
-    /// A vector of a vertex with its morph targets.
+    /// Adds to `rest` the displacements of a vertex by its morph targets.
     #[inline]
     fn morphed(&self, vertex: usize, pose: &MeshPose<'_>, rest: Vec3A, way: impl Fn(&super::Morph) -> Vec3) -> Vec3A {
         let mut sum = rest;
@@ -118,7 +120,7 @@ impl Mesh {
     }
 }
 
-/// The sum of joint matrices by their weights; of a single one, the matrix itself.
+/// Weighted sum of joint matrices; for a single influence, the matrix itself, whatever its weight.
 #[inline]
 fn blended(influences: &[Influence], matrices: &[Affine3A]) -> Affine3A {
     if let [only] = influences {

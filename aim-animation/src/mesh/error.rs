@@ -2,13 +2,13 @@
 
 use core::fmt;
 
-/// Why a mesh is none, or cannot be deformed.
+/// Reason why a mesh is invalid or cannot be deformed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// There are more vertices, triangles, influences or joints than 32 bits count.
+    /// The mesh has more vertices, triangles, influences or joints than 32 bits can count.
     Size,
-    /// A slice has another length than the mesh has vertices.
+    /// The length of a slice differs from the number of vertices.
     Length {
         /// The number of vertices.
         vertices: usize,
@@ -17,24 +17,25 @@ pub enum MeshError {
     },
     /// The position or the normal of this vertex is not finite.
     Vertex(usize),
-    /// A corner of this triangle is no vertex.
+    /// A corner of this triangle refers to a vertex that does not exist.
     Triangle(usize),
     /// A weight of this vertex is negative or not finite.
     Weight(usize),
-    /// Nothing moves this vertex.
+    /// This vertex has no weight above 0.
     Unmoved(usize),
-    /// The morph of this number moves a vertex that does not exist, or is not finite.
+    /// The morph at this index refers to a vertex that does not exist, has a target number of `u32::MAX`, or is not
+    /// finite.
     Morph(usize),
-    /// There are fewer matrices, or joints of a skin, than the mesh hangs on.
+    /// There are fewer matrices, or joints of a skin, than the mesh needs.
     Joints {
-        /// One more than the last joint that moves a vertex.
+        /// The largest joint number that moves a vertex, plus one.
         needed: usize,
         /// The number of matrices or joints.
         found: usize,
     },
     /// The mesh has no normals.
     NoNormals,
-    /// The boxes were made of another mesh.
+    /// The boxes belong to another mesh.
     OtherMesh,
 }
 
@@ -61,22 +62,22 @@ impl fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// Why joints are no skin, or a slice does not fit one.
+/// Reason why a skin is invalid, or a slice does not fit it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SkinError {
-    /// This joint is a bone that the skeleton does not have.
+    /// This joint refers to a bone that the skeleton does not have.
     Bone {
-        /// The joint.
+        /// Index of the joint.
         joint: usize,
-        /// The bone.
+        /// Index of the bone.
         bone: usize,
     },
-    /// The rest of this joint does not span space, or the inverse given for it is not finite.
+    /// The rest transform of this joint is singular, or the inverse given for it is not finite.
     Rest(usize),
-    /// A slice has another length than it should.
+    /// The length of a slice is wrong.
     Length {
-        /// The number of joints, or of bones.
+        /// Expected length: the number of joints or of bones.
         expected: usize,
         /// The length of the slice.
         found: usize,

@@ -1,15 +1,15 @@
-//! A number that tells meshes apart.
+//! A hash that tells meshes apart.
 
 use super::{Mesh, Morph};
 
 impl Mesh {
-    /// The number that was computed when the mesh was made: of its positions, triangles, influences and morph targets, not of
-    /// its normals. Meshes that are equal in these have one; others have it by chance, once in 2⁶⁴.
+    /// Hash of the positions, triangles, influences and morph targets, but not of the normals, computed when the mesh
+    /// was made. Different meshes have the same hash with a probability of 2⁻⁶⁴.
     pub(crate) fn fingerprint(&self) -> u64 {
         self.fingerprint
     }
 
-    /// FNV-1a, word by word.
+    /// Computes an FNV-1a style hash, word by word.
     pub(super) fn computed_fingerprint(&self) -> u64 {
         // Adding 0 makes −0 the same as 0.
         let bits = |number: f32| (number + 0.0).to_bits();

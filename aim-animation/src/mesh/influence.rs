@@ -1,13 +1,13 @@
-//! [`Influence`] and [`Morph`]: what moves a vertex.
+//! [`Influence`] and [`Morph`]: movers of a vertex.
 
 use aim_runtime::glam::Vec3;
 
-/// A joint's share in a vertex.
+/// Weight of a joint for a vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Influence {
-    /// The joint, counted as in the [`Skin`](crate::Skin).
+    /// Index of the joint in the [`Skin`](crate::Skin).
     pub joint: u32,
-    /// Its weight, 0 or more; those of a vertex need not sum to 1.
+    /// Weight, 0 or more. The weights of a vertex need not sum to 1.
     pub weight: f32,
 }
 
@@ -19,15 +19,15 @@ impl Influence {
     }
 }
 
-/// The way of one vertex to a morph target's full weight, in the space of the mesh.
+/// Displacement of one vertex at full weight of a morph target, in mesh space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Morph {
-    /// The number of the target.
+    /// Number of the morph target.
     pub target: u32,
-    /// The vertex.
+    /// Index of the vertex.
     pub vertex: u32,
-    /// Added to its position.
+    /// Displacement of its position.
     pub position: Vec3,
-    /// Added to its normal.
+    /// Displacement of its normal.
     pub normal: Vec3,
 }

@@ -1,7 +1,7 @@
 //! Meshes moved by bones.
 //!
-//! [`Mesh`] holds vertices and their [`Influence`]s, [`Skin`] the bones' rest. [`deform`](Mesh::deform) puts the two together
-//! on the CPU; a GPU takes the joint matrices instead.
+//! [`Mesh`] holds vertices and their [`Influence`]s, [`Skin`] the bones and their inverse rest transforms.
+//! [`deform`](Mesh::deform) applies both on the CPU. A GPU takes the joint matrices of [`Skin::matrices`] instead.
 
 mod deform;
 mod error;
@@ -24,9 +24,10 @@ pub use skin::{Skin, matrix_rows};
 
 use crate::float::narrow;
 
-/// Vertices, triangles, and what moves them. Immutable; one serves all characters of a kind.
+/// Vertices, triangles, and the influences and morph targets that move them. Immutable; all characters of a kind can
+/// share one.
 ///
-/// Positions and normals are in the space of the mesh, in which the [`Skin`]'s inverse rest starts.
+/// Positions and normals are in mesh space, the space from which the [`Skin`]'s inverse rest transforms map.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Vec3};
@@ -50,30 +51,30 @@ pub struct Mesh {
     /// Empty, or one for each vertex.
     normals: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    /// Vertex by vertex, heaviest first.
+    /// Grouped by vertex, heaviest first.
     influences: Vec<Influence>,
     /// One past the last influence of each vertex.
     influence_ends: Vec<u32>,
-    /// Vertex by vertex, by target.
+    /// Grouped by vertex, ordered by target.
     morphs: Vec<Morph>,
     /// One past the last morph of each vertex; empty if there are none.
     morph_ends: Vec<u32>,
     joints: usize,
     targets: usize,
-    /// Of all that boxes are made of.
+    /// Hash of the data that a mesh's boxes depend on.
     fingerprint: u64,
 }
 
 impl Mesh {
-    /// A mesh without normals and morph targets. Each vertex has any number of influences; their weights are normalised
-    /// to sum to 1, those of 0 are dropped, and those of one joint are added.
+    /// A mesh without normals and morph targets. Each vertex may have any number of influences. Their weights are
+    /// normalised to sum to 1; weights of 0 are dropped, and weights of the same joint are added.
     ///
     /// Triangles are counter-clockwise seen from outside.
     ///
     /// # Errors
-    /// Another number of influences than of vertices, a vertex that is not finite or that nothing moves, a weight that
-    /// is negative or not finite, the joint `u32::MAX`, or a triangle of a vertex that does not exist; the first that is
-    /// found.
+    /// The first of these that is found: the numbers of vertices and of influence lists differ, a vertex is not finite
+    /// or has no positive weight, a weight is negative or not finite, a joint is `u32::MAX`, or a triangle refers to a
+    /// vertex that does not exist.
     pub fn new(
         positions: impl Into<Vec<Vec3>>,
         triangles: impl Into<Vec<[u32; 3]>>,
@@ -99,7 +100,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Appends a vertex's influences, heaviest first, of equal ones the lower joint.
+    /// Appends the influences of a vertex, heaviest first; of equal weights, the lower joint first.
     fn push_influences(&mut self, vertex: usize, given: &[Influence]) -> Result<(), MeshError> {
         if given.iter().any(|influence| !(influence.weight >= 0.0 && influence.weight.is_finite())) {
             return Err(MeshError::Weight(vertex));
@@ -111,7 +112,7 @@ impl Mesh {
         for of_joint in joints.chunk_by(|a, b| a.joint == b.joint) {
             let weight: f64 = of_joint.iter().map(|influence| f64::from(influence.weight)).sum();
             let influence = Influence::new(of_joint[0].joint, narrow(weight / total));
-            // A share below the range of single precision moves nothing.
+            // A weight below the range of single precision has no effect.
             if influence.weight > 0.0 {
                 self.influences.push(influence);
             }
@@ -121,10 +122,10 @@ impl Mesh {
         if pushed.is_empty() { Err(MeshError::Unmoved(vertex)) } else { Ok(()) }
     }
 
-    /// With a normal for each vertex; zero for one that has none. They need not be of length one.
+    /// Adds a normal for each vertex; zero for a vertex without one. Normals need not have length one.
     ///
     /// # Errors
-    /// Another number of normals than of vertices, or one that is not finite.
+    /// The numbers of normals and vertices differ, or a normal is not finite.
     pub fn with_normals(mut self, normals: impl Into<Vec<Vec3>>) -> Result<Self, MeshError> {
         let normals = normals.into();
         check_length(self.positions.len(), normals.len())?;
@@ -133,11 +134,11 @@ impl Mesh {
         Ok(self)
     }
 
-    /// With morph targets, in place of those that it has: what their weights move, in any order. Vertices that a target
-    /// does not move need none; those of one target and vertex are added.
+    /// Sets the morph targets, replacing any earlier ones. The displacements may be in any order; vertices that a
+    /// target does not move need none, and several for the same target and vertex are added.
     ///
     /// # Errors
-    /// A vertex that does not exist, or a way that is not finite.
+    /// A displacement refers to a vertex that does not exist or to the target `u32::MAX`, or is not finite.
     pub fn with_morphs(mut self, morphs: impl Into<Vec<Morph>>) -> Result<Self, MeshError> {
         let mut morphs = morphs.into();
         check_size(morphs.len())?;
@@ -162,32 +163,32 @@ impl Mesh {
         Ok(self)
     }
 
-    /// The positions where nothing moves them.
+    /// Positions at rest.
     #[must_use]
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
     }
 
-    /// The normals where nothing moves them; empty if there are none.
+    /// Normals at rest; empty if there are none.
     #[must_use]
     pub fn normals(&self) -> &[Vec3] {
         &self.normals
     }
 
-    /// Three vertices each, counter-clockwise seen from outside.
+    /// Vertex indices of each triangle, counter-clockwise seen from outside.
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// What moves a vertex, heaviest first, with weights that sum to 1; empty if there is no such vertex.
+    /// Influences of a vertex, heaviest first, with weights that sum to 1; empty if there is no such vertex.
     #[must_use]
     pub fn influences(&self, vertex: usize) -> &[Influence] {
         &self.influences[range(&self.influence_ends, vertex)]
     }
 
-    /// The `N` heaviest influences of a vertex, with weights that sum to 1; filled up with weight 0. As GPUs take them, with
-    /// `N` = 4 in most engines.
+    /// The `N` heaviest influences of a vertex, renormalised to sum to 1 and padded with weight 0. This is the form for
+    /// a GPU; most engines use `N` = 4.
     ///
     /// ```
     /// use aim_animation::glam::Vec3;
@@ -203,39 +204,39 @@ impl Mesh {
     pub fn heaviest<const N: usize>(&self, vertex: usize) -> [Influence; N] {
         let influences = self.influences(vertex);
         let heaviest = &influences[..influences.len().min(N)];
-        // All of them sum to 1 already.
+        // If all influences are used, they already sum to 1.
         let is_all = heaviest.len() == influences.len();
         let share = if is_all { 1.0 } else { heaviest.iter().map(|influence| influence.weight).sum::<f32>().recip() };
         let of = |at: usize| heaviest.get(at).map(|i| Influence { weight: i.weight * share, ..*i });
         core::array::from_fn(|at| of(at).unwrap_or_default())
     }
 
-    /// The ways of a vertex to the morph targets that move it, by target; empty if none does, or if there is no such
-    /// vertex.
+    /// Displacements of a vertex by the morph targets that move it, ordered by target; empty if none does, or if there
+    /// is no such vertex.
     #[must_use]
     pub fn morphs(&self, vertex: usize) -> &[Morph] {
         &self.morphs[range(&self.morph_ends, vertex)]
     }
 
-    /// One more than the last joint that moves a vertex: the number of matrices that it needs.
+    /// Number of joint matrices that the mesh needs: the largest joint number that moves a vertex, plus one.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.joints
     }
 
-    /// One more than the last morph target that was given.
+    /// Number of morph targets: the largest target number given, plus one.
     #[must_use]
     pub fn morph_targets(&self) -> usize {
         self.targets
     }
 
-    /// Fails unless there is a matrix for each joint that the mesh hangs on.
+    /// Returns an error unless there is a matrix for each joint that the mesh uses.
     pub(crate) fn check_joints(&self, found: usize) -> Result<(), MeshError> {
         if found >= self.joints { Ok(()) } else { Err(MeshError::Joints { needed: self.joints, found }) }
     }
 }
 
-/// The elements of one vertex.
+/// Range of the elements of one vertex.
 fn range(ends: &[u32], vertex: usize) -> Range<usize> {
     let Some(&end) = ends.get(vertex) else { return 0..0 };
     let start = vertex.checked_sub(1).map_or(0, |before| ends[before]);

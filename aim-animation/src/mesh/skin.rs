@@ -1,4 +1,4 @@
-//! [`Skin`]: the bones that move a mesh, and their inverse rest.
+//! [`Skin`]: the bones that move a mesh, with their inverse rest transforms.
 
 use alloc::vec::Vec;
 
@@ -8,7 +8,7 @@ use aim_runtime::rotation::inverse;
 use super::SkinError;
 use crate::skeleton::Skeleton;
 
-/// The bones that move a mesh, its *joints*, with the maps from the space of the mesh to each bone where it is at rest.
+/// The *joints* of a mesh: the bones that move it, each with the map from mesh space to the space of the bone at rest.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -32,16 +32,16 @@ use crate::skeleton::Skeleton;
 pub struct Skin {
     bones: Vec<usize>,
     inverse_rest: Vec<Affine3A>,
-    /// The number of the skeleton's bones.
+    /// Number of bones of the skeleton.
     skeleton: usize,
 }
 
 impl Skin {
-    /// The skin of a mesh that was made around the skeleton at rest, in the space of the model. The inverses are
-    /// computed here, once.
+    /// The skin of a mesh that was modelled around the skeleton at rest, in model space. Computes the inverse rest
+    /// transforms.
     ///
     /// # Errors
-    /// A bone that does not exist, or one whose rest does not span space.
+    /// A bone does not exist, or its rest transform is singular.
     pub fn new(skeleton: &Skeleton, bones: impl Into<Vec<usize>>) -> Result<Self, SkinError> {
         let model = skeleton.rest_in_model();
         let bones = bones.into();
@@ -53,11 +53,11 @@ impl Skin {
         Ok(Self { bones, inverse_rest, skeleton: skeleton.len() })
     }
 
-    /// The skin with inverses as files give them: bone ← space of the mesh, one for each joint. A bone may be several
-    /// joints.
+    /// A skin with given inverse rest transforms (inverse bind matrices), as in files: bone space ← mesh space, one for
+    /// each joint. The same bone may be used for several joints.
     ///
     /// # Errors
-    /// A bone that does not exist, another number of inverses than of bones, or one that is not finite.
+    /// A bone does not exist, the numbers of transforms and bones differ, or a transform is not finite.
     pub fn with_inverse_rest(
         skeleton: &Skeleton,
         bones: impl Into<Vec<usize>>,
@@ -80,7 +80,7 @@ impl Skin {
         &self.bones
     }
 
-    /// Bone ← space of the mesh at rest, of each joint.
+    /// Inverse rest transform of each joint, bone space ← mesh space.
     #[must_use]
     pub fn inverse_rest(&self) -> &[Affine3A] {
         &self.inverse_rest
@@ -92,18 +92,18 @@ impl Skin {
         self.bones.len()
     }
 
-    /// True if there are no joints.
+    /// Returns `true` if there are no joints.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bones.is_empty()
     }
 
-    /// The joint matrices: each bone of the pose times its inverse rest, which move the mesh from where it was made to
-    /// the space of the model. `model` is the pose that [`Skeleton::to_model`] gives.
+    /// Computes the joint matrices, model space ← mesh space: the model-space transform of each bone times its inverse
+    /// rest transform. `model` is a pose from [`Skeleton::to_model`].
     ///
     /// # Errors
-    /// A `model` of another length than the skeleton has bones, or a slice of another length than there are joints; then
-    /// nothing is written.
+    /// `model` has another length than the skeleton, or `matrices` another length than there are joints; then nothing
+    /// is written.
     pub fn matrices(&self, model: &[Affine3A], matrices: &mut [Affine3A]) -> Result<(), SkinError> {
         check_length(self.skeleton, model.len())?;
         check_length(self.len(), matrices.len())?;
@@ -118,8 +118,8 @@ fn check_length(expected: usize, found: usize) -> Result<(), SkinError> {
     if found == expected { Ok(()) } else { Err(SkinError::Length { expected, found }) }
 }
 
-/// The three rows of an affine map, as shaders read joint matrices from a buffer or a texture: 48 bytes instead of 64.
-/// A point moves to the dot products of (x, y, z, 1) with the rows.
+/// Returns the three rows of an affine map, as shaders read joint matrices from a buffer or texture: 48 bytes instead
+/// of 64. The coordinates of a transformed point are the dot products of (x, y, z, 1) with the rows.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Vec3};

@@ -1,18 +1,18 @@
-//! [`MotionError`]: why no motion can be extracted from a clip.
+//! [`MotionError`]: reasons why no motion can be extracted from a clip.
 
 use core::fmt;
 
-/// Why a clip gives no path of its root.
+/// Reason why no root path can be extracted from a clip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// The length of the clip, or the rate, is not positive and finite.
+    /// The length of the clip or the rate is not positive and finite.
     Length,
-    /// There is no such bone.
+    /// The skeleton has no such bone.
     Bone(usize),
-    /// The direction up is zero or not finite.
+    /// The up direction is zero or not finite.
     Up,
-    /// The bone is not finite, or too far away, at a time of the clip.
+    /// The position of the bone is not finite, or too large, at some time of the clip.
     Place,
 }
 

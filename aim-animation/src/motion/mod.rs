@@ -1,5 +1,5 @@
-//! [`Motion`]: how a clip moves the character that plays it. `root.rs` says what of the character moves, `steady.rs` has the motions
-//! of constant speed.
+//! [`Motion`]: root motion. `root.rs` defines the root and samples its path, `steady.rs` has the motions of constant
+//! speed.
 
 mod error;
 mod root;
@@ -23,17 +23,17 @@ use crate::track::Track;
 use crate::transform::{Transform, made_unit};
 use steady::Steady;
 
-/// The movement of a clip's root, taken out of the clip and given to the character's place.
+/// Root motion: the movement of a clip's root, removed from the clip and applied to the character's place.
 ///
-/// `M(t)`, [`at`](Self::at), is a rigid transform, the identity at the beginning. The pose is played without it
-/// ([`remove`](Self::remove)): `pose' = M(t)⁻¹ · pose`. The place of the character is moved by the
-/// [`delta`](Self::delta) of each frame's step, `place' = place · delta`, over loops, backwards, at any speed. So `place · pose'` is
-/// the movement as it was made, begun wherever the character stands, and right at any time at which it is interrupted. That needs no
-/// pose and no drawing: a delta is a function of the step alone.
+/// `M(t)`, [`at`](Self::at), is a rigid transform, the identity at the beginning. The clip is played without it
+/// ([`remove`](Self::remove)): `pose' = M(t)⁻¹ · pose`. The [`delta`](Self::delta) of each frame's step moves the
+/// character's place, `place' = place · delta`, across loops, backwards, and at any speed. So `place · pose'`
+/// reproduces the authored movement from wherever the character stands, and stays correct if it is interrupted at any
+/// time. A delta depends only on the step: no pose has to be sampled.
 ///
 /// | kind | `M(t)` | the clip keeps |
 /// |---|---|---|
-/// | [`linear`](Self::linear) | the root from the first to the last frame along a straight line, turning evenly | starts, stops, bobbing |
+/// | [`linear`](Self::linear) | a straight line from the first to the last frame, turning at a constant rate | starts, stops, bobbing |
 /// | [`composite`](Self::composite) | the screw from the first to the last frame (Chasles): along an arc | the same, less of it in curves |
 /// | [`variable`](Self::variable) | the root itself | nothing: the root stands still |
 ///
@@ -63,7 +63,7 @@ use steady::Steady;
 pub struct Motion {
     kind: Kind,
     length_s: f64,
-    /// From the first frame to the last, as a screw.
+    /// Screw motion from the first frame to the last.
     whole: Steady,
     bone: usize,
 }
@@ -71,30 +71,31 @@ pub struct Motion {
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
     Steady(Steady),
-    /// The path, and the inverse of its beginning.
+    /// The path and the inverse of its first transform.
     Variable(RootPath, Transform),
 }
 
 impl Motion {
-    /// Straight from the first frame to the last, at constant speed, turning at constant speed.
+    /// The motion along a straight line from the first frame to the last, with constant speed and constant turning
+    /// rate.
     #[must_use]
     pub fn linear(path: &RootPath) -> Self {
         let whole = Steady::screw(path);
         Self { kind: Kind::Steady(whole.straightened(path)), length_s: path.length_s, whole, bone: path.bone }
     }
 
-    /// The screw from the first frame to the last, at constant speed: about an axis and along it. What walks a curve stays on it,
-    /// whenever it is interrupted.
+    /// The screw motion from the first frame to the last: a rotation about an axis and a translation along it, both at
+    /// constant speed. A character that walks a curve stays on the curve whenever it is interrupted.
     ///
-    /// Turns of more than half a circle are told from shorter ones by the way between. Where a clip comes back to its direction
-    /// after whole turns there is no such screw; then it is the linear motion.
+    /// Turns of more than half a circle are recognised by summing the rotation along the path. If the clip ends in its
+    /// initial direction after whole turns, the screw is not determined, and the motion is the linear one.
     #[must_use]
     pub fn composite(path: &RootPath) -> Self {
         let whole = Steady::screw(path);
         Self { kind: Kind::Steady(whole), length_s: path.length_s, whole, bone: path.bone }
     }
 
-    /// The path itself: the root does not move in the clip any more.
+    /// The motion that follows the path exactly: the root no longer moves in the clip.
     #[must_use]
     pub fn variable(path: &RootPath) -> Self {
         let start = path.at(0.0).rigid_inverse();
@@ -106,20 +107,20 @@ impl Motion {
         }
     }
 
-    /// The bone whose movement it is, or whose shadow's.
+    /// The bone whose movement, or whose shadow's movement, this is.
     #[must_use]
     pub fn bone(&self) -> usize {
         self.bone
     }
 
-    /// The length of the clip, seconds.
+    /// Length of the clip, seconds.
     #[must_use]
     pub fn length_s(&self) -> f32 {
         narrow(self.length_s)
     }
 
-    /// The movement from the beginning of the clip to a time of it, in the space of the model. Times outside the clip count as its
-    /// ends, NaN as its beginning.
+    /// Returns the movement from the beginning of the clip to a time, in model space. Times are clamped to the clip;
+    /// NaN is treated as its beginning.
     #[must_use]
     pub fn at(&self, time_s: f32) -> Transform {
         let time = f64::from(time_s).max(0.0).min(self.length_s);
@@ -129,10 +130,11 @@ impl Motion {
         }
     }
 
-    /// The movement of a step through the clip, in the space of the character's place before it: `place' = place · delta`.
+    /// Returns the movement of a step through the clip, in the space of the character's place before the step:
+    /// `place' = place · delta`.
     #[must_use]
     pub fn delta(&self, step: &Step) -> Transform {
-        // A clip that bounces comes back the way that it went.
+        // A clip that bounces returns along the way it came, so its passes cancel.
         let ends = if step.bounces { 0.0 } else { f64::from(step.ends) };
         let rounds = if step.is_forward { ends } else { -ends };
         if let Kind::Steady(steady) = &self.kind {
@@ -140,7 +142,7 @@ impl Motion {
                 return steady.at(step.to_s - step.from_s + rounds * self.length_s);
             }
         }
-        // M(from)⁻¹ · M(length)ⁿ · M(to).
+        // delta = M(from)⁻¹ · M(length)ⁿ · M(to), where n is the signed number of ends passed.
         let whole = self.at(self.length_s());
         let whole =
             power(if rounds < 0.0 { whole.rigid_inverse() } else { whole }, if step.bounces { 0 } else { step.ends });
@@ -148,7 +150,7 @@ impl Motion {
         from.rigid_inverse().rigid_product(&whole.rigid_product(&to))
     }
 
-    /// Takes the movement out of a pose of the clip at a time: what has no parent is moved by `M(t)⁻¹`.
+    /// Removes the movement from a pose of the clip at a time: bones without a parent are moved by `M(t)⁻¹`.
     ///
     /// # Errors
     /// `pose` has another length than the skeleton; then nothing is written.
@@ -163,8 +165,9 @@ impl Motion {
         Ok(())
     }
 
-    /// The clip without the movement, for what cannot [remove](Self::remove) it while it plays: linear tracks of what has no
-    /// parent, sampled at least this often a second. A rate that is not positive and finite samples the ends alone.
+    /// Returns the clip with the movement removed, for players that cannot [remove](Self::remove) it at run time. The
+    /// tracks of bones without a parent are replaced by linear ones with at least `rate_hz` samples a second. If the
+    /// rate is not positive and finite, only the ends are sampled.
     #[must_use]
     pub fn removed_from(&self, clip: &Clip, skeleton: &Skeleton, rate_hz: f32) -> Clip {
         let rate_hz = if rate_hz.is_finite() { rate_hz } else { 0.0 };
@@ -189,14 +192,15 @@ impl Motion {
         stripped
     }
 
-    /// The screw that leads from the first frame to the last: axis, speeds about and along it. Of every kind of motion.
+    /// Returns the screw motion from the first frame to the last: its axis, and the speeds about and along it.
+    /// Available for every kind of motion.
     #[must_use]
     pub fn screw(&self) -> Screw {
         self.whole.to_screw()
     }
 
-    /// The mean of the deltas of several clips that are blended, weighted; of those whose clips count, the
-    /// [shares](crate::Tree::shares) of a tree. The identity without a weight. Weights are clamped to 0…1, NaN counts as 0.
+    /// Weighted mean of the deltas of blended clips; for a tree, the weights are its [shares](crate::Tree::shares). The
+    /// identity if no weight is positive. Weights are clamped to 0…1; NaN is treated as 0.
     pub fn blend(deltas: impl IntoIterator<Item = (Transform, f32)>) -> Transform {
         let mut sum = (Vec3::ZERO, Vec3::ZERO, 0.0);
         for (delta, weight) in deltas {
@@ -214,7 +218,7 @@ impl Motion {
     }
 }
 
-/// A rigid transform n times, by squaring.
+/// Raises a rigid transform to the n-th power, by repeated squaring.
 fn power(transform: Transform, mut exponent: u32) -> Transform {
     let (mut power, mut square) = (Transform::IDENTITY, transform);
     while exponent > 0 {

@@ -1,4 +1,4 @@
-//! [`Root`] and [`RootPath`]: what of a character moves it, and its way over a clip.
+//! [`Root`] and [`RootPath`]: the root of a character and its path over a clip.
 
 use alloc::vec::Vec;
 
@@ -11,22 +11,22 @@ use crate::skeleton::Skeleton;
 use crate::track::Track;
 use crate::transform::{Transform, made_unit};
 
-/// The root that moves a character: a bone of its skeleton, or one that no bone is.
+/// Definition of the root that moves a character: a bone, or the projection of a bone on the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Root {
-    /// A bone, with all its movement: a root bone made for this, or the pelvis.
+    /// All movement of a bone, such as the pelvis or a bone added as root.
     Bone(usize),
-    /// The shadow of a bone, such as the pelvis, on the ground: its place without its height, and its turning about the vertical. Its
-    /// bobbing and leaning stay in the clip.
+    /// Shadow of a bone, such as the pelvis, on the ground: its position without its height, and its rotation about the
+    /// vertical. Bobbing and leaning stay in the clip.
     Shadow {
-        /// The bone.
+        /// The bone whose shadow it is.
         bone: usize,
-        /// The direction up in the space of the model, of any length.
+        /// Up direction in model space, of any length.
         up: Vec3,
     },
 }
 
-/// The way of a character's root over a clip, in the space of the model: sampled once, straight in between.
+/// Path of a character's root over a clip, in model space: samples with linear interpolation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RootPath {
     pub(super) bone: usize,
@@ -36,10 +36,10 @@ pub struct RootPath {
 }
 
 impl RootPath {
-    /// Samples a clip at least this often a second, at its beginning and its end.
+    /// Samples a clip at least `rate_hz` times a second, including its beginning and its end.
     ///
     /// # Errors
-    /// See [`MotionError`].
+    /// See [`MotionError`] for the conditions.
     pub fn new(clip: &Clip, skeleton: &Skeleton, root: Root, rate_hz: f32) -> Result<Self, MotionError> {
         let (Root::Bone(bone) | Root::Shadow { bone, .. }) = root;
         let length = clip.length_s();
@@ -71,14 +71,14 @@ impl RootPath {
         Ok(Self { bone, translation, rotation, length_s: f64::from(length) })
     }
 
-    /// The root at a time, without scale; times outside the clip count as its ends.
+    /// Returns the root's transform at a time, without scale; times are clamped to the clip.
     #[must_use]
     pub fn at(&self, time_s: f32) -> Transform {
         Transform::new(self.translation.sample(time_s), self.rotation.sample(time_s))
     }
 }
 
-/// A bone in the space of the model, at any time of a clip.
+/// Samples a bone in model space.
 struct Sampler<'a> {
     clip: &'a Clip,
     skeleton: &'a Skeleton,
@@ -99,7 +99,7 @@ impl Sampler<'_> {
         self.placed()
     }
 
-    /// Without scale.
+    /// Returns the bone's transform in model space, without scale.
     fn placed(&mut self) -> Option<Transform> {
         self.skeleton.to_model(&self.pose, &mut self.model).ok()?;
         let Transform { translation, rotation, .. } = Transform::from_affine(&self.model[self.bone])?;
@@ -107,22 +107,22 @@ impl Sampler<'_> {
     }
 }
 
-/// The shadow of a bone on the ground.
+/// Projection of a bone on the ground.
 struct Shadow {
     up: Vec3,
-    /// The inverse of the bone's rotation in the rest pose.
+    /// Inverse of the bone's rotation at rest.
     from_rest: Quat,
 }
 
 impl Shadow {
     fn new(up: Vec3, rest: Quat) -> Result<Self, MotionError> {
-        // Large and small vectors, too.
+        // `unit` also handles very large and very small vectors.
         let up = unit(Quat::from_xyzw(up.x, up.y, up.z, 0.0)).ok_or(MotionError::Up)?;
         Ok(Self { up: Vec3::new(up.x, up.y, up.z), from_rest: rest.conjugate() })
     }
 
-    /// The place on the ground, and of the turn from the rest pose the part about the vertical: that of the rotation's twist. Half
-    /// a turn about a level axis has none; then it is the one before.
+    /// Projects the position on the ground, and keeps of the rotation from rest its twist about the vertical. Half a
+    /// turn about a horizontal axis has no twist; then the rotation `before` is kept.
     fn cast(&self, bone: &Transform, before: Quat) -> Transform {
         let place = bone.translation - self.up * bone.translation.dot(self.up);
         let turn = product(bone.rotation, self.from_rest);

@@ -1,4 +1,4 @@
-//! [`Steady`]: motions at constant speed, straight or along a screw.
+//! [`Steady`] and [`Screw`]: motions at constant speed, along a straight line or a screw.
 
 use aim_runtime::glam::{Vec3, Vec3A};
 use aim_runtime::rotation::{cross, exp, length, log, product, turned};
@@ -7,46 +7,48 @@ use super::root::RootPath;
 use crate::float::{floor, narrow};
 use crate::transform::{Transform, made_unit};
 
-/// A screw: a turn about an axis and a shift along it, both at constant speed. Any rigid motion is one (Chasles).
+/// A screw motion: rotation about an axis and translation along it, both at constant speed. Any rigid motion has one
+/// (Chasles' theorem).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Screw {
-    /// The direction of the axis in the space of the model, a unit vector. Without a turn it is that of the movement; zero if
-    /// there is none of either.
+    /// Unit direction of the axis in model space. Without a rotation, the direction of the movement; zero if there is
+    /// neither.
     pub axis: Vec3,
-    /// A point of the axis in the space of the model, the one nearest to the root; `None` without a turn.
+    /// Point of the axis nearest to the root, in model space; `None` without a rotation.
     pub point: Option<Vec3>,
-    /// The speed of the turn about the axis, radians a second, not negative.
+    /// Speed of the rotation about the axis, radians a second, not negative.
     pub turn_rad_s: f32,
-    /// The speed of the root along its arc about the axis, units a second, not negative.
+    /// Speed of the root along its arc about the axis, units a second, not negative.
     pub arc_s: f32,
-    /// The speed along the axis, units a second.
+    /// Speed along the axis, units a second.
     pub along_s: f32,
 }
 
 impl Screw {
-    /// The speed of the root, units a second. To play another clip as fast as this one, its control's speed is the ratio of the two.
+    /// Speed of the root, units a second. The ratio of two clips' speeds is the playback speed at which one moves as
+    /// fast as the other.
     #[must_use]
     pub fn speed_s(&self) -> f32 {
         length(Vec3A::new(self.arc_s, self.along_s, 0.0))
     }
 }
 
-/// A motion at constant speed of a root that begins at `anchor`.
+/// Motion at constant speed of a root that starts at `anchor`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Steady {
-    /// The root's place at the beginning.
+    /// Position of the root at the beginning.
     anchor: Vec3A,
-    /// The axis of the turn, unit; any if there is none.
+    /// Unit axis of the rotation; arbitrary if there is none.
     axis: Vec3A,
     turn_rad_s: f64,
-    /// The velocity at the beginning.
+    /// Velocity at the beginning.
     velocity: Vec3A,
-    /// True if the velocity turns too: along an arc, not straight.
+    /// `true` if the velocity rotates too, so that the root follows an arc instead of a straight line.
     is_curved: bool,
 }
 
 impl Steady {
-    /// From the beginning of a path to its end along a screw; straight where there is none.
+    /// The screw motion from the beginning of a path to its end; the straight motion if the screw is not determined.
     pub(super) fn screw(path: &RootPath) -> Self {
         let (axis, angle) = whole_turn(path);
         let straight = Self {
@@ -58,11 +60,13 @@ impl Steady {
         };
         let [sin, cos] = mean_turn(axis, angle);
         let square = sin * sin + cos * cos;
-        // 4 sin²(φ/2) / φ²: vanishes after whole turns, where the root comes back whatever the radius of its arc.
+        // `square` = 4 sin²(φ/2) / φ². It vanishes at whole turns, where the arc is closed and its radius is
+        // undetermined.
         if !(f64::from(square) * angle * angle > 4e-4 || angle.abs() < 1.0) {
             return straight;
         }
-        // The velocity v whose mean over the turn is the way: way/T = along + cos·v + sin·(axis × v), solved for v.
+        // Find the initial velocity whose mean over the turn is `mean`. Its part v across the axis solves
+        // mean = along + cos·v + sin·(axis × v).
         let mean = straight.velocity;
         let along = axis * axis.dot(mean);
         let across = mean - along;
@@ -75,12 +79,12 @@ impl Steady {
         Self { velocity: mean_velocity(path), is_curved: self.turn_rad_s == 0.0, ..*self }
     }
 
-    /// Whether the motion of any interval follows from its length alone.
+    /// Returns `true` if the motion over an interval depends on its length only, not on where it starts.
     pub(super) fn is_screw(&self) -> bool {
         self.is_curved
     }
 
-    /// The motion from the beginning to a time, which may be negative.
+    /// Returns the motion from the beginning to a time, which may be negative.
     pub(super) fn at(&self, time_s: f64) -> Transform {
         let angle = self.turn_rad_s * time_s;
         let rotation = turn(self.axis, angle);
@@ -91,7 +95,7 @@ impl Steady {
             let [sin, cos] = mean_turn(self.axis, angle);
             mean = along + across * cos + cross(self.axis, across) * sin;
         }
-        // The root goes from its anchor, and all else turns about it.
+        // The root moves on from its anchor; everything else also turns about the root.
         let place = self.anchor - turned(rotation, self.anchor) + mean * narrow(time_s);
         Transform::new(place.into(), rotation)
     }
@@ -102,46 +106,46 @@ impl Steady {
             let axis = if speed > 0.0 { self.velocity / speed } else { Vec3A::ZERO };
             return Screw { axis: axis.into(), point: None, turn_rad_s: 0.0, arc_s: 0.0, along_s: speed };
         }
-        // Of the two directions of an axis the one about which the turn is positive.
+        // Choose the direction of the axis about which the turn is positive.
         let axis = if self.turn_rad_s < 0.0 { -self.axis } else { self.axis };
         let rate = narrow(self.turn_rad_s.abs());
         let along = axis.dot(self.velocity);
         let across = self.velocity - axis * along;
-        // The velocity is ω × (anchor − point).
+        // Velocity = ω × (anchor − point), solved for the point.
         let point = self.anchor + cross(axis, across) / rate;
         let point = point.is_finite().then_some(Vec3::from(point));
         Screw { axis: axis.into(), point, turn_rad_s: rate, arc_s: length(across), along_s: along }
     }
 }
 
-/// From the first frame to the last over the time between; zero where that is beyond all numbers.
+/// Displacement from the first frame to the last, divided by the duration; zero if that overflows.
 fn mean_velocity(path: &RootPath) -> Vec3A {
     let way = path.at(narrow(path.length_s)).translation - path.at(0.0).translation;
     let velocity = Vec3A::from(way) / narrow(path.length_s);
     if velocity.is_finite() { velocity } else { Vec3A::ZERO }
 }
 
-/// The rotation about an axis by any angle.
+/// Rotation about an axis by any angle, radians.
 fn turn(axis: Vec3A, angle: f64) -> aim_runtime::glam::Quat {
     const TURN: f64 = core::f64::consts::TAU;
-    // Whole turns are taken off in double precision.
+    // Remove whole turns in double precision.
     let angle = angle - floor(angle / TURN + 0.5) * TURN;
     made_unit(exp((axis * narrow(angle)).into()))
 }
 
-/// sin and cos, averaged over angles from 0 to this one: (1 − cos φ)/φ and sin φ/φ.
+/// Means of sin and cos over angles from 0 to φ: (1 − cos φ)/φ and sin φ/φ.
 fn mean_turn(axis: Vec3A, angle: f64) -> [f32; 2] {
     let phi = narrow(angle);
     if phi.abs() < 1e-3 {
         return [0.5 * phi, 1.0 - phi * phi / 6.0];
     }
     let half = turn(axis, angle);
-    // The sign of the quaternion does not matter to its products.
+    // The sign of the quaternion cancels in the products.
     let (sin, cos) = (Vec3A::new(half.x, half.y, half.z).dot(axis), half.w);
     [2.0 * sin * sin / phi, 2.0 * sin * cos / phi]
 }
 
-/// The axis and the angle of a path's turn from its beginning to its end, with the whole turns between.
+/// Axis and angle of a path's rotation from its beginning to its end, including whole turns.
 fn whole_turn(path: &RootPath) -> (Vec3A, f64) {
     const TURN: f64 = core::f64::consts::TAU;
     let keys = path.rotation.values();
@@ -150,7 +154,7 @@ fn whole_turn(path: &RootPath) -> (Vec3A, f64) {
     let steps = keys.windows(2).map(|pair| Vec3A::from(log(made_unit(product(pair[1], pair[0].conjugate())))));
     let sum: Vec3A = steps.fold(Vec3A::ZERO, |sum, step| sum + step);
     let (size, travelled) = (length(short), length(sum));
-    // Of a whole turn the way alone knows the axis.
+    // After a whole turn both ends agree, and only the sum of the steps knows the axis.
     let axis = if size > 1e-3 || !(travelled > 3.0) { short / size } else { sum / travelled };
     if !axis.is_finite() {
         return (Vec3A::Y, 0.0);

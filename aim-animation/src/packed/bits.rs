@@ -1,11 +1,11 @@
-//! Numbers of any width, one behind the other.
+//! Bit streams: numbers of any width up to 32 bits, without gaps.
 
 use alloc::vec::Vec;
 
-/// The most bits of one number.
+/// Maximum width of one number, bits.
 pub(super) const MOST_BITS: u32 = 32;
 
-/// Bytes behind the last number, so that one load reads any number.
+/// Zero bytes appended after the last number, so that any number can be read by one 8-byte load.
 pub(super) const PADDING: usize = 8;
 
 /// Writes numbers of any width, the lowest bit first.
@@ -29,19 +29,19 @@ impl BitWriter {
         }
     }
 
-    /// The place of the next number, in bits.
+    /// Position of the next number, in bits.
     pub(super) fn position(&self) -> usize {
         self.used
     }
 
-    /// The bytes, padded.
+    /// Returns the bytes with the padding appended.
     pub(super) fn into_bytes(mut self) -> Vec<u8> {
         self.bytes.extend([0; PADDING]);
         self.bytes
     }
 }
 
-/// The number of `width` bits, 32 at most, that begins at a bit; 0 past the end.
+/// Reads the number of `width` bits, at most 32, that starts at bit `position`; 0 past the end.
 #[inline]
 pub(super) fn bits_at(bytes: &[u8], position: usize, width: u32) -> u32 {
     let Some((window, _)) = bytes.get(position / 8..).and_then(<[u8]>::split_first_chunk::<8>) else { return 0 };
@@ -52,7 +52,7 @@ pub(super) fn bits_at(bytes: &[u8], position: usize, width: u32) -> u32 {
     number
 }
 
-/// Bits that a number takes.
+/// Number of bits that a number needs.
 pub(super) fn width_of(number: u32) -> u32 {
     u32::BITS - number.leading_zeros()
 }

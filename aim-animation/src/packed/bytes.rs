@@ -1,4 +1,4 @@
-//! [`PackedClip`] as bytes: little-endian, with a version, checked on reading.
+//! Binary format of [`PackedClip`]: little-endian, versioned, validated on reading.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -10,28 +10,28 @@ use super::layout::{Channel, Header};
 use crate::clip::Event;
 use crate::track::{Track, Value};
 
-/// The first bytes.
+/// First bytes of the format.
 const MAGIC: [u8; 4] = *b"AIMP";
-/// The version that is written, and the only one that is read.
+/// Version that is written, and the only one that is read.
 const VERSION: u32 = 1;
 
-/// Why bytes are no packed clip.
+/// Reason why bytes are not a packed clip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PackedError {
-    /// They do not begin as a packed clip does.
+    /// The bytes do not start with the signature of a packed clip.
     Magic,
-    /// They are of another version than is read here.
+    /// The format has this version, which is not supported.
     Version(u32),
-    /// They end before the clip does.
+    /// The bytes end before the clip does.
     End,
-    /// Bytes are left over behind the clip: so many.
+    /// This many bytes are left after the end of the clip.
     Rest(usize),
     /// A name is not UTF-8.
     Name,
     /// The length, or the time of a key or an event, is negative, not finite, out of order or past the length.
     Time,
-    /// This track has keys, values or a target that no packed track has.
+    /// This track has keys, values or a target that a packed track cannot have.
     Track(usize),
 }
 
@@ -56,8 +56,8 @@ impl fmt::Display for PackedError {
 impl core::error::Error for PackedError {}
 
 impl PackedClip {
-    /// The clip as bytes, the same on every machine: little-endian, with a version, to be read by
-    /// [`from_bytes`](Self::from_bytes).
+    /// Encodes the clip in a binary format that [`from_bytes`](Self::from_bytes) reads: little-endian, versioned, and
+    /// the same on every machine.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = MAGIC.to_vec();
@@ -79,11 +79,11 @@ impl PackedClip {
         bytes
     }
 
-    /// The clip of [`to_bytes`](Self::to_bytes). Whatever the bytes, a clip that is read gives finite samples and unit rotations;
-    /// the memory that is taken is in proportion to the bytes.
+    /// Decodes a clip from the format of [`to_bytes`](Self::to_bytes). Any clip that is accepted gives finite samples
+    /// and unit rotations, and memory use is proportional to the number of bytes, even if they are malicious.
     ///
     /// # Errors
-    /// See [`PackedError`]; the first that is found.
+    /// See [`PackedError`]; returns the first error found.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, PackedError> {
         let mut reader = Reader(bytes);
         if reader.array()? != MAGIC {
@@ -128,7 +128,7 @@ impl PackedClip {
         Ok(packed)
     }
 
-    /// Finds and checks the tracks, one behind the other.
+    /// Finds and validates the tracks, which are stored one after the other.
     fn find_tracks(&mut self, count: usize) -> Result<(), PackedError> {
         if self.of_bones > count {
             return Err(PackedError::Track(count));
@@ -138,7 +138,7 @@ impl PackedClip {
         for track in 0..count {
             let at = u32::try_from(position).map_err(|_| PackedError::Track(track))?;
             let header = Header::read(&self.data, position, self.times.len());
-            // In the order of bones, and of each its translation, rotation and scale; then scalars.
+            // Required order: by bone, for each its translation, rotation and scale; then scalars.
             let place = (header.channel == Channel::Scalar, header.target, header.channel as u32);
             let is_sound = header.end() <= end
                 && (header.channel == Channel::Scalar) == (track >= self.of_bones)
@@ -150,7 +150,7 @@ impl PackedClip {
             self.tracks.push(at);
             (position, before) = (header.end(), Some(place));
         }
-        // What is left are the bits that fill the last byte.
+        // Less than a byte may be left: the bits that fill the last byte.
         if end - position < 8 { Ok(()) } else { Err(PackedError::Rest((end - position) / 8)) }
     }
 
@@ -159,7 +159,7 @@ impl PackedClip {
             track.is_some()
         }
         header.is_bounded()
-            // Two to a time at most, where it jumps.
+            // At most two keys at one time, where the track jumps.
             && header.keys <= 2 * self.times.len()
             && match header.channel {
                 Channel::Rotation => sound(&self.track::<aim_runtime::glam::Quat>(header)),
@@ -173,7 +173,7 @@ fn push(bytes: &mut Vec<u8>, number: u32) {
     bytes.extend(number.to_le_bytes());
 }
 
-/// A count; what has more than 2³² things does not fit into a clip.
+/// Writes a count, saturated at 2³² − 1. Clips are far smaller.
 fn push_count(bytes: &mut Vec<u8>, count: usize) {
     push(bytes, u32::try_from(count).unwrap_or(u32::MAX));
 }
@@ -183,7 +183,7 @@ fn push_text(bytes: &mut Vec<u8>, text: &str) {
     bytes.extend(text.as_bytes());
 }
 
-/// The bytes that are not read yet.
+/// The bytes not read yet.
 struct Reader<'a>(&'a [u8]);
 
 impl<'a> Reader<'a> {

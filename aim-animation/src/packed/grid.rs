@@ -1,59 +1,59 @@
-//! Values as whole numbers of steps: of vectors their components, of rotations three of four.
+//! Quantisation: values as integer multiples of a step. Vectors have their components, rotations three of four.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{dot, product, unit};
 
 use crate::track::{Arithmetic, Value};
 
-/// The number of the component that is left out, where it is the largest one of each key.
+/// Value of [`Grid::left_out`] for which each key leaves out its own largest component.
 pub(crate) const LARGEST: u8 = 4;
 
-/// The most steps from zero, so that `f32` has every multiple.
+/// Maximum number of steps from zero, for which every multiple is exact in `f32`.
 const MOST_STEPS: f64 = 8_388_608.0;
 
-/// The steps by which a track's values and tangents are counted: powers of two, so that decoding is exact.
+/// Quantisation steps of a track's values and tangents: powers of two, so that decoding is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
     /// Values are multiples of `2^-exponent`.
     pub(crate) exponent: i16,
     /// Tangents are multiples of `2^-tangent_exponent`.
     pub(crate) tangent_exponent: i16,
-    /// Of rotations the component that is left out, or [`LARGEST`].
+    /// For rotations, the component that is left out, or [`LARGEST`].
     pub(crate) left_out: u8,
 }
 
-/// A value by at most three numbers on a grid, and by its own numbers.
+/// A value that can be stored as up to three numbers on a grid, or exactly as its own components.
 pub(crate) trait Parts: Value {
-    /// How many numbers it is on a grid.
+    /// Count of numbers of a value on a grid.
     const PARTS: usize;
-    /// How many numbers it is in memory.
+    /// Count of numbers of a value stored exactly.
     const NUMBERS: usize;
-    /// Bits of a step's exponent at most.
+    /// Largest exponent of a step: no step is finer than `2^-FINEST`.
     const FINEST: i16;
 
     fn numbers(self) -> [f32; 4];
     fn from_numbers(numbers: [f32; 4]) -> Self;
-    /// The component to leave out.
+    /// Index of the component to leave out, the one with the largest magnitude.
     fn largest(self) -> u8;
     fn parts(self, left_out: u8) -> [f32; 3];
     fn from_parts(parts: [f32; 3], left_out: u8) -> Self;
-    /// The velocity of a value by numbers that do not depend on its sign.
+    /// Converts a tangent at this value to numbers that are the same for `q` and `-q`.
     fn tangent_parts(self, tangent: Self) -> [f32; 3];
     fn tangent_from_parts(self, parts: [f32; 3]) -> Self;
-    /// The square of the distance, of rotations of their angle where that is small.
+    /// Square of the distance; for rotations of the angle, if that is small.
     fn distance_squared(self, other: Self) -> f32;
-    /// The component to leave out of all of them.
+    /// Returns the one component to leave out of all values, or [`LARGEST`] if none suits.
     fn left_out_of(values: &[Self]) -> u8;
 }
 
-/// `2^exponent`, of exponents between -126 and 127.
+/// `2^exponent`; exponents are clamped to −126…127.
 #[inline]
 pub(crate) fn power_of_two(exponent: i16) -> f32 {
     let biased = u32::from((exponent.clamp(-126, 127) + 127).unsigned_abs());
     f32::from_bits(biased << 23)
 }
 
-/// The exponent of the largest step that is not above a size: `step = 2^-exponent ≤ size`.
+/// Exponent of the largest step that does not exceed a size, `step = 2^-exponent ≤ size`. Clamped to −40…`finest`.
 pub(crate) fn exponent_of(size: f32, finest: i16) -> i16 {
     if !(size > 0.0) {
         return finest;
@@ -62,7 +62,7 @@ pub(crate) fn exponent_of(size: f32, finest: i16) -> i16 {
     (127 - biased).clamp(-40, finest)
 }
 
-/// A number in steps of `2^-exponent`; `None` if it is more than 2²³ of them.
+/// Rounds a number to steps of `2^-exponent`; `None` if that is more than 2²³ steps.
 pub(crate) fn steps(number: f32, exponent: i16) -> Option<i32> {
     let steps = f64::from(number) * f64::from(power_of_two(exponent));
     let steps = crate::float::floor(steps + 0.5);
@@ -70,7 +70,7 @@ pub(crate) fn steps(number: f32, exponent: i16) -> Option<i32> {
     (steps.abs() <= MOST_STEPS).then_some(steps as i32)
 }
 
-/// The number of so many steps.
+/// Converts steps of `2^-exponent` back to a number.
 #[inline]
 pub(crate) fn from_steps(steps: i32, exponent: i16) -> f32 {
     #[expect(clippy::cast_precision_loss, reason = "what was counted is within 2²³")]
@@ -84,19 +84,19 @@ fn snapped(parts: [f32; 3], exponent: i16) -> Option<[f32; 3]> {
 }
 
 impl Grid {
-    /// The component that is left out of a value.
+    /// Index of the component that is left out of a value.
     pub(crate) fn left_out_of<T: Parts>(&self, value: T) -> u8 {
         if self.left_out == LARGEST { value.largest() } else { self.left_out }
     }
 
-    /// The value of the grid that is nearest; `None` if it is out of range.
+    /// Nearest value on the grid; `None` if it is out of range.
     pub(crate) fn value<T: Parts>(&self, value: T) -> Option<T> {
         let left_out = self.left_out_of(value);
         let parts = snapped(value.parts(left_out), self.exponent)?;
         Some(T::from_parts(parts, left_out).near(value))
     }
 
-    /// The tangent of the grid that is nearest; `None` if it is out of range.
+    /// Nearest tangent on the grid; `None` if it is out of range.
     pub(crate) fn tangent<T: Parts>(&self, value: T, tangent: T) -> Option<T> {
         Some(value.tangent_from_parts(snapped(value.tangent_parts(tangent), self.tangent_exponent)?))
     }
@@ -195,7 +195,8 @@ impl Parts for Quat {
     }
 
     fn parts(self, left_out: u8) -> [f32; 3] {
-        // The others over the one left out: its sign and size follow, q and -q are the same.
+        // The others divided by the one left out, whose size follows from the unit length; its sign is irrelevant,
+        // since q and −q are equal.
         let [x, y, z, w] = self.to_array();
         match left_out {
             0 => [y / x, z / x, w / x],
@@ -217,7 +218,7 @@ impl Parts for Quat {
     }
 
     fn tangent_parts(self, tangent: Self) -> [f32; 3] {
-        // q′ = (v, 0) · q; what changes the length is no velocity of a rotation.
+        // q′ = (v, 0) · q. Drop the scalar part: it changes the length of q, not the rotation.
         let turn = product(tangent, self.conjugate());
         [turn.x, turn.y, turn.z]
     }
@@ -237,7 +238,8 @@ impl Parts for Quat {
             values.iter().fold(1.0_f32, |least, value| least.min(value.to_array()[usize::from(index)].abs()))
         };
         let best = [3, 0, 1, 2].into_iter().reduce(|a, b| if least(b) > least(a) { b } else { a });
-        // Below, its inverse would stretch the steps of the others, and its sign might turn.
+        // Division by a smaller component would enlarge the steps of the others, and its sign might change between
+        // keys.
         best.filter(|&index| least(index) > 0.35).unwrap_or(LARGEST)
     }
 }

@@ -1,4 +1,4 @@
-//! One packed track: a header of bits, the keys' times by their numbers, and the keys.
+//! Encoding of one packed track: a header, the indices of the keys' times, and the keys.
 
 use alloc::vec::Vec;
 
@@ -6,7 +6,7 @@ use super::bits::{BitReader, BitWriter, bits_at, width_of};
 use super::grid::{Grid, LARGEST, Parts, from_steps, steps};
 use crate::track::{Curve, Track};
 
-/// What a track moves.
+/// Property that a track animates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Channel {
     Translation,
@@ -15,13 +15,14 @@ pub(super) enum Channel {
     Scalar,
 }
 
-/// Bits of the numbers that say how wide others are.
+/// Width of the fields that hold the widths of other fields.
 const WIDTH_BITS: u32 = 5;
-/// Bits of an exponent, and what is added to it.
+/// Width of the exponent of a step.
 const EXPONENT_BITS: u32 = 8;
+/// Bias added to an exponent, so that it is stored as an unsigned number.
 const EXPONENT_BIAS: i16 = 128;
 
-/// Numbers on a grid: steps from a base.
+/// Range of quantised components: each is stored as the number of steps from a base.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Range {
     exponent: i16,
@@ -30,7 +31,8 @@ struct Range {
 }
 
 impl Range {
-    /// The range of numbers; `None` if one is too large. Two keys or more take one bit at least.
+    /// Computes the range of the components; `None` if one is too large. If there are several keys, the first component
+    /// gets at least one bit.
     fn of(parts: impl Iterator<Item = [f32; 3]>, exponent: i16, count: usize) -> Option<Self> {
         let mut ends: Option<[[i32; 3]; 2]> = None;
         let mut keys = 0;
@@ -48,7 +50,7 @@ impl Range {
             range.bases[index] = low[index];
             range.widths[index] = width_of(high[index].abs_diff(low[index]));
         }
-        // So that no track has more keys than bits.
+        // Bounds the number of keys by the number of bits, and so the memory that a damaged file can claim.
         range.widths[0] = range.widths[0].max(u32::from(keys > 1));
         Some(range)
     }
@@ -112,20 +114,20 @@ fn unzigzag(number: u32) -> i32 {
     if number & 1 == 1 { -size } else { size }
 }
 
-/// How keys are stored.
+/// Encoding of a track's keys.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Form {
-    /// As they are.
+    /// Components as full floats.
     Exact,
-    /// On grids: of values, and of tangents.
+    /// Quantised values and tangents.
     Grid { left_out: u8, values: Range, tangents: Range },
 }
 
-/// How often a key's tangent is stored.
+/// Number of tangents stored for each key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Tangents {
     None,
-    /// Arriving as leaving.
+    /// Arriving and leaving tangent are equal.
     One,
     Two,
 }
@@ -145,20 +147,20 @@ impl Tangents {
 pub(super) struct Header {
     pub(super) channel: Channel,
     pub(super) curve: Curve,
-    /// The bone, or the number of the scalar.
+    /// Index of the bone, or number of the scalar.
     pub(super) target: usize,
     pub(super) keys: usize,
     tangents: Tangents,
     form: Form,
-    /// There is a key at each time of the clip.
+    /// `true` if the track has a key at each time of the clip.
     at_all_times: bool,
-    /// Where the numbers of the times begin, and where the keys, in bits.
+    /// Positions of the time indices and of the keys, in bits.
     times_at: usize,
     keys_at: usize,
     stride: u32,
 }
 
-/// A number in few bits if it is small: a bit that says so, and it.
+/// Widths of a variable-length integer: one flag bit selects 10 or 32 bits.
 const SMALL: [u32; 2] = [10, 32];
 
 fn push_small(bits: &mut BitWriter, number: usize) -> Option<()> {
@@ -179,15 +181,15 @@ fn take_small(bits: &mut BitReader<'_>) -> usize {
     bits.take(SMALL[usize::from(is_wide)]) as usize
 }
 
-/// Bits of the number of a time.
+/// Width of an index into the clip's times, bits.
 pub(super) fn time_bits(times: usize) -> u32 {
     width_of(u32::try_from(times.saturating_sub(1)).unwrap_or(u32::MAX))
 }
 
-/// The form of a track's keys: on a grid, or as they are where they do not fit one.
+/// Chooses the encoding of a track's keys: quantised, or exact if they do not fit the grid.
 fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
     let smooth = |tangents: &[[T; 2]]| {
-        // What plays no part may be anything.
+        // The first arriving and the last leaving tangent have no effect, so they need not match.
         let inner = tangents.get(1..tangents.len().saturating_sub(1)).unwrap_or_default();
         inner.iter().all(|[into, out]| into == out)
     };
@@ -214,12 +216,12 @@ fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
     (tangents, form.unwrap_or(Form::Exact))
 }
 
-/// The tangents of a key that are stored.
+/// Returns the tangents of a key that are stored.
 fn kept_tangents<T: Parts>(track: &Track<T>, key: usize, tangents: Tangents) -> Vec<T> {
     let [into, out] = track.tangents()[key];
     match tangents {
         Tangents::None => Vec::new(),
-        // The first key's that it leaves by, the last one's that it arrives by: the others play no part.
+        // The leaving tangent of the first key, the arriving one of the last: their other tangents have no effect.
         Tangents::One => alloc::vec![if key == 0 { out } else { into }],
         Tangents::Two => alloc::vec![into, out],
     }
@@ -237,7 +239,7 @@ impl Form {
     }
 }
 
-/// The bits that a track takes.
+/// Number of bits that a track takes.
 pub(crate) fn bits_of<T: Parts>(target: usize, track: &Track<T>, grid: Option<Grid>, times: usize) -> usize {
     let (tangents, form) = form(track, grid);
     let keys = track.times().len();
@@ -314,7 +316,7 @@ pub(super) fn write<T: Parts>(
 }
 
 impl Header {
-    /// The header at a bit, and the bit after the track's last key.
+    /// Decodes the header at bit `position`. `times` is the number of the clip's times.
     #[inline]
     pub(super) fn read(bytes: &[u8], position: usize, times: usize) -> Self {
         let mut bits = BitReader { bytes, position };
@@ -358,29 +360,29 @@ impl Header {
         Self { channel, curve, target, keys, tangents, form, at_all_times, times_at, keys_at, stride }
     }
 
-    /// The bit after the last key.
+    /// Position after the last key, in bits.
     pub(super) fn end(&self) -> usize {
         self.keys_at.saturating_add(self.keys.saturating_mul(self.stride as usize))
     }
 
-    /// True if a key takes bits, or there is but one.
+    /// Returns `true` if each key takes at least one bit, or there is only one.
     pub(super) fn is_bounded(&self) -> bool {
         self.keys == 1 || self.keys > 1 && self.stride > 0
     }
 
-    /// The number of a key's time.
+    /// Index of a key's time.
     #[inline]
     pub(super) fn time(&self, bytes: &[u8], key: usize, width: u32) -> usize {
         if self.at_all_times { key } else { bits_at(bytes, self.times_at + key * width as usize, width) as usize }
     }
 
-    /// The value of a key.
+    /// Value of a key.
     #[inline]
     pub(super) fn value<T: Parts>(&self, bytes: &[u8], key: usize) -> T {
         self.value_and_tangents(bytes, key).0
     }
 
-    /// The value of a key, and where its tangents stand.
+    /// Value of a key, and a reader positioned at its tangents.
     #[inline]
     fn value_and_tangents<'a, T: Parts>(&self, bytes: &'a [u8], key: usize) -> (T, BitReader<'a>) {
         let mut bits = BitReader { bytes, position: self.keys_at + key * self.stride as usize };
@@ -394,13 +396,14 @@ impl Header {
         (value, bits)
     }
 
-    /// Of a key's value the form near to another; as it is stored where that is exact, and goes the way that it is meant to.
+    /// Returns the sign of a value that is nearer to `other`. Exactly stored values keep their sign, because it gives
+    /// the direction of interpolation.
     #[inline]
     pub(super) fn near<T: Parts>(&self, value: T, other: T) -> T {
         if self.form == Form::Exact { value } else { value.near(other) }
     }
 
-    /// The value of a cubic key in the form near to another, and its velocities on arriving and on leaving.
+    /// Value of a cubic key, with the sign nearer to `near`, and its arriving and leaving tangents.
     #[inline]
     pub(super) fn cubic_key<T: Parts>(&self, bytes: &[u8], key: usize, near: Option<T>) -> (T, [T; 2]) {
         let (value, mut bits): (T, _) = self.value_and_tangents(bytes, key);

@@ -1,5 +1,5 @@
-//! [`PackedClip`]: a clip whose keys take few bits. `grid.rs` makes values whole numbers, `layout.rs` is one track, `bits.rs` its
-//! bits, `segment.rs` two of its keys decoded, and `bytes.rs` the file of it.
+//! [`PackedClip`]: a compressed clip. `grid.rs` quantises values, `layout.rs` encodes one track, `bits.rs` reads and
+//! writes bits, `segment.rs` decodes two neighbouring keys, and `bytes.rs` is the file format.
 
 mod bits;
 mod bytes;
@@ -25,11 +25,12 @@ use crate::step::Step;
 use crate::track::{Curve, Track};
 use crate::transform::Transform;
 
-/// A clip in a tenth to a quarter of its memory, played from there.
+/// A compressed clip: a tenth to a quarter of the memory, sampled without unpacking.
 ///
-/// Made by [`Reduction::pack`](crate::Reduction::pack), which holds a tolerance in the space of the model. The times of keys are exact.
-/// Components of vectors are whole numbers of a step, in as many bits as their range in that track takes; so are rotations, by
-/// three of their four components over the fourth. Samples have the same bits on every machine.
+/// Made by [`Reduction::pack`](crate::Reduction::pack), which keeps its error within a tolerance in model space. The
+/// times of keys are exact. Components of vectors are integer multiples of a step, in as many bits as their range in
+/// that track needs. Rotations are stored the same way, as three components divided by the fourth. Samples are
+/// bit-identical on every machine.
 ///
 /// ```
 /// use aim_animation::glam::Quat;
@@ -53,18 +54,20 @@ pub struct PackedClip {
     name: String,
     length_s: f32,
     events: Vec<Event>,
-    /// The times of all keys, by whose numbers tracks name them: where a track jumps it names one twice.
+    /// Times of all keys, without duplicates; tracks refer to them by index. A track that jumps refers to one of them
+    /// twice.
     times: Vec<f32>,
-    /// Where each track begins, in bits: those of bones, then those of scalars.
+    /// Start of each track in `data`, in bits: tracks of bones, then those of scalars.
     tracks: Vec<u32>,
-    /// The number of the tracks of bones.
+    /// Number of tracks of bones.
     of_bones: usize,
-    /// The tracks, one behind the other.
+    /// The encoded tracks, one after the other.
     data: Arc<[u8]>,
 }
 
 impl PackedClip {
-    /// Packs a clip whose values are on the grids; `None` if it has too many keys.
+    /// Packs a clip whose values are on the grids; `None` if a track would start beyond 2³² bits, or a count does not
+    /// fit.
     pub(crate) fn new(clip: &Clip, grids: &Grids) -> Option<Self> {
         let mut packed = Self {
             name: clip.name().into(),
@@ -102,46 +105,48 @@ impl PackedClip {
         Some(packed)
     }
 
-    /// The name.
+    /// Name of the clip.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The length, seconds.
+    /// Length, seconds.
     #[must_use]
     pub fn length_s(&self) -> f32 {
         self.length_s
     }
 
-    /// The events in the order of their times.
+    /// Events, in order of time.
     #[must_use]
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// The events that a step passes; see [`Clip::events_passed`].
+    /// Events that a step passes; see [`Clip::events_passed`].
     pub fn events_passed<'a>(&'a self, step: &Step) -> impl Iterator<Item = &'a Event> + use<'a> {
         events_passed(&self.events, step)
     }
 
-    /// The bytes of the keys in memory: times, the tracks' headers and keys, and where each track begins. As in
+    /// Size of the keys in memory, bytes: times, the headers and keys of the tracks, and the start of each track. As in
     /// [`Clip::bytes`], names and events are not counted.
     #[must_use]
     pub fn bytes(&self) -> usize {
         4 * (self.times.len() + self.tracks.len()) + self.data.len()
     }
 
-    /// A cursor at the beginning, for a character that plays this clip: it keeps two keys of each track decoded, some 100 bytes.
+    /// A cursor at the beginning, for one character that plays this clip. It caches two decoded keys of each track,
+    /// about 100 bytes.
     #[must_use]
     pub fn cursor(&self) -> Cursor {
         Cursor::with_room(1, self.tracks.len())
     }
 
-    /// Writes the clip at a time into a pose, as [`Clip::sample`] does: what has no track stays as it is. Does not allocate.
+    /// Writes the clip at a time into a pose, as [`Clip::sample`] does: bones without a track do not change. Does not
+    /// allocate.
     ///
-    /// A track is decoded when the time has passed a key since the cursor was used last; with a cursor of another clip's or by default,
-    /// that may have too little room, in each call.
+    /// A track is decoded again only when the time has passed a key since the cursor was last used. With a default
+    /// cursor, or one of another clip, which may have too little room, it is decoded in every call.
     pub fn sample(&self, time_s: f32, cursor: &mut Cursor, pose: &mut [Transform]) {
         self.each_segment(0..self.of_bones, time_s, cursor, |segment| {
             let Some(bone) = pose.get_mut(segment.target) else { return };
@@ -154,7 +159,7 @@ impl PackedClip {
         });
     }
 
-    /// Writes the scalars at a time to the places of their numbers; others stay as they are.
+    /// Writes the scalars at a time to `scalars`, each at the index of its number; other elements do not change.
     pub fn sample_scalars(&self, time_s: f32, cursor: &mut Cursor, scalars: &mut [f32]) {
         self.each_segment(self.of_bones..self.tracks.len(), time_s, cursor, |segment| {
             if let Some(scalar) = scalars.get_mut(segment.target) {
@@ -163,7 +168,7 @@ impl PackedClip {
         });
     }
 
-    /// The value of the scalar at a place of the list of scalars.
+    /// Value of the scalar at index `place` of the list of scalars.
     pub(crate) fn scalar_in_place(&self, time_s: f32, place: usize) -> f32 {
         let mut value = 0.0;
         let place = self.of_bones + place;
@@ -171,14 +176,14 @@ impl PackedClip {
         value
     }
 
-    /// The clip with its keys as floats: at every time it has the same samples.
+    /// Returns the clip with its keys as floats; its samples are the same at every time.
     #[must_use]
     pub fn unpacked(&self) -> Clip {
         let mut clip = Clip::new(self.name.clone());
         for position in &self.tracks {
             let header = self.header(*position);
             let target = header.target;
-            // Never left out: checked when it was made.
+            // Always `Some`: checked when the clip was made.
             clip = match header.channel {
                 Channel::Translation => match self.track(&header) {
                     Some(track) => clip.with_translation(target, track),
@@ -201,7 +206,7 @@ impl PackedClip {
         clip.with_length_and_events(self.length_s, self.events.clone())
     }
 
-    /// Calls for each of these tracks with its segment at a time.
+    /// Calls `call` for each of these tracks with its segment at a time.
     #[inline]
     fn each_segment(&self, places: Range<usize>, time_s: f32, cursor: &mut Cursor, mut call: impl FnMut(&Segment)) {
         let segments = cursor.segments.of(&self.data);
@@ -216,7 +221,8 @@ impl PackedClip {
         }
     }
 
-    /// The segment of a track at a time, by the moment and the key that are likely.
+    /// Decodes the segment of a track at a time. `moment` and `key` are guesses for the indices of the time and the
+    /// key.
     #[inline(never)]
     fn segment(&self, position: u32, time_s: f32, moment: &mut usize, key: usize) -> Segment {
         let header = self.header(position);
@@ -236,13 +242,14 @@ impl PackedClip {
         Header::read(&self.data, position as usize, self.times.len())
     }
 
-    /// The number of the last key's time that is not after a time, by the one that is likely; `None` if there is none.
+    /// Index of the last key time that is not after `time_s`, or `None` if there is none. Tries `likely` and its
+    /// successor first.
     fn moment(&self, time_s: f32, likely: &mut usize) -> Option<usize> {
         let times = &self.times[..];
         let is_at = |k: usize| {
             times.get(k).is_some_and(|time| *time <= time_s) && times.get(k + 1).is_none_or(|next| time_s < *next)
         };
-        // Played forward, the time is the last one found or the next.
+        // In forward playback the time is in the interval found last, or in the next.
         if !is_at(*likely) {
             let next = likely.saturating_add(1);
             *likely = if is_at(next) { next } else { times.partition_point(|time| *time <= time_s).saturating_sub(1) };
@@ -250,7 +257,8 @@ impl PackedClip {
         Some(*likely).filter(|likely| is_at(*likely))
     }
 
-    /// The last key that is not after the moment, else the first, by the one that is likely.
+    /// Index of the last key that is not after the moment, or else of the first key. Tries `likely` and its successor
+    /// first.
     fn key_at(&self, header: &Header, moment: Option<usize>, likely: usize) -> usize {
         let Some(moment) = moment else { return 0 };
         let width = time_bits(self.times.len());
@@ -264,7 +272,7 @@ impl PackedClip {
         }
     }
 
-    /// A track as floats; `None` if it is none.
+    /// Decodes a track to floats; `None` if the data is invalid.
     fn track<T: Parts>(&self, header: &Header) -> Option<Track<T>> {
         let width = time_bits(self.times.len());
         let times: Option<Vec<f32>> =
@@ -273,7 +281,8 @@ impl PackedClip {
         let (mut before, mut sign): (Option<T>, f32) = (None, 1.0);
         for key in 0..header.keys {
             if header.curve == Curve::Cubic {
-                // Of neighbours half a turn apart either form is near: as in a segment, those that are stored decide.
+                // For neighbours half a turn apart, both signs of the quaternion are equally near: compare the stored
+                // values, as a segment does.
                 let (value, of_key) = header.cubic_key(&self.data, key, None);
                 let is_near = before.is_none_or(|before| header.near(value, before) == value);
                 before = Some(value);
@@ -288,7 +297,8 @@ impl PackedClip {
     }
 }
 
-/// The last of the keys 0 to `last` of which something holds that holds of all before it; 0 if it holds of none.
+/// Binary search: returns the last key in 0…`last` for which `is_before` holds; 0 if it holds for none. It must hold
+/// for a prefix.
 fn key_before(last: usize, is_before: impl Fn(usize) -> bool) -> usize {
     let (mut low, mut high) = (0, last + 1);
     while high - low > 1 {
@@ -298,15 +308,15 @@ fn key_before(last: usize, is_before: impl Fn(usize) -> bool) -> usize {
     low
 }
 
-/// The grid of each track in the order of the clip: by bone translation, rotation and scale, then scalars. `None` for a track that is stored
-/// as it is.
+/// The grid of each track, in the order of the clip: translation, rotation and scale bone by bone, then scalars. `None`
+/// for a track that is stored exactly.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Grids(pub(crate) Vec<Option<Grid>>);
 
-/// The times of all keys in their order.
+/// Times of all keys, sorted and without duplicates.
 pub(crate) fn times_of(clip: &Clip) -> Vec<f32> {
     let mut all: Vec<f32> = Vec::new();
-    // No zero is negative.
+    // Adding 0 turns −0 into 0.
     let mut push = |times: &[f32]| all.extend(times.iter().map(|time| time + 0.0));
     for tracks in clip.tracks() {
         [&tracks.translation, &tracks.scale].into_iter().flatten().for_each(|track| push(track.times()));

@@ -1,4 +1,4 @@
-//! [`Segments`]: of each packed track the two keys about the time that was sampled last, decoded, as a cursor keeps them.
+//! [`Segments`]: the cache in a cursor. For each packed track it has the two decoded keys around the time sampled last.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -12,20 +12,21 @@ use crate::track::{Curve, hermite};
 pub(super) struct Segment {
     pub(super) channel: Channel,
     pub(super) target: usize,
-    /// The number of the first of them.
+    /// Index of the first of the two keys.
     pub(super) key: usize,
     curve: Curve,
-    /// They are those to look between from here to before `to_s`.
+    /// Start of the interval `from_s` ≤ time < `to_s` in which this segment applies.
     from_s: f32,
     to_s: f32,
-    /// The time of the first, up to which its value holds; infinite if it is the last of the track.
+    /// Time of the first key; up to it the value is constant. Infinite if the first key is the last of the track.
     start_s: f32,
-    /// The first value, how the curve leaves it, the second, how the curve arrives; both ways over the whole interval.
+    /// First value, leaving tangent, second value, arriving tangent. Tangents are multiplied by the length of the
+    /// interval.
     numbers: [[f32; 4]; 4],
 }
 
 impl Segment {
-    /// None that holds at any time.
+    /// A segment that applies at no time.
     pub(super) const NONE: Self = Self {
         channel: Channel::Scalar,
         target: usize::MAX,
@@ -37,7 +38,7 @@ impl Segment {
         numbers: [[0.0; 4]; 4],
     };
 
-    /// The segment that begins at a key; `times` are those of the key and of the next, if there is one.
+    /// Decodes the segment that starts at a key. `times` are those of the key and of the next one, if there is one.
     pub(super) fn new<T: Parts>(header: &Header, bytes: &[u8], key: usize, times: [Option<f32>; 2]) -> Self {
         let [start, end] = times.map(|time| time.unwrap_or(f32::INFINITY));
         let mut segment = Self {
@@ -69,13 +70,13 @@ impl Segment {
         segment
     }
 
-    /// True if a time is between its keys.
+    /// Returns `true` if the segment applies at a time.
     #[inline]
     pub(super) fn holds_at(&self, time_s: f32) -> bool {
         self.from_s <= time_s && time_s < self.to_s
     }
 
-    /// The value at a time; the same as that of the track of floats.
+    /// Value at a time; identical to that of the unpacked track.
     #[inline]
     pub(super) fn value<T: Parts>(&self, time_s: f32) -> T {
         let value = T::from_numbers(self.numbers[0]);
@@ -90,16 +91,17 @@ impl Segment {
     }
 }
 
-/// The segments of a packed clip's tracks, of which as many are kept as there is room for.
+/// Cached segments of a packed clip's tracks, as many as there is room for.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Segments {
     segments: Vec<Segment>,
-    /// The data that they were decoded from; held, so that no other clip's has its place in memory.
+    /// The data that the segments were decoded from. Holding it ensures that no other clip's data gets the same
+    /// address.
     data: Option<Arc<[u8]>>,
 }
 
 impl Segments {
-    /// Room for so many tracks.
+    /// A cache with room for this many tracks.
     pub(crate) fn with_room(tracks: usize) -> Self {
         Self { segments: alloc::vec![Segment::NONE; tracks], data: None }
     }
@@ -108,7 +110,7 @@ impl Segments {
         self.segments.len()
     }
 
-    /// Those of this data; what is of other data is forgotten.
+    /// Returns the segments for this data; those of other data are discarded first.
     pub(super) fn of(&mut self, data: &Arc<[u8]>) -> &mut [Segment] {
         let is_same = self.data.as_ref().is_some_and(|known| Arc::ptr_eq(known, data));
         if !is_same && !self.segments.is_empty() {

@@ -1,4 +1,4 @@
-//! [`Stance`]: the pelvis over the feet.
+//! [`Stance`]: foot planting with a pelvis that is lowered.
 
 use alloc::vec::Vec;
 
@@ -12,16 +12,16 @@ use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::made_unit;
 
-/// The part of a leg's length to which it is stretched before the pelvis gives way.
+/// Fraction of a leg's length to which it is stretched before the pelvis is lowered.
 const STRETCH: f32 = 0.998;
-/// How softly the pelvis gives way, of a leg's length.
+/// Width of the smooth onset of the lowering, as a fraction of a leg's length.
 const SOFT: f32 = 0.02;
 
-/// The feet of a character and its pelvis, which is lowered as far as the foot that lacks the most needs it. A foot that even then
-/// does not reach where it is planted is released.
+/// The feet of a character and its pelvis. The pelvis is lowered as far as needed for every foot to reach its goal. A
+/// planted foot that cannot reach its anchor even then is released.
 ///
-/// Each frame [`on`](Self::on) is the layer. The figure's place is to stand on the ground, as a game has it; feet keep the height over
-/// the ground that they are animated with.
+/// [`on`](Self::on) returns the layer for a frame. The figure's place must be on the ground, where a game puts it; feet
+/// keep the animated height above the ground.
 ///
 /// ```
 /// use aim_animation::glam::Vec3;
@@ -49,9 +49,9 @@ const SOFT: f32 = 0.02;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stance {
-    /// The direction up in the space of the model, of any length. Default +Y.
+    /// Up direction in model space, of any length. Default +Y.
     pub up: Vec3,
-    /// The farthest that the pelvis is lowered, in units of the model. By default a quarter of the longest leg.
+    /// Largest distance by which the pelvis is lowered, in model units. Default: a quarter of the longest leg.
     pub most_drop: f32,
     pelvis: usize,
     feet: Vec<Plant>,
@@ -59,10 +59,10 @@ pub struct Stance {
 }
 
 impl Stance {
-    /// Feet whose legs hang on a pelvis.
+    /// A stance of feet whose legs descend from a pelvis.
     ///
     /// # Errors
-    /// There is no such pelvis, or the leg of a foot does not hang on it.
+    /// The skeleton has no bone `pelvis`, or the leg of a foot does not descend from it.
     pub fn new(skeleton: &Skeleton, pelvis: usize, feet: impl Into<Vec<Plant>>) -> Result<Self, LimbError> {
         let feet = feet.into();
         let below = skeleton.subtree(pelvis);
@@ -83,23 +83,23 @@ impl Stance {
         &self.feet
     }
 
-    /// The feet, to plant and release them.
+    /// The feet, mutable: to plant and release them.
     pub fn feet_mut(&mut self) -> &mut [Plant] {
         &mut self.feet
     }
 
-    /// Tells all feet of an event: see [`Plant::on_event`].
+    /// Passes an event to all feet; see [`Plant::on_event`].
     pub fn on_event(&mut self, name: &str) {
         self.feet.iter_mut().for_each(|foot| foot.on_event(name));
     }
 
-    /// How far the pelvis was lowered in the last frame, in units of the model.
+    /// Distance by which the pelvis was lowered in the last frame, in model units.
     #[must_use]
     pub fn drop(&self) -> f32 {
         self.drop
     }
 
-    /// The layer of a frame, over the ground that is told for points of the world.
+    /// Returns the layer for a frame. `ground` returns the ground at a point in the world.
     pub fn on<G: FnMut(Vec3) -> Ground>(&mut self, ground: G) -> StanceLayer<'_, G> {
         StanceLayer { stance: self, ground }
     }
@@ -112,7 +112,7 @@ impl Stance {
     ) -> Result<(), PoseError> {
         let bones = figure.skeleton().len();
         self.feet.iter().try_for_each(|foot| check_length(foot.limb.bones(), bones))?;
-        // Of any length.
+        // `up` may have any length.
         let up =
             unit(Quat::from_xyzw(self.up.x, self.up.y, self.up.z, 0.0)).unwrap_or(Quat::from_xyzw(0.0, 1.0, 0.0, 0.0));
         let up = Vec3::new(up.x, up.y, up.z);
@@ -131,7 +131,7 @@ impl Stance {
     }
 }
 
-/// The layer of a frame that [`Stance::on`] makes.
+/// Layer for a frame, made by [`Stance::on`].
 #[derive(Debug)]
 pub struct StanceLayer<'a, G> {
     stance: &'a mut Stance,
@@ -144,7 +144,7 @@ impl<G: FnMut(Vec3) -> Ground> Layer for StanceLayer<'_, G> {
     }
 }
 
-/// The larger of two numbers, rounded off where they are as near to each other as `soft`: (a + b + √((a − b)² + s²)) / 2.
+/// Smooth maximum of two numbers, rounded where they differ by less than about `soft`: (a + b + √((a − b)² + s²)) / 2.
 fn soft_maximum(a: f32, b: f32, soft: f32) -> f32 {
     0.5 * (a + b + length(Vec3A::new(a - b, soft, 0.0)))
 }

@@ -1,25 +1,25 @@
-//! [`ReachError`]: why bones are no limb, or goals cannot be met.
+//! [`ReachError`]: reasons why bones are not a limb, or goals cannot be met.
 
 use core::fmt;
 
 use crate::limb::LimbError;
 
-/// Why a limb cannot be led.
+/// Reason why a limb cannot be made to reach its goals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ReachError {
-    /// The length of the clip, or the rate, is not positive and finite.
+    /// The length of the clip or the rate is not positive and finite.
     Length,
-    /// A limb needs a joint and a tip, and every bone but the first has to hang on the one before: this one is not there or
-    /// does not. Counted from the first joint.
+    /// This bone of the limb is missing or is not a child of the one before it. A limb needs a joint and a tip. The
+    /// index counts from the first joint.
     Limb(usize),
-    /// The limb has no length between this bone and the one before, or it is not finite, or too far away, at a time of the clip.
+    /// At some time of the clip the limb has no length between two of its bones, or is not finite or too far away.
     Place,
-    /// This goal is outside the clip.
+    /// The time of this goal is outside the clip.
     Time(usize),
-    /// This goal is within a sample of another one.
+    /// This goal shares its nearest sample with another one.
     Together(usize),
-    /// The state is of another limb or clip.
+    /// The state belongs to another limb or clip.
     State,
 }
 

@@ -1,5 +1,5 @@
-//! [`Reach`]: a limb of a clip that is led through points while the clip plays. the crate's `limb.rs` is the bones and how they follow,
-//! `state.rs` is one character's way, `error.rs` says what is wrong with limbs and goals.
+//! [`Reach`]: moves the tip of a limb through points while a clip plays. The crate's `limb.rs` has the bones and the
+//! solver, `state.rs` the path of one character, and `error.rs` the errors of limbs and goals.
 
 mod error;
 mod state;
@@ -20,26 +20,26 @@ use crate::pose::{Both, PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
-/// A point that a bone has to pass at a time of its clip.
+/// A point that the tip of a limb has to pass at a time of the clip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachGoal {
-    /// Local time, seconds, within the clip.
+    /// Local time of the clip, seconds.
     pub at_s: f32,
-    /// The point, in the space of the model at that time.
+    /// The point, in model space at that time.
     pub target: Vec3,
-    /// The weight of being off beside changes of the way (γ): infinite, as [`new`](Self::new) makes it, for a point that
-    /// has to be met; 0 or less, or NaN: not at all.
+    /// Weight γ of missing the point, relative to that of changing the path. Infinite, the default of
+    /// [`new`](Self::new), for a point that must be met; the goal is ignored if the weight is 0 or less, or NaN.
     pub weight: f32,
 }
 
 impl ReachGoal {
-    /// A point that has to be met.
+    /// A point that must be met.
     #[must_use]
     pub const fn new(at_s: f32, target: Vec3) -> Self {
         Self { at_s, target, weight: f32::INFINITY }
     }
 
-    /// Met as far as this weight is worth it.
+    /// Sets the weight: a finite one trades missing the point against changing the path.
     #[must_use]
     pub const fn with_weight(mut self, weight: f32) -> Self {
         self.weight = weight;
@@ -47,25 +47,26 @@ impl ReachGoal {
     }
 }
 
-/// Outcome of the goals; lengths are in units of the model.
+/// Result of setting the goals; lengths are in model units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReachOutcome {
-    /// The deformation of the way, towards the goals as far as the limb reaches them.
+    /// The deformation of the path, towards the goals clamped to the limb's reach.
     pub trajectory: Outcome,
-    /// The largest distance of a goal from what the limb reaches at its time; 0 where it reaches all.
+    /// Largest distance of a goal from the limb's reach at its time; 0 if all goals can be reached.
     pub out_of_reach: f32,
 }
 
-/// A limb of a clip whose tip is led through points: a hand that slaps wherever the other's cheek is. Immutable; shared by all
-/// characters that play the clip.
+/// A limb of a clip whose tip is moved through points: a hand that slaps a cheek wherever it is. Immutable; shared by
+/// all characters that play the clip.
 ///
-/// The way of the tip, seen from where the limb begins, is sampled once. [`aim`](Self::aim) deforms it as a whole, as
-/// [`Trajectory`] does, when the goals are known or change: before the clip is played or in the middle of it, where the new way
-/// fades in. Each frame [`apply`](Self::apply) moves the tip of the animated pose by as much as the way is deformed at that
-/// time, and has the limb follow. Goals that are taken away fade out: no goals are the way as it is animated.
+/// The path of the tip relative to the first joint is sampled once. [`aim`](Self::aim) deforms it as a whole, as
+/// [`Trajectory`] does, when the goals become known or change: before the clip is played, or in the middle of it, where
+/// the new path is faded in. Each frame [`apply`](Self::apply) adds the deformation at that time to the tip of the
+/// animated pose, and solves for the limb. Removed goals fade out; without goals the path is the animated one.
 ///
-/// A limb of two bones and a tip bends in closed form, in the plane of the animation; one of more bones (clavicle, upper arm,
-/// forearm; a trunk) by cyclic coordinate descent. The tip keeps its orientation, bones keep their lengths.
+/// A limb of two bones and a tip is solved in closed form, in the plane of the animation. One with more bones
+/// (clavicle, upper arm, forearm; a trunk) is solved by cyclic coordinate descent. The tip keeps its orientation, and
+/// bones keep their lengths.
 ///
 /// ```
 /// use aim_animation::glam::{Affine3A, Quat, Vec3};
@@ -100,26 +101,26 @@ pub struct ReachOutcome {
 pub struct Reach {
     skeleton: Skeleton,
     limb: Limb,
-    /// Of the clip only what moves the limb.
+    /// The part of the clip that moves the limb.
     clip: Clip,
-    /// At even times.
+    /// Sample times, evenly spaced.
     times: Vec<f32>,
-    /// The tip as animated at these times.
+    /// Animated positions of the tip at these times.
     points: Vec<Vec3>,
     ends: Ends,
     smoothing: f32,
 }
 
 impl Reach {
-    /// Samples the way of a limb at least `rate_hz` times a second. `limb` are its joints from the first to the tip that is
-    /// led, in the skeleton's order; each hangs on the one before, by any number of bones, such as twist bones, which are
+    /// Samples the path of a limb at least `rate_hz` times a second. `limb` lists its joints from the first to the tip,
+    /// in the skeleton's order. Each must be a descendant of the one before; bones in between, such as twist bones, are
     /// carried along.
     ///
-    /// Goals are in the space of the model as this clip has it: where the root motion is taken out while playing, this is to
-    /// be the clip [without it](crate::Motion::removed_from).
+    /// Goals are in model space as in this clip. If root motion is removed during playback, pass the clip [without
+    /// it](crate::Motion::removed_from).
     ///
     /// # Errors
-    /// See [`ReachError`].
+    /// See [`ReachError`] for the conditions.
     pub fn new(
         clip: &Clip,
         skeleton: &Skeleton,
@@ -151,51 +152,51 @@ impl Reach {
         Ok(Self { skeleton: skeleton.clone(), limb, clip, times, points, ends: Ends::Fixed, smoothing })
     }
 
-    /// With what becomes of the first and the last point of the way; [`Ends::Fixed`] by default, so that the clip begins and ends
-    /// as it is animated.
+    /// Sets the treatment of the first and last point of the path. The default, [`Ends::Fixed`], keeps the animated
+    /// beginning and end.
     #[must_use]
     pub fn with_ends(mut self, ends: Ends) -> Self {
         self.ends = ends;
         self
     }
 
-    /// With changes spread over this part of the clip, 0…1: see [`Trajectory::smoothing`].
+    /// Sets the fraction of the clip over which changes are spread, 0…1; see [`Trajectory::smoothing`].
     #[must_use]
     pub fn with_smoothing(mut self, smoothing: f32) -> Self {
         self.smoothing = smoothing;
         self
     }
 
-    /// With a limit of a joint of a limb of more than two bones; a hinge's axis is in the space of the joint's bone. Nothing
-    /// is done if there is no such joint; a limb of two bones knows no limits.
+    /// Sets the limit of a joint of a limb with more than two bones; a hinge's axis is in the space of the joint's
+    /// bone. Does nothing if there is no such joint, or if the limb has two bones, which ignores limits.
     #[must_use]
     pub fn with_limit(mut self, joint: usize, limit: CcdLimit) -> Self {
         self.limb.set_limit(joint, limit);
         self
     }
 
-    /// The way of the tip as it is animated, from which α and β can be [read](Trajectory::place): seen from the first joint, in
-    /// lengths of the limb.
+    /// The animated path of the tip, from which α and β can be [read](Trajectory::place): relative to the first joint,
+    /// in units of the limb's length.
     #[must_use]
     pub fn trajectory(&self) -> Trajectory<'_> {
         Trajectory::new(&self.points).with_times(&self.times).with_ends(self.ends).with_smoothing(self.smoothing)
     }
 
-    /// Memory for a character whose limb goes as it is animated.
+    /// Creates the state of a character whose limb follows the animation.
     #[must_use]
     pub fn state(&self) -> ReachState {
         ReachState::new(&self.times, &self.limb)
     }
 
-    /// Leads the tip through these goals, and through no earlier ones. The way that is shown goes over into the new one within
-    /// `fade_s` seconds of [`ReachState::advance`]; at once where that is not positive and finite.
+    /// Sets the goals, which replace all earlier ones. The displayed path fades to the new one within `fade_s` seconds
+    /// of [`ReachState::advance`], or changes at once if `fade_s` is not positive and finite.
     ///
-    /// A goal that the limb does not reach counts as the nearest point that it does. Does not allocate; the cost is linear in
-    /// the samples of the clip.
+    /// A goal out of reach is replaced by the nearest reachable point. Does not allocate; the cost is linear in the
+    /// number of samples of the clip.
     ///
     /// # Errors
-    /// A goal outside the clip, or within a sample of another one or of an end that it is not on, or a state of another limb;
-    /// then nothing changes.
+    /// A goal is outside the clip or shares its nearest sample with another goal, a clip sampled only at its ends has a
+    /// goal between them, or the state belongs to another limb or clip; then the displayed path does not change.
     pub fn aim(&self, state: &mut ReachState, goals: &[ReachGoal], fade_s: f32) -> Result<ReachOutcome, ReachError> {
         let ReachState { times, rest, waypoints, pose, model, .. } = state;
         if times.len() != self.times.len() || check_length(self.limb.bones(), model.len()).is_err() {
@@ -210,7 +211,7 @@ impl Reach {
             if waypoints.iter().any(|other: &Waypoint| other.frame == frame) {
                 return Err(ReachError::Together(number));
             }
-            // The sample nearest to the goal is moved to its time.
+            // Move the nearest sample to the time of the goal.
             posed(&self.skeleton, &self.clip, goal.at_s, (pose, model));
             let (point, beyond) = self.limb.within_reach(model, self.limb.seen(model, goal.target));
             times[frame] = goal.at_s;
@@ -225,12 +226,12 @@ impl Reach {
         Ok(ReachOutcome { trajectory, out_of_reach: out_of_reach * self.limb.length() })
     }
 
-    /// Moves the tip of an animated pose by what the way is deformed by at a local time of the clip, times the state's weight;
-    /// the limb follows. Gives the distance that the tip is then off, in units of the model: more than rounding where the limb
-    /// does not reach that far.
+    /// Adds the deformation of the path at a local time of the clip, times the state's weight, to the tip of an
+    /// animated pose, and solves for the limb. Returns the remaining distance of the tip from that point, in model
+    /// units: more than rounding if the limb does not reach it.
     ///
-    /// `local` and `model` are one pose, of the clip alone or of a blend with it. Of the limb rotations are changed; what has
-    /// no effect changes no bit.
+    /// `local` and `model` are the same pose, of the clip alone or of a blend that contains it. Of the limb, only
+    /// rotations change. Without a deformation at that time, the pose is bit-identical afterwards.
     ///
     /// # Errors
     /// A slice or the state has another length; then nothing is written.
@@ -252,7 +253,7 @@ impl Reach {
         self.limb.follow(&goal, &mut state.joints, &mut Both { skeleton: &self.skeleton, local, model })
     }
 
-    /// The sample that is moved to a time: the nearest, but the ends stay.
+    /// Returns the index of the sample to move to a time: the nearest one, except for the ends, which stay.
     fn frame_at(&self, at_s: f32) -> Option<usize> {
         let last = self.times.len() - 1;
         if !(at_s >= 0.0 && at_s <= self.times[last]) {
@@ -267,10 +268,10 @@ impl Reach {
     }
 }
 
-/// Writes the clip at a time, in local space and in that of the model.
+/// Evaluates the clip at a time, in local and in model space.
 fn posed(skeleton: &Skeleton, clip: &Clip, time_s: f32, (local, model): (&mut [Transform], &mut [Affine3A])) {
     local.copy_from_slice(skeleton.rest());
     clip.sample(time_s, &mut Cursor::default(), local);
-    // Of equal lengths.
+    // Cannot fail: the lengths are equal.
     let _ = skeleton.to_model(local, model);
 }

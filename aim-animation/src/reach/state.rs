@@ -1,4 +1,4 @@
-//! [`ReachState`]: one character's way, and the memory that deforming it takes.
+//! [`ReachState`]: the deformed path of one character, and the buffers for computing it.
 
 use alloc::vec::Vec;
 use core::mem::swap;
@@ -11,18 +11,19 @@ use crate::limb::Limb;
 use crate::mask::clamped;
 use crate::transform::Transform;
 
-/// The way of one character's limb: made once by [`Reach::state`](super::Reach::state), led by
+/// State of one character's limb: created by [`Reach::state`](super::Reach::state), changed by
 /// [`Reach::aim`](super::Reach::aim).
 #[derive(Clone, Debug)]
 pub struct ReachState {
-    /// The part of the deformation that is applied, 0…1; NaN counts as 0. 1 by default. That of the clip in a blend.
+    /// Fraction of the deformation that is applied, 0…1; NaN is treated as 0. Default 1. In a blend, set it to the
+    /// weight of the clip.
     pub weight: f32,
     shown: Way,
-    /// The offset that fades out.
+    /// The deformation that is fading out.
     from: Way,
     fade_s: f32,
     elapsed_s: f32,
-    /// Input and result of a deformation: times, the way as animated and as deformed.
+    /// Input and output of a deformation: times, the animated path, the deformed path.
     pub(super) times: Vec<f32>,
     pub(super) rest: Vec<Vec3>,
     through: Vec<Vec3>,
@@ -33,7 +34,7 @@ pub struct ReachState {
     pub(super) joints: Vec<CcdJoint>,
 }
 
-/// By how much a way is deformed, in lengths of the limb: at times, and cubics in between.
+/// Deformation of a path, in units of the limb's length: offsets at times, interpolated by cubics.
 #[derive(Clone, Debug)]
 struct Way {
     times: Vec<f32>,
@@ -53,7 +54,7 @@ impl ReachState {
             rest: still.offsets.clone(),
             through: still.offsets.clone(),
             nodes: alloc::vec![Node::default(); count],
-            // No two goals have one sample.
+            // No two goals share a sample, so this capacity suffices.
             waypoints: Vec::with_capacity(count),
             pose: alloc::vec![Transform::IDENTITY; limb.bones()],
             model: alloc::vec![Affine3A::IDENTITY; limb.bones()],
@@ -62,26 +63,26 @@ impl ReachState {
         }
     }
 
-    /// Goes on fading by `dt_s` seconds; what is negative or not finite counts as 0.
+    /// Advances the fade by `dt_s` seconds; a value that is negative or not finite is treated as 0.
     pub fn advance(&mut self, dt_s: f32) {
         if dt_s.is_finite() {
             self.elapsed_s = (self.elapsed_s + dt_s.max(0.0)).min(self.fade_s);
         }
     }
 
-    /// True if no way fades any more.
+    /// Returns `true` if no fade is in progress.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !(self.elapsed_s < self.fade_s)
     }
 
-    /// Deforms the way that `times` and `rest` hold through the waypoints, and begins to fade to it.
+    /// Deforms the path in `times` and `rest` through the waypoints, and starts to fade to it.
     pub(super) fn deform(&mut self, settings: &Trajectory<'_>, fade_s: f32) -> Outcome {
         let mut trajectory = *settings;
         (trajectory.points, trajectory.times) = (&self.rest, &self.times);
         let outcome = trajectory.deform(&self.waypoints, &mut self.through, &mut self.nodes);
         if !self.is_settled() {
-            // What is shown now, at the samples of the newer way.
+            // Freeze the deformation displayed now, at the samples of the newer path.
             let part = self.part();
             for (offset, &time) in self.shown.offsets.iter_mut().zip(&self.shown.times) {
                 let from = self.from.at(time);
@@ -97,7 +98,7 @@ impl ReachState {
         outcome
     }
 
-    /// By how much the way is deformed at a time, times the weight, in lengths of the limb.
+    /// Deformation of the path at a time, times the weight, in units of the limb's length.
     pub(super) fn offset(&self, time_s: f32) -> Vec3 {
         let mut offset = self.shown.at(time_s);
         if !self.is_settled() {
@@ -107,7 +108,7 @@ impl ReachState {
         offset * clamped(self.weight)
     }
 
-    /// The part of the new way that is shown.
+    /// Smoothstep weight of the new path.
     fn part(&self) -> f32 {
         let u = self.elapsed_s / self.fade_s;
         u * u * (3.0 - 2.0 * u)
@@ -115,8 +116,8 @@ impl ReachState {
 }
 
 impl Way {
-    /// The difference at a time: cubics whose velocity at a sample is that of the parabola through it and its neighbours, and
-    /// at rest at the ends.
+    /// Deformation at a time. The cubics have at each sample the velocity of the parabola through it and its
+    /// neighbours, and zero velocity at the ends.
     fn at(&self, time_s: f32) -> Vec3 {
         let Self { times, offsets } = self;
         let last = times.len() - 1;

@@ -1,4 +1,4 @@
-//! [`Ends`]: the points of each bone at which errors are measured, and how far a bone's turn carries.
+//! [`Ends`]: the points of each bone at which errors are measured, and the size of the effects of its channels.
 
 use alloc::vec::Vec;
 
@@ -7,25 +7,26 @@ use aim_runtime::rotation::length;
 
 use crate::skeleton::Skeleton;
 
-/// Of a skeleton that has no size, a unit.
+/// Length assumed for the bones of a skeleton without extent, model units.
 const LENGTH_OF_A_POINT: f32 = 1.0;
 
-/// The points at which a bone's error is measured: its origin, its children's, and on its three axes, on both sides, its length away.
+/// Points at which the error of a bone is measured: its origin, its children's origins, and a point at the bone's
+/// length on both sides of each of its axes.
 #[derive(Clone, Debug)]
 pub(super) struct Ends {
-    /// The origins of its children at rest, in its own space.
+    /// Origins of its children at rest, in the bone's space.
     pub(super) children: Vec<[f64; 3]>,
-    /// How far from the origin, in the bone's own units along its axes.
+    /// Distances of the points on its axes from the origin, in the units of those axes.
     pub(super) along: [f64; 3],
-    /// The farthest point that hangs on the bone, in the rest pose, in units of the model.
+    /// Distance from the bone's origin to the farthest point of its subtree at rest, model units.
     pub(super) reach: f32,
-    /// By what the bone's translation is scaled in the space of the model, in the rest pose.
+    /// Factor from the units of the bone's translation to model units, at rest.
     pub(super) parent_scale: f32,
 }
 
 impl Ends {
-    /// Of each bone. Its length is the distance to the farthest origin of a child; that of a leaf is its parent's, or else a
-    /// tenth of the skeleton's.
+    /// Computes the points for each bone. A bone's length is the distance to its farthest child; a leaf has its
+    /// parent's length, or else a tenth of the skeleton's extent.
     pub(super) fn of(skeleton: &Skeleton) -> Vec<Self> {
         let bones = skeleton.len();
         let model = skeleton.rest_in_model();
@@ -47,7 +48,7 @@ impl Ends {
             .map(|bone| {
                 let along = scales(bone).map(|scale| {
                     let along = f64::from(lengths[bone]) / f64::from(scale);
-                    // Of an axis that is hidden at rest.
+                    // An axis whose scale at rest is 0 has no finite distance.
                     if along.is_finite() { along } else { f64::from(lengths[bone]) }
                 });
                 let below = skeleton.subtree(bone);
@@ -62,12 +63,12 @@ impl Ends {
     }
 }
 
-/// The larger number; NaN and infinity do not count.
+/// Returns the larger number; ignores `b` if it is not finite.
 fn larger(a: f32, b: f32) -> f32 {
     if b.is_finite() { a.max(b) } else { a }
 }
 
-/// A vector in single precision.
+/// Converts a vector to single precision.
 pub(super) fn narrowed(v: [f64; 3]) -> Vec3A {
     Vec3A::from_array(v.map(crate::float::narrow))
 }

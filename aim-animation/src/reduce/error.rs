@@ -1,8 +1,8 @@
-//! Why a clip is not reduced.
+//! [`ReductionError`]: reasons why a clip cannot be reduced.
 
 use core::fmt;
 
-/// Why a clip is not reduced.
+/// Reason why a clip cannot be reduced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ReductionError {
@@ -10,7 +10,7 @@ pub enum ReductionError {
     Tolerance(f32),
     /// The time of a pin is negative or not finite.
     Pin(f32),
-    /// The clip has more keys than can be counted in 32 bits.
+    /// The packed tracks would take more than 2³² bits.
     Size,
 }
 

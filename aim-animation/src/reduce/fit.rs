@@ -1,4 +1,4 @@
-//! Fits one track: fewer keys, each segment as long as it fits.
+//! Fits one track: fewer keys, with each segment as long as the tolerance allows.
 
 use alloc::vec::Vec;
 
@@ -6,12 +6,12 @@ use super::samples::Samples;
 use crate::packed::grid::{Grid, Parts};
 use crate::track::{Curve, Track, hermite};
 
-/// What a fit has to hold.
+/// Constraints on a fit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound {
-    /// The square of the tolerance: of vectors their distance, of rotations their angle.
+    /// Square of the tolerance: of a distance for vectors, of an angle for rotations.
     pub(super) squared: f32,
-    /// The grid on which values and tangents have to lie.
+    /// Grid on which values and tangents must lie, if any.
     pub(super) grid: Option<Grid>,
 }
 
@@ -24,20 +24,20 @@ impl Bound {
         self.grid.map_or(Some(tangent), |grid| grid.tangent(value, tangent))
     }
 
-    /// True if a value is one of the other's, to the tolerance.
+    /// Returns `true` if two values agree within the tolerance.
     pub(super) fn holds<T: Parts>(&self, value: T, other: T) -> bool {
         value.distance_squared(other) <= self.squared
     }
 }
 
-/// A track of one key that is everywhere within the tolerance of the track, and exact at pins.
+/// Fits a track with a single key: within the tolerance everywhere, and exact at pins.
 pub(super) fn constant<T: Parts>(
     track: &Track<T>,
     samples: &Samples<T>,
     pins: &[f32],
     bound: &Bound,
 ) -> Option<Track<T>> {
-    // At pins it has the very value; without, the first one.
+    // The value at the pins if there are any, else the first value.
     let pinned: Vec<T> = pins.iter().map(|pin| track.sample(*pin)).collect();
     let value = pinned.first().copied().unwrap_or(samples.values[0]);
     if pinned.iter().any(|other| other.near(value) != value) {
@@ -48,7 +48,7 @@ pub(super) fn constant<T: Parts>(
     holds.then(|| Track::assembled([samples.times[0]].into(), alloc::vec![value], Vec::new(), Curve::Step))?
 }
 
-/// Steps without those that change nothing.
+/// Fits a step track by dropping the steps that change nothing within the tolerance.
 pub(super) fn steps<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Track<T>> {
     let (mut times, mut values) = (Vec::new(), Vec::<T>::new());
     for (k, knot) in samples.knots.iter().enumerate() {
@@ -66,7 +66,7 @@ pub(super) fn steps<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Tra
     Track::assembled(times.into(), values, Vec::new(), Curve::Step)
 }
 
-/// Straight lines between as few knots as they fit.
+/// Fits linear segments between as few knots as possible.
 pub(super) fn lines<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Track<T>> {
     let values: Option<Vec<T>> = (0..samples.knots.len()).map(|k| bound.value(samples.value(k))).collect();
     let values = values?;
@@ -82,7 +82,7 @@ pub(super) fn lines<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Tra
     Track::assembled(times.into(), knots.iter().map(|&k| values[k]).collect(), Vec::new(), Curve::Linear)
 }
 
-/// Cubic segments between as few knots as they fit, with these velocities at the knots.
+/// Fits cubic segments between as few knots as possible, with the given velocities at the knots.
 pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], bound: &Bound) -> Option<Track<T>> {
     let mut keys: Vec<(T, [T; 2])> = Vec::with_capacity(samples.knots.len());
     for (k, [into, out]) in velocities.iter().enumerate() {
@@ -95,7 +95,7 @@ pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], boun
         let [first, last] = [from, to].map(|k| samples.knots[k].sample);
         let (start, interval) = (samples.times[first], samples.times[last] - samples.times[first]);
         let ((a, [_, out]), (b, [into, _])) = (keys[from], keys[to]);
-        // As it is sampled, packed or not.
+        // Choose the sign as sampling does, packed or not.
         let sign = if b.near(a) == b { 1.0 } else { -1.0 };
         let segment = [a, out.times(interval), b.times(sign), into.times(sign * interval)];
         (first..=last).all(|sample| {
@@ -115,10 +115,10 @@ pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], boun
     Track::assembled(times.into(), values, tangents, Curve::Cubic)
 }
 
-/// The knots of segments that are as long as they fit; `None` if one from a knot to the next does not fit.
+/// Chooses knots greedily, each segment as long as `fits` allows. `None` if even neighbouring knots do not fit.
 fn chosen<T: Parts>(samples: &Samples<T>, fits: impl Fn(usize, usize) -> bool) -> Option<Vec<usize>> {
     let last = samples.knots.len() - 1;
-    // The next knot that has to be a key.
+    // For each knot, the next one that must be a key.
     let mut limits: Vec<usize> = alloc::vec![last; last + 1];
     for k in (0..last).rev() {
         limits[k] = if samples.knots[k + 1].is_kept { k + 1 } else { limits[k + 1] };
@@ -128,7 +128,7 @@ fn chosen<T: Parts>(samples: &Samples<T>, fits: impl Fn(usize, usize) -> bool) -
     while from < last {
         let limit = limits[from];
         let to = if samples.time(from + 1) <= samples.time(from) {
-            // Over a jump.
+            // The segment is a jump.
             from + 1
         } else {
             farthest(from, limit, |to| fits(from, to))?
@@ -139,7 +139,7 @@ fn chosen<T: Parts>(samples: &Samples<T>, fits: impl Fn(usize, usize) -> bool) -
     Some(knots)
 }
 
-/// The farthest number after `from` that fits, by steps that double and then halve.
+/// Returns the farthest index after `from` that fits, found by doubling and then halving the step.
 fn farthest(from: usize, limit: usize, fits: impl Fn(usize) -> bool) -> Option<usize> {
     let mut good = from + 1;
     if !fits(good) {

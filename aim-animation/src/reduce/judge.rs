@@ -1,4 +1,4 @@
-//! [`Judge`]: the error of a clip in the space of the model, in double precision.
+//! [`Judge`]: measures the error of a clip in model space, in double precision.
 
 use alloc::vec::Vec;
 
@@ -13,7 +13,7 @@ use crate::skeleton::Skeleton;
 use crate::track::{Curve, Track, hermite};
 use crate::transform::Transform;
 
-/// Points between neighbouring keys.
+/// Number of sample points between neighbouring keys.
 const BETWEEN: u8 = 8;
 
 /// An affine map in double precision: columns, and the translation.
@@ -27,7 +27,7 @@ impl Map {
     fn of(transform: &Transform) -> Self {
         let [x, y, z, w] = transform.rotation.to_array().map(f64::from);
         let scale = transform.scale.to_array().map(f64::from);
-        // Of whatever length the quaternion is.
+        // Valid for a quaternion of any length.
         let s = 2.0 / (x * x + y * y + z * z + w * w);
         let columns = [
             [1.0 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w)],
@@ -58,7 +58,7 @@ fn square(v: [f64; 3]) -> f64 {
     v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
 }
 
-/// The largest error of a bone: not a number where its place is not.
+/// Largest error of a bone; NaN if its position is not a number.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Error {
     pub(super) squared: f64,
@@ -67,20 +67,21 @@ pub(super) struct Error {
 }
 
 impl Error {
-    /// The larger one; not a number counts as the largest.
+    /// Keeps the larger error; NaN is treated as the largest.
     fn raise(&mut self, other: Self) {
         if !(other.squared <= self.squared) && !self.squared.is_nan() {
             *self = other;
         }
     }
 
-    /// The length of the vector.
+    /// Length of the error vector; infinite if it is not finite.
     pub(super) fn size(&self) -> f32 {
         if self.squared.is_finite() { length(narrowed(self.vector)) } else { f32::INFINITY }
     }
 }
 
-/// Keys, the points between neighbours, and just before each key: where steps and jumps end, and where all before the first is held.
+/// Sample times: before the first key, at each key, between neighbours, and just before each key, where steps and jumps
+/// end.
 fn points(keys: &[f32]) -> impl Iterator<Item = f32> {
     let before_all = keys.first().map(|first| first.next_down());
     let next = keys.iter().skip(1).copied().map(Some).chain([None]);
@@ -94,28 +95,28 @@ fn points(keys: &[f32]) -> impl Iterator<Item = f32> {
     before_all.into_iter().chain(from_first)
 }
 
-/// Measures clips against one clip.
+/// Measures clips against an original.
 #[derive(Debug)]
 pub(super) struct Judge<'a> {
     skeleton: &'a Skeleton,
     original: &'a Clip,
     ends: Vec<Ends>,
-    /// The times of keys, of pins, and where rotations whirl.
+    /// Times of the keys, of the pins, and around fast turns (see [`whirls`]).
     keys: Vec<f32>,
-    /// Those of keys alone, if there are others: points between them are judged, too.
+    /// Times of the keys alone, if `keys` has more, so that the points between them are measured too.
     own_keys: Vec<f32>,
 }
 
-/// The largest errors of bones and of scalars.
+/// Largest errors of bones and of scalars.
 #[derive(Debug)]
 pub(super) struct Errors {
     pub(super) bones: Vec<Error>,
-    /// By the place in the clip's list.
+    /// By index in the clip's list of scalars.
     pub(super) scalars: Vec<f32>,
 }
 
 impl<'a> Judge<'a> {
-    /// Of a clip, with more times that are to be judged.
+    /// A judge for a clip; `pins` are additional times to measure at.
     pub(super) fn new(skeleton: &'a Skeleton, original: &'a Clip, pins: &[f32]) -> Self {
         let own_keys = crate::packed::times_of(original);
         let mut keys = own_keys.clone();
@@ -132,7 +133,7 @@ impl<'a> Judge<'a> {
         &self.ends
     }
 
-    /// The errors at keys, at most so many of them.
+    /// Errors at the keys and halfway between them, for at most `most` of the keys.
     pub(super) fn at_keys(&self, played: &dyn Played, most: usize) -> Errors {
         let step = self.keys.len().div_ceil(most.max(1)).max(1);
         let between = |pair: &[f32]| pair[0] + 0.5 * (pair[1] - pair[0]);
@@ -141,7 +142,7 @@ impl<'a> Judge<'a> {
         self.errors(played, times)
     }
 
-    /// The errors at all keys, just before each, and at eight points between neighbours.
+    /// Errors at all keys, just before each, and at eight points between neighbours.
     pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
         self.errors(played, points(&self.keys).chain(points(&self.own_keys)))
     }
@@ -186,7 +187,7 @@ impl<'a> Judge<'a> {
         errors
     }
 
-    /// The error of a bone's ends.
+    /// Error at a bone's ends.
     fn error(&self, bone: usize, (of_original, of_other, _): &(Map, Map, bool), time_s: f32) -> Error {
         let origin = difference(of_other.translation, of_original.translation);
         let mut worst = Error { squared: square(origin), vector: origin, time_s };
@@ -206,7 +207,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The moments at which a cubic turns by a large angle in a short time, as its quaternions pass near zero, and times that close in on each.
+/// Times at which a cubic turns by a large angle in a short time, because its quaternions pass near zero, and times
+/// that converge to each of them from both sides.
 fn whirls(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
     let times = if track.curve() == Curve::Cubic { track.times() } else { &[] };
     times.windows(2).enumerate().flat_map(|(key, pair)| {
@@ -230,7 +232,7 @@ fn whirls(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
     })
 }
 
-/// True if a transform is the same, or the same by the other quaternion.
+/// Returns `true` if two transforms are equal, up to the sign of the quaternion.
 fn same(a: &Transform, b: &Transform) -> bool {
     a.translation == b.translation && a.scale == b.scale && (a.rotation == b.rotation || a.rotation == -b.rotation)
 }

@@ -1,5 +1,6 @@
-//! [`Reduction`]: fewer and smaller keys within a tolerance in the space of the model. `ends.rs` says where errors are measured,
-//! `judge.rs` measures them, `samples.rs` and `prepared.rs` ready a track, `fit.rs` fits it, and `parts.rs` does so for a clip.
+//! [`Reduction`]: fewer and smaller keys within a tolerance in model space. `ends.rs` defines where errors are
+//! measured, `judge.rs` measures them, `samples.rs` and `prepared.rs` prepare a track, `fit.rs` fits a track, and
+//! `parts.rs` fits a whole clip.
 
 mod ends;
 mod error;
@@ -22,30 +23,32 @@ use crate::packed::{PackedClip, times_of};
 use crate::played::Played;
 use crate::skeleton::Skeleton;
 
-/// The tolerance of scalars, unless another is given.
+/// Default tolerance of scalars.
 const SCALAR_TOLERANCE: f32 = 1e-3;
-/// Rounds in which tolerances of tracks are fitted to that of the model.
+/// Number of iterations that adapt the tolerances of tracks to the tolerance in model space.
 const ROUNDS: u8 = 8;
-/// Times at which clips are judged in these rounds, at most.
+/// Maximum number of keys at which a clip is measured in these iterations.
 const ROUGH_KEYS: usize = 1000;
-/// How often tracks are tightened before they stay as they are.
+/// Number of times a bone's tolerance is tightened before its tracks are left unchanged.
 const REPAIRS: u8 = 8;
-/// The part of the tolerance that is used, so that rounding does not break it.
+/// Fraction of the tolerance that is used, which leaves a margin for rounding.
 const USED: f64 = 0.999;
 
-/// A reduction of clips to fewer keys, within a tolerance.
+/// Reduction of clips to fewer keys within a tolerance.
 ///
-/// **The tolerance holds in the space of the model**, at the ends of the bones: at each bone's origin, at its children's, and at points on its three axes on
-/// both sides, its length away, so that leaves and twists count. A bone's length is the distance to its farthest child; that of a leaf its
-/// parent's. It holds at every key of the clip, just before it, and at eight points between neighbouring keys, as measured in double precision
-/// on the very result. Scalars have a tolerance of their own.
+/// **The tolerance holds in model space**, at the ends of the bones: the origin of each bone, its children's origins,
+/// and on both sides of each of its three axes a point at the bone's length, so that leaves and twists are included. A
+/// bone's length is the distance to its farthest child; a leaf has its parent's length. Errors are measured in double
+/// precision on the final result: at every key of the clip, just before it, and at eight points between neighbouring
+/// keys. Scalars have a tolerance of their own.
 ///
-/// Tracks that equal the skeleton's rest are dropped: poses start there. Others become constant, steps, straight or cubic (Hermite, knots at uneven
-/// times), whichever is smallest. The first and the last key of each track, both sides of jumps, and pins keep their values, rotations of cubic tracks to the
-/// last digit; so what was continuous stays so, and a loop's seam is as it was. A track that moves by less than the tolerance becomes constant,
-/// one that would not hold it stays as it is.
+/// Tracks equal to the skeleton's rest are dropped, because poses start from it. Others become constant, step, linear
+/// or cubic (Hermite with non-uniform knots), whichever is smallest. The first and last key of each track, both sides
+/// of jumps, and pins keep their values (rotations of cubic tracks up to their last digit). So continuous tracks stay
+/// continuous, and the seam of a loop does not change. A track that moves by less than the tolerance becomes constant.
+/// One that cannot be fitted within the tolerance is left unchanged.
 ///
-/// For every n-th key, see [`Clip::resampled`].
+/// To keep every n-th key instead, see [`Clip::resampled`].
 ///
 /// ```
 /// use aim_animation::glam::Quat;
@@ -69,73 +72,76 @@ pub struct Reduction {
     pins: Vec<f32>,
 }
 
-/// A clip that was reduced.
+/// Result of [`Reduction::reduce`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduced {
-    /// The clip.
+    /// The reduced clip.
     pub clip: Clip,
-    /// Its largest error, in units of the model.
+    /// Its largest error, in model units.
     pub error: f32,
-    /// Where that is; `None` if there is no error.
+    /// Location of the largest error; `None` if there is no error.
     pub at: Option<ErrorPlace>,
 }
 
-/// A clip that was reduced and packed.
+/// Result of [`Reduction::pack`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Packed {
-    /// The clip.
+    /// The packed clip.
     pub clip: PackedClip,
-    /// Its largest error, in units of the model.
+    /// Its largest error, in model units.
     pub error: f32,
-    /// Where that is; `None` if there is no error.
+    /// Location of the largest error; `None` if there is no error.
     pub at: Option<ErrorPlace>,
 }
 
-/// Where an error is.
+/// Location of an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorPlace {
-    /// The bone at whose ends it is.
+    /// The bone at whose ends the error is.
     pub bone: usize,
-    /// The time, seconds.
+    /// Time of the error, seconds.
     pub time_s: f32,
 }
 
 impl Reduction {
-    /// By a tolerance in units of the model; with 0 only what changes nothing is removed. Scalars have 0.001.
+    /// A reduction with a tolerance in model units. With 0, only redundant data is removed. The tolerance of scalars is
+    /// 0.001.
     #[must_use]
     pub fn new(tolerance: f32) -> Self {
         Self { tolerance, scalar_tolerance: SCALAR_TOLERANCE, pins: Vec::new() }
     }
 
-    /// With another tolerance of scalars, such as morph weights.
+    /// Sets the tolerance of scalars, such as morph weights.
     #[must_use]
     pub fn with_scalar_tolerance(mut self, tolerance: f32) -> Self {
         self.scalar_tolerance = tolerance;
         self
     }
 
-    /// With keys at these times, seconds, at which every track that is changed has the value of the clip: for transitions, contacts and golden
-    /// poses. Where a track has no movement, as before its first key, there is none. Packed clips have a key there, whose value is rounded.
+    /// Adds pins: times, in seconds, at which every changed track gets a key with the clip's value. Use them for
+    /// transitions, contacts and golden poses. No key is added where a track does not move, as before its first key. In
+    /// packed clips the pinned value is rounded.
     #[must_use]
     pub fn with_pins(mut self, times_s: impl IntoIterator<Item = f32>) -> Self {
         self.pins.extend(times_s);
         self
     }
 
-    /// Reduces a clip. Bones past the skeleton's end stay as they are.
+    /// Reduces a clip. Bones that the skeleton does not have are left unchanged.
     ///
     /// # Errors
-    /// A tolerance or a pin that is negative or not finite.
+    /// A tolerance or a pin is negative or not finite.
     pub fn reduce(&self, clip: &Clip, skeleton: &Skeleton) -> Result<Reduced, ReductionError> {
         let (clip, errors) = self.result(clip, skeleton, Storage::Floats, |fit| Some(fit.clip))?;
         let (error, at) = worst(&errors);
         Ok(Reduced { clip, error, at })
     }
 
-    /// Reduces and packs a clip: the tolerance is that of both together. Bones past the skeleton's end stay as they are.
+    /// Reduces and packs a clip; the tolerance applies to both together. Bones that the skeleton does not have are left
+    /// unchanged.
     ///
     /// # Errors
-    /// A tolerance or a pin that is negative or not finite, or more keys than fit.
+    /// A tolerance or a pin is negative or not finite, or the packed tracks would take more than 2³² bits.
     pub fn pack(&self, clip: &Clip, skeleton: &Skeleton) -> Result<Packed, ReductionError> {
         let storage = Storage::Packed(times_of(clip).len());
         let (clip, errors) = self.result(clip, skeleton, storage, |fit| PackedClip::new(&fit.clip, &fit.grids))?;
@@ -143,7 +149,7 @@ impl Reduction {
         Ok(Packed { clip, error, at })
     }
 
-    /// The smallest result that was found to hold the tolerance, and its errors.
+    /// Returns the smallest result found that keeps the tolerance, and its errors.
     fn result<R: Played>(
         &self,
         clip: &Clip,
@@ -158,7 +164,7 @@ impl Reduction {
         let bones = skeleton.len();
         let mut factors =
             Factors { bones: alloc::vec![Some(1.0); bones], scalars: alloc::vec![Some(1.0); clip.scalars().len()] };
-        // Tightens and loosens until bones are near the tolerance, and takes the smallest that held it.
+        // Adapt the factors until the errors are close to the tolerance, and remember the smallest result that kept it.
         let mut best: Option<(usize, Factors)> = None;
         for _ in 0..ROUNDS {
             let fit = tracks.fitted(&factors, storage);
@@ -182,14 +188,14 @@ impl Reduction {
             }
         }
         let mut factors = best.map_or(factors, |(_, factors)| factors);
-        // Tightens what does not hold it everywhere, and in the end leaves it as it is.
+        // Tighten the bones that exceed the tolerance anywhere; after `REPAIRS` attempts, leave them unchanged.
         let mut repairs = alloc::vec![0_u8; bones];
         loop {
             let result = made(tracks.fitted(&factors, storage)).ok_or(ReductionError::Size)?;
             let errors = judge.everywhere(&result);
             let mut is_good = true;
             for (bone, squared) in worst_below(&errors, skeleton).into_iter().enumerate() {
-                // Not a number is no good either.
+                // This also rejects NaN.
                 if squared <= limits[0] * limits[0] || factors.bones[bone].is_none() {
                     continue;
                 }
@@ -211,7 +217,7 @@ impl Reduction {
         }
     }
 
-    /// Pins in their order, and the tolerances of the model and of scalars.
+    /// Validates the settings; returns the sorted pins and the tolerances of the model and of scalars.
     fn checked(&self) -> Result<(Vec<f32>, [f32; 2]), ReductionError> {
         let tolerances = [self.tolerance, self.scalar_tolerance];
         if let Some(bad) = tolerances.into_iter().find(|tolerance| !(tolerance.is_finite() && *tolerance >= 0.0)) {
@@ -221,7 +227,7 @@ impl Reduction {
             return Err(ReductionError::Pin(bad));
         }
         let mut pins = self.pins.clone();
-        // No zero is negative.
+        // Adding 0 turns −0 into 0.
         pins.iter_mut().for_each(|pin| *pin += 0.0);
         pins.sort_unstable_by(f32::total_cmp);
         pins.dedup();
@@ -229,12 +235,12 @@ impl Reduction {
     }
 }
 
-/// The largest square of an error of a bone and of all that hangs on it.
+/// Largest squared error in the subtree of each bone.
 fn worst_below(errors: &Errors, skeleton: &Skeleton) -> Vec<f64> {
     let mut worst: Vec<f64> = errors.bones.iter().map(|error| error.squared).collect();
     for bone in (0..worst.len()).rev() {
         if let Some(parent) = skeleton.parents()[bone] {
-            // Not a number stays.
+            // NaN is propagated to all ancestors.
             if !(worst[bone] <= worst[parent]) && !worst[parent].is_nan() {
                 worst[parent] = worst[bone];
             }
@@ -243,13 +249,13 @@ fn worst_below(errors: &Errors, skeleton: &Skeleton) -> Vec<f64> {
     worst
 }
 
-/// By what an error has to be multiplied to be a part of a limit; 0 of what is not finite.
+/// Factor that brings an error to the fraction `part` of a limit; 0 if the error is not finite.
 fn ratio(limit: f64, squared: f64, part: f64) -> f32 {
     let ratio = root(part * part * limit * limit / squared);
     if ratio.is_nan() { 0.0 } else { ratio }
 }
 
-/// The largest error and where it is.
+/// Largest error and its location.
 fn worst(errors: &Errors) -> (f32, Option<ErrorPlace>) {
     let sizes = errors.bones.iter().map(judge::Error::size).enumerate();
     let worst = sizes.filter(|(_, size)| *size > 0.0).reduce(|a, b| if b.1 > a.1 { b } else { a });

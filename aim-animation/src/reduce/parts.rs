@@ -1,4 +1,4 @@
-//! [`Tracks`]: a clip track by track, and the tolerance of each from that of the model.
+//! [`Tracks`]: the tracks of a clip, each with its share of the tolerance in model space.
 
 use alloc::vec::Vec;
 
@@ -10,20 +10,20 @@ use crate::clip::Clip;
 use crate::packed::Grids;
 use crate::skeleton::Skeleton;
 
-/// The part of the tolerance that each track takes which does not move.
+/// Fraction of the tolerance reserved for each track that does not move.
 const STILL: f32 = 1.0 / 64.0;
 
-/// The tracks of a bone of the skeleton.
+/// The tracks of one bone of the skeleton.
 #[derive(Debug)]
 struct OfBone<'a> {
     bone: usize,
     translation: Option<Prepared<'a, Vec3>>,
     rotation: Option<Prepared<'a, Quat>>,
     scale: Option<Prepared<'a, Vec3>>,
-    /// Of translation, rotation and scale: by how much a unit moves ends.
+    /// Largest movement of the ends per unit of translation, rotation (radian) and scale.
     leverage: [f32; 3],
     moves: [bool; 3],
-    /// The part of the tolerance that each track takes which moves.
+    /// Fraction of the tolerance for each track that moves.
     share: f32,
 }
 
@@ -37,14 +37,14 @@ pub(super) struct Tracks<'a> {
     tolerances: [f32; 2],
 }
 
-/// How far tolerances are tightened; `None` for what stays as it is.
+/// Factors on the tolerances of bones and scalars; `None` for what is left unchanged.
 #[derive(Clone, Debug)]
 pub(super) struct Factors {
     pub(super) bones: Vec<Option<f32>>,
     pub(super) scalars: Vec<Option<f32>>,
 }
 
-/// A clip that was fitted.
+/// A fitted clip and the grids of its tracks.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) clip: Clip,
@@ -52,7 +52,7 @@ pub(super) struct Fit {
 }
 
 impl<'a> Tracks<'a> {
-    /// Of a clip; tolerances of the model and of scalars.
+    /// Prepares a clip; `tolerances` are those of the model and of scalars.
     pub(super) fn new(
         clip: &'a Clip,
         skeleton: &'a Skeleton,
@@ -84,7 +84,7 @@ impl<'a> Tracks<'a> {
         Self { clip, skeleton, bones, scalars, tolerances }
     }
 
-    /// The clip with each track as small as its tolerance permits.
+    /// Fits each track to be as small as its tolerance permits.
     pub(super) fn fitted(&self, factors: &Factors, storage: Storage) -> Fit {
         let mut clip = Clip::new(self.clip.name());
         let mut grids = Grids::default();
@@ -118,7 +118,7 @@ impl<'a> Tracks<'a> {
                 clip = clip.with_scale(bone, track);
             }
         }
-        // Bones past the skeleton's end stay.
+        // Bones that the skeleton does not have are left unchanged.
         for tracks in self.clip.tracks().iter().filter(|tracks| tracks.bone >= self.skeleton.len()) {
             let count = [tracks.translation.is_some(), tracks.rotation.is_some(), tracks.scale.is_some()];
             grids.0.extend(count.iter().filter(|is_some| **is_some).map(|_| None));
@@ -138,7 +138,7 @@ impl<'a> Tracks<'a> {
     }
 }
 
-/// A track at a tolerance, or as it is; `None` if there is none or if it is at rest.
+/// Fits a track, or leaves it unchanged if there is no tolerance; `None` if there is no track or if it is at rest.
 fn fitted<T: crate::packed::grid::Parts>(
     track: Option<&Prepared<'_, T>>,
     rest: Option<T>,
@@ -151,7 +151,8 @@ fn fitted<T: crate::packed::grid::Parts>(
     (!is_at_rest).then(|| track.fitted(tolerance, storage))
 }
 
-/// Shares the tolerance along each chain: more for bones on which less hangs, as there are more of them.
+/// Divides the tolerance along each chain of bones. A bone with few descendants gets more, because there are more of
+/// those.
 fn share(bones: &mut [OfBone<'_>], skeleton: &Skeleton) {
     let mut weights = alloc::vec![0.0_f32; skeleton.len()];
     for of_bone in bones.iter() {
@@ -161,7 +162,7 @@ fn share(bones: &mut [OfBone<'_>], skeleton: &Skeleton) {
         let weight = moves as f32 / (3.0 + below as f32);
         weights[of_bone.bone] = weight;
     }
-    // The sum along the heaviest chain through each bone.
+    // Find the sum along the heaviest chain through each bone.
     let mut sums = weights.clone();
     for bone in 0..sums.len() {
         if let Some(parent) = skeleton.parents()[bone] {

@@ -1,4 +1,4 @@
-//! [`Prepared`]: a track with all that its fits have in common.
+//! [`Prepared`]: a track and the data that all of its fits share.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -9,18 +9,20 @@ use crate::packed::grid::{Grid, Parts, exponent_of};
 use crate::packed::layout::bits_of;
 use crate::track::{Curve, Track};
 
-/// Into how many keys to each side velocities at keys of straight tracks look.
+/// Widths, in keys to each side, of the neighbourhoods from which the velocities at keys of linear tracks are
+/// estimated.
 const WIDTHS: [usize; 3] = [1, 2, 4];
-/// The part of a tolerance that the rounding of values takes at most, and that of tangents.
+/// Largest fraction of a tolerance that rounding of values may use.
 const VALUE_ROUNDING: f32 = 0.4;
+/// Largest fraction of a tolerance that rounding of tangents may use.
 const TANGENT_ROUNDING: f32 = 0.15;
 
-/// How the result is stored, by which the smallest is found.
+/// Storage of the result, which determines what is smallest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Storage {
-    /// As floats.
+    /// Unpacked, as floats.
     Floats,
-    /// Packed, in a clip of so many times.
+    /// Packed, in a clip with this many key times.
     Packed(usize),
 }
 
@@ -29,21 +31,21 @@ pub(super) enum Storage {
 pub(super) struct Prepared<'a, T> {
     track: &'a Track<T>,
     samples: Samples<T>,
-    /// Velocities at the knots, as they may be.
+    /// Candidate velocities at the knots.
     velocities: Vec<Vec<[T; 2]>>,
     pins: &'a [f32],
     left_out: u8,
-    /// The longest segment that is expected, seconds.
+    /// Longest segment expected, seconds.
     segment_s: f32,
-    /// The bone, or the number of the scalar.
+    /// Index of the bone, or number of the scalar.
     target: usize,
 }
 
-/// A track that was fitted.
+/// A fitted track.
 #[derive(Clone, Debug)]
 pub(super) struct Fitted<T> {
     pub(super) track: Track<T>,
-    /// The grid on which its keys lie, if they do.
+    /// Grid on which its keys lie, if any.
     pub(super) grid: Option<Grid>,
 }
 
@@ -63,24 +65,24 @@ impl<'a, T: Parts> Prepared<'a, T> {
         Self { track, samples, velocities, pins, left_out, segment_s, target }
     }
 
-    /// True if no sample is farther from the first than this.
+    /// Returns `true` if every sample is within `tolerance` of the first.
     pub(super) fn is_constant(&self, tolerance: f32) -> bool {
         let bound = Bound { squared: tolerance * tolerance, grid: None };
         self.samples.values.iter().all(|value| bound.holds(*value, self.samples.values[0]))
     }
 
-    /// True if every sample is this value to the tolerance.
+    /// Returns `true` if every sample is within `tolerance` of `value`.
     pub(super) fn is_everywhere(&self, value: T, tolerance: f32) -> bool {
         let bound = Bound { squared: tolerance * tolerance, grid: None };
         self.samples.values.iter().all(|sample| bound.holds(value, *sample))
     }
 
-    /// As it is.
+    /// The unchanged track.
     pub(super) fn original(&self) -> Fitted<T> {
         Fitted { track: self.track.clone(), grid: None }
     }
 
-    /// The smallest track within the tolerance.
+    /// Returns the smallest track within the tolerance.
     pub(super) fn fitted(&self, tolerance: f32, storage: Storage) -> Fitted<T> {
         let grid = match storage {
             Storage::Floats => None,
@@ -99,24 +101,26 @@ impl<'a, T: Parts> Prepared<'a, T> {
         let fitted = tracks.into_iter().flatten().map(|track| Fitted { track, grid });
         let size = |fitted: &Fitted<T>| match storage {
             Storage::Floats => {
-                // The original's times may be shared: they count as if they were there anyway.
+                // The original's times may be shared with other tracks, so using them costs nothing.
                 let has_own = !Arc::ptr_eq(fitted.track.shared_times(), self.track.shared_times());
                 fitted.track.value_bytes() + if has_own { 4 * fitted.track.times().len() } else { 0 }
             }
             Storage::Packed(times) => bits_of(self.target, &fitted.track, fitted.grid, times),
         };
-        // The first of the smallest; the original last, and where it lacks a pin's key only if nothing else holds.
+        // Of equal sizes the first wins. The original comes last; if it lacks a pin's key, it is used only if nothing
+        // else fits.
         let is_pinned = self.samples.knots.len() > self.track.times().len();
         let original = Some(self.original()).filter(|_| !is_pinned);
         fitted.chain(original).min_by_key(size).unwrap_or_else(|| self.original())
     }
 
-    /// Steps by which rounding takes its part of a tolerance; `None` where floats are as good.
+    /// Chooses a grid whose rounding uses its fraction of a tolerance; `None` if floats are needed for that precision.
     fn grid(&self, tolerance: f32) -> Option<Grid> {
-        // Half a step by each of the parts; of a rotation's parts the angle is twice that.
+        // Rounding errs by half a step in each component: √3/2 of a step for a vector, and twice that as the angle of a
+        // rotation.
         let step = tolerance * if T::NUMBERS == 4 { 0.577 } else { 1.155 };
         let exponent = exponent_of(VALUE_ROUNDING * step, T::FINEST + 1);
-        // The cubic of a tangent is 4/27 of tangent × interval at most.
+        // A tangent contributes at most max u(1−u)² = 4/27 of tangent × interval.
         let tangent_step = TANGENT_ROUNDING * step * 6.75 / self.segment_s;
         let tangent_exponent = exponent_of(tangent_step, T::FINEST + 1).min(T::FINEST);
         (exponent <= T::FINEST).then_some(Grid { exponent, tangent_exponent, left_out: self.left_out })

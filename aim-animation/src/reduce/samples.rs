@@ -1,36 +1,37 @@
-//! [`Samples`]: a track as what fits it has to pass.
+//! [`Samples`]: the points of a track that a fit has to pass.
 
 use alloc::vec::Vec;
 
 use crate::packed::grid::Parts;
 use crate::track::{Curve, Track};
 
-/// Samples between two knots of straight tracks, and of cubic ones.
+/// Number of samples between two knots: for linear tracks, for cubic tracks.
 const BETWEEN: [u8; 2] = [2, 4];
 
-/// The values of a track at its keys, at pins and between.
+/// Values of a track at its keys, at pins and in between.
 #[derive(Debug)]
 pub(super) struct Samples<T> {
     pub(super) times: Vec<f32>,
-    /// Rotations in one hemisphere from sample to sample.
+    /// Rotations are in one hemisphere from sample to sample.
     pub(super) values: Vec<T>,
-    /// Where keys may be.
+    /// The samples at which keys are allowed.
     pub(super) knots: Vec<Knot<T>>,
 }
 
-/// A sample at which there may be a key.
+/// A sample at which a key is allowed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<T> {
-    /// Its number among the samples.
+    /// Index among the samples.
     pub(super) sample: usize,
-    /// There has to be a key: at ends, at jumps, at pins.
+    /// `true` if there must be a key: at ends, jumps and pins.
     pub(super) is_kept: bool,
-    /// The velocities of a cubic track.
+    /// Velocities of a cubic track on arriving and on leaving.
     pub(super) tangents: Option<[T; 2]>,
 }
 
 impl<T: Parts> Samples<T> {
-    /// Of a track, with knots at pins, which are in order; steps have nothing between.
+    /// Samples a track, with knots at its keys and at pins, which must be sorted. Step tracks have no samples in
+    /// between.
     pub(super) fn of(track: &Track<T>, pins: &[f32]) -> Self {
         let mut samples = Self { times: Vec::new(), values: Vec::new(), knots: Vec::new() };
         let times = track.times();
@@ -41,13 +42,13 @@ impl<T: Parts> Samples<T> {
             let next = times.get(k + 1).copied();
             let is_jump = next == Some(time) || k > 0 && times[k - 1] == time;
             let is_kept = k == 0 || k == last || is_jump || pins.binary_search_by(|pin| pin.total_cmp(&time)).is_ok();
-            // Just before a jump it is the first of two keys that counts, which no sample at that time shows.
+            // Use the key's own value: at a jump, sampling at that time gives the second of the two keys only.
             let value = track.values()[k];
             let value = if is_cubic { value.value(value) } else { value };
             let tangents = track.tangents().get(k).copied();
             samples.knot(time, value, is_kept, tangents.map(|tangents| (track.values()[k], tangents)));
             let Some(next) = next.filter(|next| *next > time) else { continue };
-            // The knots after a key are its pins; samples lie between them.
+            // The pins between this key and the next become knots; samples lie between the knots.
             let first = pins.partition_point(|pin| *pin <= time);
             let within = pins[first..].iter().copied().take_while(|pin| *pin < next);
             let mut from = time;
@@ -78,7 +79,7 @@ impl<T: Parts> Samples<T> {
         self.push(time, value);
         let sample = self.times.len() - 1;
         let tangents = of_track.map(|(of_track, tangents)| {
-            // Turned with the value.
+            // Give the tangents the sign of the value.
             let sign = if of_track.near(self.values[sample]) == of_track { 1.0 } else { -1.0 };
             tangents.map(|tangent| tangent.times(sign))
         });
@@ -93,10 +94,11 @@ impl<T: Parts> Samples<T> {
         self.values[self.knots[knot].sample]
     }
 
-    /// The velocity at each knot, by the parabola through those `width` knots before and after; one side at jumps and ends.
+    /// Estimates the velocity at each knot by the parabola through it and the knots `width` before and after; one-sided
+    /// at jumps and ends.
     pub(super) fn velocities(&self, width: usize) -> Vec<[T; 2]> {
         let count = self.knots.len();
-        // The run of knots without a jump in which each one lies.
+        // First knot of the run without jumps that contains each knot.
         let mut starts: Vec<usize> = Vec::with_capacity(count);
         for k in 0..count {
             let goes_on = k > 0 && self.time(k) > self.time(k - 1);
@@ -118,7 +120,7 @@ impl<T: Parts> Samples<T> {
             if low == high {
                 return none;
             }
-            // Three knots, of which this is the middle one where it can be.
+            // Central difference: three knots, with this one in the middle, if possible.
             let before = k.saturating_sub(width).max(low);
             let after = (k + width).min(high);
             if before < k && k < after {
@@ -126,7 +128,7 @@ impl<T: Parts> Samples<T> {
                 let sum = h_a + h_b;
                 return slope(before, k).times(h_b / sum).plus(slope(k, after).times(h_a / sum));
             }
-            // s₁ + (s₁ − s₂)·h₁ / (h₁ + h₂), towards the inside.
+            // One-sided difference towards the inside: s₁ + (s₁ − s₂)·h₁ / (h₁ + h₂).
             let near = if k == low { (k + width).min(high) } else { k.saturating_sub(width).max(low) };
             let far = if k == low { (near + width).min(high) } else { near.saturating_sub(width).max(low) };
             if near == far {

@@ -1,18 +1,20 @@
-//! Tracks made of tracks: resampled, cut, reversed.
+//! Editing of tracks: resampling, cutting, reversing, repeating.
 
 use alloc::vec::Vec;
 
 use super::{Curve, Track, Value};
 use crate::float::narrow;
 
-/// The most keys that resampling makes, so that no rate asks for more than memory has.
+/// Maximum number of keys that resampling makes, which bounds its memory.
 const MOST_KEYS: f32 = 4_194_304.0;
 
 impl<T: Value> Track<T> {
-    /// A linear track through samples of this one: `rate_hz` a second from 0 to `length_s`, evenly spaced, the last one at the
-    /// very end. What jumps is a steep line afterwards. Rotations are in one hemisphere from key to key.
+    /// Returns a linear track through samples of this one: at least `rate_hz` a second from 0 to `length_s`, evenly
+    /// spaced, the last one exactly at the end. A jump becomes a steep line. Rotations are in one hemisphere from key
+    /// to key.
     ///
-    /// A rate or a length that is not positive and finite gives one key, at 0; 2²² keys are made at most.
+    /// If the rate or the length is not positive and finite, the result has one key, at 0. It never has more than about
+    /// 2²² keys.
     #[must_use]
     pub fn resampled(&self, rate_hz: f32, length_s: f32) -> Self {
         let steps = length_s * rate_hz;
@@ -33,9 +35,9 @@ impl<T: Value> Track<T> {
         Self { times: times.into(), values, tangents: Vec::new(), curve: Curve::Linear }
     }
 
-    /// The piece between two times, which then begins at 0: the same curve, with keys where it is cut. Times are clamped to
-    /// those from 0 to the last key; if `from_s` is not before `to_s` the piece is the value at `from_s`. A jump at `to_s` is not part
-    /// of the piece; one at the last key is if `to_s` is later.
+    /// Returns the piece between two times, shifted to begin at 0. The curve is the same, with keys where it is cut.
+    /// Times are clamped to the range from 0 to the last key. If `from_s` is not before `to_s`, the piece is constant,
+    /// the value at `from_s`. A jump at `to_s` is not part of the piece, except one at the last key if `to_s` is later.
     #[must_use]
     pub fn cut(&self, from_s: f32, to_s: f32) -> Self {
         let inside = |time: f32| time.max(0.0).min(self.end_s());
@@ -52,7 +54,7 @@ impl<T: Value> Track<T> {
         let sampled = |time: f32| match self.curve {
             Curve::Cubic => {
                 let (value, velocity) = self.point_and_velocity(time);
-                // Between keys that are very close a velocity may be larger than any number.
+                // Between keys that are very close, the velocity can overflow.
                 let is_bounded = velocity.times(1e-12).bounded();
                 (value, if is_bounded { velocity } else { value.times(0.0) })
             }
@@ -64,7 +66,7 @@ impl<T: Value> Track<T> {
             push(*time, self.values[k], self.tangents.get(k).copied().unwrap_or([self.values[k]; 2]));
         }
         if from < to {
-            // A jump at the very end belongs to what comes after it: the value on arriving is the last one.
+            // A jump at the very end belongs to what follows, so the piece ends with the value before the jump.
             let at_end = self.times.partition_point(|time| *time < to);
             match self.times.get(at_end).filter(|time| **time == to) {
                 Some(_) => {
@@ -81,7 +83,7 @@ impl<T: Value> Track<T> {
                 }
             }
         }
-        // Times that rounding has brought together would not be a track.
+        // Rounding must not put the times out of order.
         let mut last = 0.0;
         for time in &mut times {
             *time = f32::max(*time, last);
@@ -91,14 +93,14 @@ impl<T: Value> Track<T> {
         piece.without_crowds()
     }
 
-    /// The track played backwards from `length_s`, which counts as the last key's time at least.
+    /// Returns the track played backwards from `length_s`, or from the last key if that is later.
     #[must_use]
     pub fn reversed(&self, length_s: f32) -> Self {
         let length = length_s.max(self.end_s()).min(f32::MAX);
         let mut times: Vec<f32> = self.times.iter().rev().map(|time| length - time).collect();
         let mut values: Vec<T> = self.values.iter().rev().copied().collect();
         if self.curve == Curve::Step {
-            // A value stays from the next key's time, seen from behind, until its own.
+            // Backwards, a value is held from the time of the next key until its own time.
             times.insert(0, 0.0);
             times.pop();
             if times.get(1) == Some(&0.0) {
@@ -110,13 +112,13 @@ impl<T: Value> Track<T> {
         Self { times: times.into(), values, tangents, curve: self.curve }.without_crowds()
     }
 
-    /// The track played over and over until `end_s`: at every time it has the value of this one at that time modulo `period_s`, which
-    /// is not shorter than the track. A seam belongs to the round that ends there; where the ends differ, the next one begins a
-    /// hair later.
+    /// Returns the track repeated until `end_s`: at every time it has the value of this one at that time modulo
+    /// `period_s`, which must not be shorter than the track. At a seam it has the value of the round that ends; if the
+    /// ends differ, the next round begins at the following float.
     pub(crate) fn repeated(&self, period_s: f32, end_s: f32) -> Self {
         let mut round = self.cut(0.0, period_s);
         if let Some(&value) = round.values.last().filter(|_| round.end_s() < period_s) {
-            // Held until the round ends.
+            // Hold the last value until the round ends.
             round.times = round.times.iter().copied().chain([period_s]).collect();
             round.values.push(value);
             if let Some(last) = round.tangents.last_mut() {
@@ -125,20 +127,21 @@ impl<T: Value> Track<T> {
             }
         }
         let (mut times, mut values, mut tangents) = (Vec::new(), Vec::new(), Vec::<[T; 2]>::new());
-        // Multiplied, not added up: late rounds are exact.
+        // Multiply instead of accumulating, so that late rounds are exact.
         let starts = (0_u32..).map(|number| narrow(f64::from(number) * f64::from(period_s)));
         for start in starts.take_while(|start| *start < end_s) {
             for (k, time) in round.times.iter().enumerate() {
                 let (mut time, value) = (start + time, round.values[k]);
                 if let Some(last) = times.last().copied().filter(|last| time <= *last) {
                     if k == 0 && values.last() == Some(&value) {
-                        // Arrives as the old round did, leaves as the new one does.
+                        // The merged key arrives as the old round did and leaves as the new one does.
                         if let (Some(before), Some(after)) = (tangents.last_mut(), round.tangents.first()) {
                             before[1] = after[1];
                         }
                         continue;
                     }
-                    // Two keys of one time are a jump; the first key of a round and a third one come a hair later.
+                    // Two keys at one time are a jump. Move the first key of a round, or a third key, to the following
+                    // float.
                     let is_crowded = k == 0 || times.len() > 1 && times[times.len() - 2] >= last;
                     time = if is_crowded { f32::next_up(last) } else { last };
                 }
@@ -150,7 +153,7 @@ impl<T: Value> Track<T> {
         Self { times: times.into(), values, tangents, curve: self.curve }.cut(0.0, end_s)
     }
 
-    /// Of more than two keys that rounding has brought to one time the first and the last.
+    /// Removes all but the first and last of more than two keys that rounding has moved to the same time.
     fn without_crowds(self) -> Self {
         let times = &self.times;
         let is_kept = |k: usize| {
@@ -170,7 +173,7 @@ impl<T: Value> Track<T> {
     }
 }
 
-/// A number of 0 to 2²², rounded up.
+/// Rounds up a number from 0 to 2²².
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "2²² at most")]
 fn ceil(number: f32) -> usize {
     let whole = number as usize;

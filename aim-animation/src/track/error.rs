@@ -1,14 +1,14 @@
-//! [`TrackError`]: why keys do not make a track.
+//! [`TrackError`]: reasons why keys do not form a track.
 
 use core::fmt;
 
-/// Why keys are no track; keys count from 0.
+/// Reason why keys do not form a track. Keys are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TrackError {
-    /// There is no key.
+    /// There are no keys.
     Empty,
-    /// There are not as many values as times.
+    /// The numbers of times and values differ.
     Lengths {
         /// The number of times.
         times: usize,
@@ -17,11 +17,11 @@ pub enum TrackError {
     },
     /// The time of this key is negative or not finite.
     Time(usize),
-    /// The time of this key is less than that of the key before it, or equal to those of the two keys before it.
+    /// The time of this key is less than that of the key before it, or equal to those of both keys before it.
     Order(usize),
-    /// The value of this key is not finite or beyond 1e15, or is a quaternion without length.
+    /// The value of this key is not finite, exceeds 1e15, or is a quaternion of length 0.
     Value(usize),
-    /// A tangent or a control point of this key is not finite, or takes the curve beyond 1e15.
+    /// A tangent or control point of this key is not finite, or makes the curve exceed 1e15.
     Tangent(usize),
 }
 

@@ -1,15 +1,15 @@
-//! The ends of a looped track: measured, and brought together.
+//! Ends of a looped track: measures their difference and removes it.
 
 use alloc::vec::Vec;
 
 use super::{Curve, Track, Value, intervals, is_bounded};
 
-/// How far the ends of a loop are brought together.
+/// Degree to which the ends of a loop are made to match.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Continuity {
-    /// Places are the same (C⁰): the clip does not jump.
+    /// The values match (C⁰): the loop does not jump.
     Place,
-    /// Places and speeds are the same (C¹): the clip does not jerk either.
+    /// The values and velocities match (C¹): the loop does not jerk either.
     Speed,
 }
 
@@ -17,7 +17,7 @@ pub enum Continuity {
 struct Keys<T> {
     times: Vec<f32>,
     values: Vec<T>,
-    /// On arriving and on leaving.
+    /// Velocities on arriving and on leaving.
     tangents: Vec<[T; 2]>,
 }
 
@@ -36,8 +36,9 @@ impl<T: Value> Keys<T> {
 }
 
 impl<T: Value> Track<T> {
-    /// Value and velocity at 0 and at the length of the clip, the second value of its forms the one nearer to the first; `None` for
-    /// steps, which are to jump. Of two keys at an end the later counts at 0 and the earlier at the length.
+    /// Value and velocity at 0 and at the length of the clip. A rotation at the end has the sign nearer to that at the
+    /// beginning. `None` for step tracks, which are meant to jump. Of two keys at one end, the later counts at 0, the
+    /// earlier at the length.
     pub(crate) fn ends(&self, length_s: f32) -> Option<[[T; 2]; 2]> {
         let keys = self.spanning(length_s)?;
         let last = keys.values.len() - 1;
@@ -47,13 +48,14 @@ impl<T: Value> Track<T> {
         Some([[start, keys.tangents[0][1]], [end.near(start), velocity]])
     }
 
-    /// A cubic track whose end goes over into its beginning: each takes half of the difference, which fades over `window_s`, half of the
-    /// length at most. `None` for steps, and where numbers would be too large.
+    /// Returns a cubic track whose end matches its beginning. Each is corrected by half of the difference; the
+    /// correction fades out over `window_s`, at most half of the length. `None` for step tracks, and if numbers would
+    /// become too large.
     pub(crate) fn mended(&self, length_s: f32, continuity: Continuity, window_s: f32) -> Option<Self> {
         let [[start, leaving], [end, arriving]] = self.ends(length_s)?;
         let mut keys = self.spanning(length_s)?;
         let window = window_s.min(0.5 * length_s);
-        // NaN of the window would have gone by.
+        // Test `window_s` too, because `min` has discarded a NaN.
         if !(window_s > 0.0 && window > 0.0) {
             return None;
         }
@@ -64,7 +66,7 @@ impl<T: Value> Track<T> {
             Continuity::Place => place.times(0.0),
             Continuity::Speed => arriving.plus(leaving.times(-1.0)).times(0.5),
         };
-        // Keys where the correction begins and ends: what lies between two keys stays one cubic.
+        // Insert keys where the correction begins and ends, so that the result is one cubic between each two keys.
         let plain = keys.into_track();
         keys = Keys { times: Vec::new(), values: Vec::new(), tangents: Vec::new() };
         let mut knots = [window, length_s - window].into_iter().peekable();
@@ -78,7 +80,8 @@ impl<T: Value> Track<T> {
             keys.push(time, plain.values[k], plain.tangents[k]);
         }
         for (k, &time) in keys.times.iter().enumerate() {
-            // c(0) = place, c′(0) = speed, and c = c′ = 0 at the window; at the end mirrored, the other way.
+            // Correction c with c(0) = place, c′(0) = speed, and c = c′ = 0 at the window. At the end it is mirrored in
+            // time, with opposite sign.
             let mut correct = |u: f32, sign: f32, towards: f32| {
                 let value = place.times(sign * (1.0 - u * u * (3.0 - 2.0 * u)));
                 let value = value.plus(speed.times(sign * towards * window * u * (1.0 - u) * (1.0 - u)));
@@ -101,7 +104,7 @@ impl<T: Value> Track<T> {
         is_sound.then(|| keys.into_track())
     }
 
-    /// The same as cubic keys from 0 to the length; `None` for steps.
+    /// Converts the track to cubic keys from 0 to the length; `None` for step tracks.
     fn spanning(&self, length_s: f32) -> Option<Keys<T>> {
         let mut keys = Keys { times: Vec::new(), values: Vec::new(), tangents: Vec::new() };
         let none = self.values[0].times(0.0);
@@ -117,7 +120,7 @@ impl<T: Value> Track<T> {
                 }
             }
         }
-        // Of two keys at an end the one that a loop shows: the later at 0, the earlier at the length.
+        // If two keys share an end, keep the one that a loop shows: the later at 0, the earlier at the length.
         if keys.times.len() > 1 && keys.times[1] <= 0.0 {
             keys.remove(0);
         }
@@ -125,7 +128,7 @@ impl<T: Value> Track<T> {
         if last > 0 && keys.times[last - 1] >= length_s {
             keys.remove(last);
         }
-        // What stands before the first key and after the last one arrives and leaves without speed.
+        // The track is constant before its first and after its last key: velocities there are zero.
         let last = keys.values.len() - 1;
         keys.tangents[last][1] = none;
         if self.times[0] > 0.0 {
@@ -137,7 +140,8 @@ impl<T: Value> Track<T> {
         Some(keys)
     }
 
-    /// Straight lines as cubics: exact, but for rotations, which go along arcs and are divided so that nobody sees it.
+    /// Converts linear segments to cubics. This is exact except for rotations, which move along arcs and are subdivided
+    /// so finely that the error is invisible.
     fn straight(&self, keys: &mut Keys<T>) {
         let none = self.values[0].times(0.0);
         let mut value = keys.values.last().map_or(self.values[0], |last| self.values[0].near(*last));

@@ -1,5 +1,6 @@
-//! [`Track`]: a value over time by keys. `value.rs` says what values are, `key.rs` what cubic keys are, `edit.rs` makes
-//! tracks of tracks, `looped.rs` brings ends together, and `error.rs` says which key is wrong.
+//! [`Track`]: a value over time, given by keys. `value.rs` defines values, `key.rs` cubic keys, and `error.rs` the
+//! errors. `edit.rs` makes tracks from tracks, `looped.rs` matches the ends of loops, `unit_keys.rs` normalises the
+//! keys of cubic rotations.
 
 mod edit;
 mod error;
@@ -21,19 +22,19 @@ pub(crate) use value::sealed::Arithmetic;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Curve {
-    /// A value stays until the next key.
+    /// The value is constant until the next key.
     Step,
-    /// Straight; rotations the shorter way at constant speed.
+    /// Linear; rotations take the shorter way at constant speed.
     Linear,
-    /// Cubic Hermite splines; Bézier segments and Catmull-Rom splines are kept as such.
+    /// Cubic Hermite splines. Bézier segments and Catmull-Rom splines are converted to these.
     Cubic,
 }
 
-/// A value over time: keys at times of their own, in seconds of the clip's local time.
+/// A value over time, given by keys. Times are seconds of the clip's local time.
 ///
-/// Times do not decrease. Two keys may share a time: there the value jumps, from the first of them to the second. Before the
-/// first key a track has its value, after the last key that one's. Every sample is finite, and rotations are unit, at any time,
-/// NaN included: what a sample needs is checked here, once.
+/// Times do not decrease. Two keys may share a time: there the value jumps from the first to the second. The value is
+/// constant before the first key and after the last. Every sample is finite, and rotations are unit, at any time
+/// including NaN: the constructors validate everything that sampling depends on.
 ///
 /// ```
 /// use aim_animation::{Track, TrackError};
@@ -48,56 +49,56 @@ pub enum Curve {
 pub struct Track<T> {
     times: Arc<[f32]>,
     values: Vec<T>,
-    /// Velocities on arriving and leaving, of cubic tracks.
+    /// Velocities of a cubic track on arriving and on leaving; empty for other curves.
     tangents: Vec<[T; 2]>,
     curve: Curve,
 }
 
 impl<T: Value> Track<T> {
-    /// The same value at all times.
+    /// A track with the same value at all times.
     ///
     /// # Errors
-    /// The value is not finite, or a quaternion without length.
+    /// The value is not finite, exceeds 1e15, or is a quaternion of length 0.
     pub fn constant(value: T) -> Result<Self, TrackError> {
         Self::step([0.0], [value])
     }
 
-    /// Values that stay until the next key.
+    /// A step track: each value is held until the next key.
     ///
     /// # Errors
-    /// See [`TrackError`]; the first mistake that is found.
+    /// See [`TrackError`]; returns the first error found.
     pub fn step(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
         Self::plain(times.into(), values.into(), Curve::Step)
     }
 
-    /// Straight lines between values; rotations turn the shorter way at constant speed. Tracks may share their times.
+    /// A linear track; rotations take the shorter way at constant speed. Tracks may share their times.
     ///
     /// # Errors
-    /// See [`TrackError`]; the first mistake that is found.
+    /// See [`TrackError`]; returns the first error found.
     pub fn linear(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
         Self::plain(times.into(), values.into(), Curve::Linear)
     }
 
-    /// Cubic Hermite splines; `into` of the first key and `out` of the last play no part.
+    /// A cubic Hermite spline. `into` of the first key and `out` of the last have no effect.
     ///
-    /// Rotations are interpolated as they are given: neighbours in opposite hemispheres go the longer way.
+    /// Rotations are interpolated as given: neighbours in opposite hemispheres take the longer way.
     ///
     /// # Errors
-    /// See [`TrackError`]; the first mistake that is found.
+    /// See [`TrackError`]; returns the first error found.
     pub fn hermite(times: impl Into<Arc<[f32]>>, keys: &[HermiteKey<T>]) -> Result<Self, TrackError> {
         let values = keys.iter().map(|key| key.value).collect();
         let tangents = keys.iter().map(|key| [key.into, key.out]).collect();
         Self::cubic(times.into(), values, tangents)
     }
 
-    /// Cubic Bézier segments; `before` of the first key and `after` of the last play no part.
+    /// A track of cubic Bézier segments. `before` of the first key and `after` of the last have no effect.
     ///
     /// # Errors
-    /// See [`TrackError`]; the first mistake that is found.
+    /// See [`TrackError`]; returns the first error found.
     pub fn bezier(times: impl Into<Arc<[f32]>>, keys: &[BezierKey<T>]) -> Result<Self, TrackError> {
         let times = times.into();
         check_times(&times, keys.len())?;
-        // The velocity at an end is three times the way to its control point, over the segment's time.
+        // Velocity at an end = 3 · (control point − end) / duration of the segment.
         let velocity = |from: T, to: T, interval: f32| {
             let way = to.plus(from.times(-1.0));
             if interval > 0.0 { way.times(3.0 / interval) } else { way.times(0.0) }
@@ -112,13 +113,13 @@ impl<T: Value> Track<T> {
         Self::cubic(times, keys.iter().map(|key| key.value).collect(), tangents)
     }
 
-    /// A Catmull-Rom spline through the values, for keys at uneven times: the velocity at a key is that of the parabola
-    /// through it and its neighbours. At the ends, and beside a jump, it is that of the line to the only neighbour.
+    /// A Catmull-Rom spline through the values, for keys at uneven times. The velocity at a key is that of the parabola
+    /// through it and its neighbours; at the ends, and next to a jump, that of the line to the only neighbour.
     ///
-    /// Rotations go the shorter way from key to key.
+    /// Rotations take the shorter way from key to key.
     ///
     /// # Errors
-    /// See [`TrackError`]; the first mistake that is found.
+    /// See [`TrackError`]; returns the first error found.
     pub fn catmull_rom(times: impl Into<Arc<[f32]>>, values: impl Into<Vec<T>>) -> Result<Self, TrackError> {
         let Self { times, mut values, .. } = Self::linear(times, values)?;
         for k in 1..values.len() {
@@ -150,37 +151,37 @@ impl<T: Value> Track<T> {
         self.curve
     }
 
-    /// The times of the keys, seconds.
+    /// Times of the keys, seconds.
     #[must_use]
     pub fn times(&self) -> &[f32] {
         &self.times
     }
 
-    /// The values of the keys. Rotations are unit, but where a cubic track was [cut](Self::cut); see
+    /// Values of the keys. Rotations are unit, except where a cubic track was [cut](Self::cut); see
     /// [`with_unit_keys`](Track::with_unit_keys).
     #[must_use]
     pub fn values(&self) -> &[T] {
         &self.values
     }
 
-    /// The velocities of the keys of a cubic track, on arriving and on leaving, a second; else none.
+    /// Velocities of a cubic track's keys on arriving and on leaving, per second; empty for other curves.
     #[must_use]
     pub fn tangents(&self) -> &[[T; 2]] {
         &self.tangents
     }
 
-    /// The time of the last key, seconds.
+    /// Time of the last key, seconds.
     #[must_use]
     pub fn end_s(&self) -> f32 {
         self.times.last().copied().unwrap_or_default()
     }
 
-    /// The bytes of its values and tangents, 4 a number, without those of its times, which tracks may share.
+    /// Size of the values and tangents, bytes. Times are not included, because tracks may share them.
     pub(crate) fn value_bytes(&self) -> usize {
         size_of::<T>() * self.values.len() + 2 * size_of::<T>() * self.tangents.len()
     }
 
-    /// Takes times that are the same from those of other tracks, or adds its own to them.
+    /// Replaces the times by equal ones in `known`, or adds them to `known`.
     pub(crate) fn share_times(&mut self, known: &mut Vec<Arc<[f32]>>) {
         match known.iter().find(|times| **times == self.times) {
             Some(times) => self.times = Arc::clone(times),
@@ -188,19 +189,19 @@ impl<T: Value> Track<T> {
         }
     }
 
-    /// The times, as they may be shared.
+    /// The times, with shared ownership.
     pub(crate) fn shared_times(&self) -> &Arc<[f32]> {
         &self.times
     }
 
-    /// The value at a time; NaN counts as before the first key.
+    /// Returns the value at a time. NaN is treated as before the first key.
     #[must_use]
     pub fn sample(&self, time_s: f32) -> T {
         self.sample_near(time_s, &mut 0)
     }
 
-    /// The value at a time, with the key that was found last time: a hint, which may be any number and only saves the
-    /// search. The result is that of [`sample`](Self::sample).
+    /// Returns the value at a time, like [`sample`](Self::sample). `key` is a hint, the index of the key found in the
+    /// last call; it may have any value, and only saves the search.
     #[inline]
     pub fn sample_near(&self, time_s: f32, key: &mut usize) -> T {
         *key = self.key_before(time_s, *key);
@@ -208,7 +209,7 @@ impl<T: Value> Track<T> {
         let value = self.values[k];
         // Before the first key, after the last, and at NaN.
         if !(time_s > self.times[k]) || k + 1 == self.values.len() || self.curve == Curve::Step {
-            // Where a cubic track was cut a rotation need not be unit.
+            // A rotation of a cubic track that was cut need not be unit.
             return if self.curve == Curve::Cubic { value.value(value) } else { value };
         }
         let part = (time_s - self.times[k]) / (self.times[k + 1] - self.times[k]);
@@ -218,7 +219,8 @@ impl<T: Value> Track<T> {
         hermite(self.segment(k), part).value(value)
     }
 
-    /// A track of parts that are kept to the bit; `None` unless they are what constructors or cuts might have made.
+    /// Assembles a track from parts, which are kept bit for bit; `None` unless a constructor or a cut could have made
+    /// them.
     pub(crate) fn assembled(times: Arc<[f32]>, values: Vec<T>, tangents: Vec<[T; 2]>, curve: Curve) -> Option<Self> {
         check_times(&times, values.len()).ok()?;
         let is_cubic = curve == Curve::Cubic;
@@ -227,7 +229,7 @@ impl<T: Value> Track<T> {
         }
         for (k, value) in values.iter().enumerate() {
             let (_, factor) = value.key()?;
-            // Where cubic tracks were cut rotations need not be unit.
+            // Rotations of a cubic track that was cut need not be unit.
             if !is_cubic && !((factor - 1.0).abs() < 1e-5) {
                 return None;
             }
@@ -239,7 +241,7 @@ impl<T: Value> Track<T> {
         Some(Self { times, values, tangents, curve })
     }
 
-    /// Value and velocity of a cubic track before rotations are made unit; outside the keys it does not move.
+    /// Value and velocity of a cubic track before rotations are normalised. Outside the keys the velocity is zero.
     pub(crate) fn point_and_velocity(&self, time_s: f32) -> (T, T) {
         let k = self.key_before(time_s, 0);
         if k + 1 == self.values.len() || !(time_s >= self.times[k]) {
@@ -251,19 +253,19 @@ impl<T: Value> Track<T> {
         (hermite(segment, u), hermite_slope(segment, u).times(1.0 / interval))
     }
 
-    /// The segment after key `k` of a cubic track: value and tangent there and at the next key, by the parameter 0…1.
+    /// The cubic segment after key `k`: value and tangent at that key and at the next, for a parameter in 0…1.
     pub(crate) fn segment(&self, k: usize) -> [T; 4] {
         let interval = self.times[k + 1] - self.times[k];
         let [out, into] = [self.tangents[k][1], self.tangents[k + 1][0]].map(|tangent| tangent.times(interval));
         [self.values[k], out, self.values[k + 1], into]
     }
 
-    /// The last key that is not after a time; the first if there is none.
+    /// Index of the last key that is not after a time; 0 if there is none.
     #[inline]
     fn key_before(&self, time_s: f32, hint: usize) -> usize {
         let times = &self.times[..];
         let is_at = |k: usize| times[k] <= time_s && times.get(k + 1).is_none_or(|next| time_s < *next);
-        // Played forward, the key is the last one found or the next.
+        // In forward playback, the key is the one found last or the next.
         if hint < times.len() && times[hint] <= time_s {
             if is_at(hint) {
                 return hint;
@@ -287,7 +289,7 @@ impl<T: Value> Track<T> {
         for (k, value) in values.iter_mut().enumerate() {
             let (checked, factor) = value.key().ok_or(TrackError::Value(k))?;
             *value = checked;
-            // What plays no part is 0.
+            // Set the tangents without effect to 0.
             for (tangent, interval) in tangents[k].iter_mut().zip(intervals(&times, k)) {
                 *tangent = if interval > 0.0 { tangent.times(factor) } else { value.times(0.0) };
                 if !is_bounded(*tangent, interval) {
@@ -299,7 +301,7 @@ impl<T: Value> Track<T> {
     }
 }
 
-/// The cubic from `a` to `b` with the velocities `out` and `into` there, by the parameter 0…1.
+/// Cubic from `a` to `b` with derivatives `out` and `into` at the ends, for a parameter in 0…1.
 pub(crate) fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     let v = 1.0 - u;
     // H₀ = v²(1 + 2u), H₁ = u·v², H₂ = u²(1 + 2v), H₃ = −u²·v.
@@ -307,19 +309,19 @@ pub(crate) fn hermite<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     ends.plus(out.times(u * v * v)).plus(into.times(-u * u * v))
 }
 
-/// The derivative of [`hermite`] by its parameter.
+/// Derivative of [`hermite`] with respect to its parameter.
 pub(crate) fn hermite_slope<T: Value>([a, out, b, into]: [T; 4], u: f32) -> T {
     let way = b.plus(a.times(-1.0)).times(6.0 * u * (1.0 - u));
     way.plus(out.times(1.0 - u * (4.0 - 3.0 * u))).plus(into.times(u * (3.0 * u - 2.0)))
 }
 
-/// The times from the key before to key `k`, and from there to the next; 0 where there is none.
+/// Durations from the previous key to key `k` and from there to the next; 0 at the ends.
 fn intervals(times: &[f32], k: usize) -> [f32; 2] {
     let after = |k: usize| times.get(k + 1).map_or(0.0, |next| next - times[k]);
     [k.checked_sub(1).map_or(0.0, after), after(k)]
 }
 
-/// True if a tangent is small enough, as it is added up by samples, and as it stands.
+/// Returns `true` if a tangent is within bounds, both by itself and multiplied by its interval, as in sampling.
 fn is_bounded<T: Value>(tangent: T, interval: f32) -> bool {
     tangent.times(interval).bounded() && tangent.times(1e-12).bounded()
 }

@@ -1,4 +1,4 @@
-//! Cubic rotations whose keys are not unit, by keys that are.
+//! Conversion of cubic rotation tracks to unit keys.
 
 use alloc::vec::Vec;
 
@@ -7,14 +7,15 @@ use aim_runtime::rotation::{dot, unit};
 
 use super::{Curve, Track, hermite, hermite_slope};
 
-/// The most that the curve is off where it is looked at, as the chord of unit quaternions, which is half of the angle: 1e-5 radians.
+/// Error up to which an interval is not divided: a chord of unit quaternions, half of the angle of 1e-5 radians.
 const MOST_OFF: f32 = 0.5e-5;
-/// How often an interval is halved at most: what is off falls with the fourth power.
+/// Maximum number of times an interval is halved; each halving divides the error by about 2⁴.
 const MOST_HALVINGS: u8 = 6;
 
 impl Track<Quat> {
-    /// The same rotations with unit keys, as files demand them, to within 2e-5 radians. A key of a cubic track that is not unit, as where
-    /// it was [cut](Track::cut), is made so, and keys are added between it and its neighbours until that holds.
+    /// Returns the same rotations with unit keys, as file formats require, to within 2e-5 radians. A non-unit key of a
+    /// cubic track, which results from a [cut](Track::cut), is normalised; keys are added next to it until the error is
+    /// small enough.
     ///
     /// ```
     /// use aim_animation::glam::Quat;
@@ -65,14 +66,14 @@ impl Track<Quat> {
     }
 }
 
-/// A curve between two keys, over so many seconds.
+/// A curve between two keys, and its duration in seconds.
 struct Piece {
     segment: [Quat; 4],
     interval: f32,
 }
 
 impl Piece {
-    /// The rotation at a part of the interval, and its velocity, a second: q = p/|p|, q′ = (p′ − q·(q·p′))/|p|.
+    /// Rotation and its velocity per second at a fraction of the interval: q = p/|p|, q′ = (p′ − q·(q·p′))/|p|.
     fn unit_at(&self, part: f32) -> (Quat, Quat) {
         let (point, slope) = (hermite(self.segment, part), hermite_slope(self.segment, part));
         let Some(value) = unit(point) else { return (Quat::IDENTITY, slope * 0.0) };
@@ -80,7 +81,7 @@ impl Piece {
         (value, across * (1.0 / (dot(value, point) * self.interval)))
     }
 
-    /// Where to put keys so that cubics between unit ones are near enough.
+    /// Collects the parts at which keys are needed so that cubics between unit keys are accurate enough.
     fn divide(&self, [from, to]: [f32; 2], halvings: u8, cuts: &mut Vec<f32>) {
         let seconds = (to - from) * self.interval;
         let ([(a, out), (b, into)], middle) = ([from, to].map(|part| self.unit_at(part)), 0.5 * (from + to));

@@ -1,14 +1,14 @@
-//! [`Value`]: what a track may move.
+//! [`Value`]: types of values that a track can hold.
 
 use core::fmt::Debug;
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{angle, dot, log, product, slerp, unit};
 
-/// No number of a track is larger, so that no interpolation overflows.
+/// Limit on the magnitude of a track's numbers, so that interpolation does not overflow.
 const MOST: f32 = 1e15;
 
-/// A value that tracks move: a scalar, a vector or a rotation. Sealed.
+/// A value of a track: a scalar, a vector or a rotation. Sealed.
 pub trait Value: Copy + Debug + PartialEq + sealed::Arithmetic {}
 
 impl Value for f32 {}
@@ -16,24 +16,25 @@ impl Value for Vec3 {}
 impl Value for Quat {}
 
 pub(crate) mod sealed {
-    /// Arithmetic of values; rotations as four numbers.
+    /// Arithmetic of values; rotations are treated as four numbers.
     #[expect(unnameable_types, reason = "sealed: nobody else implements it")]
     pub trait Arithmetic: Sized {
-        /// The value of a key, and the factor that brought it there; `None` if it is none.
+        /// Normalises the value of a key; returns it with the factor applied. `None` if the value is invalid.
         fn key(self) -> Option<(Self, f32)>;
-        /// True if every number is finite and small enough to be added up.
+        /// Returns `true` if every number is finite and at most 1e15.
         fn bounded(self) -> bool;
         fn times(self, factor: f32) -> Self;
         fn plus(self, other: Self) -> Self;
-        /// Of its forms the one nearer to another: quaternions in one hemisphere.
+        /// Returns the representation nearest to another value: for quaternions, the sign in the same hemisphere.
         fn near(self, other: Self) -> Self;
-        /// From `self` at 0 to `other` at 1, straight, rotations the shorter way at constant speed.
+        /// Linear interpolation from `self` at 0 to `other` at 1; rotations take the shorter way at constant speed.
         fn linear(self, other: Self, part: f32) -> Self;
-        /// Into how many pieces the straight way to another is divided, so that each is a cubic.
+        /// Number of pieces into which linear interpolation to another value is divided so that a cubic approximates
+        /// each.
         fn pieces(self, other: Self) -> u8;
-        /// The velocity at this point of the straight way from one value to another in a time.
+        /// Velocity at this point of the linear interpolation from one value to another within `interval` seconds.
         fn drift(self, way: [Self; 2], interval: f32) -> Self;
-        /// A result of sums made a value again: rotations unit, `fallback` where that is not possible.
+        /// Makes the result of sums a valid value: normalises rotations, or `fallback` if that is not possible.
         fn value(self, fallback: Self) -> Self;
     }
 }
@@ -79,7 +80,7 @@ linear_value!(Vec3, |vector: Vec3| vector.to_array());
 impl sealed::Arithmetic for Quat {
     fn key(self) -> Option<(Self, f32)> {
         let unit = unit(self)?;
-        // 1 for what is unit already, to the last digit or two.
+        // Within rounding, 1 for a quaternion that is already unit.
         let factor = dot(unit, self) / dot(self, self);
         (self.bounded() && factor.is_finite()).then_some((unit, factor))
     }
@@ -107,7 +108,8 @@ impl sealed::Arithmetic for Quat {
         if !(square < 0.02) {
             return slerp(self, other, part);
         }
-        // Weights sin(p·θ) / sin θ by their series: keys are seldom far apart. θ = 2 asin(chord / 2) < 0.15.
+        // Slerp weights sin(p·θ) / sin θ by their series, because keys are seldom far apart. θ = 2 asin(chord / 2) <
+        // 0.15.
         let square = square * (1.0 + square * (1.0 / 12.0 + square * (1.0 / 90.0)));
         let series = |part: f32| {
             let square = part * part * square;
@@ -115,18 +117,18 @@ impl sealed::Arithmetic for Quat {
         };
         let whole = 1.0 / series(1.0);
         let sum = self * (series(1.0 - part) * whole) + other * (series(part) * whole);
-        // Unit but for rounding: one step of Newton's iteration for the root.
+        // The sum is unit except for rounding: one Newton step for 1/√x corrects it.
         sum * (1.5 - 0.5 * dot(sum, sum))
     }
 
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of an angle up to half a turn")]
     fn pieces(self, other: Self) -> u8 {
-        // Cubics of a tenth of a radian are off by 1e-8.
+        // A cubic over a tenth of a radian has an error of 1e-8.
         1 + (angle(product(other, self.conjugate())) * 10.0) as u8
     }
 
     fn drift(self, [from, to]: [Self; 2], interval: f32) -> Self {
-        // q′ = ω/2 · q, at constant ω.
+        // q′ = ω/2 · q, with constant ω.
         let half = log(product(to, from.conjugate())) * (0.5 / interval);
         product(Self::from_xyzw(half.x, half.y, half.z, 0.0), self)
     }

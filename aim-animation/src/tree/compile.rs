@@ -1,4 +1,5 @@
-//! Nodes into operations: each node's pose lands in the slot of its depth, so that as few as possible are held at once.
+//! Compiles nodes to operations. A node's slot is its depth on the stack of poses, which minimises the number held at
+//! once.
 
 use alloc::vec::Vec;
 
@@ -8,7 +9,7 @@ use super::plan::{Op, Plan, Rule, Shape};
 use crate::mask::Mask;
 use crate::transform::Transform;
 
-/// The plan of a tree for a skeleton of this many bones.
+/// Compiles a tree for a skeleton of this many bones.
 pub(super) fn compiled(bones: usize, root: Node) -> Result<Plan, TreeError> {
     let mut compiler = Compiler { plan: Plan::default(), bones };
     compiler.node(root, 0, 0)?;
@@ -21,7 +22,8 @@ struct Compiler {
 }
 
 impl Compiler {
-    /// Appends the operations that write a node's pose to `slot`, with no sum below `sum` in use. Returns its number.
+    /// Appends the operations that write a node's pose to `slot`, using only sums from `sum` on. Returns the node's
+    /// index.
     fn node(&mut self, Node { kind, .. }: Node, slot: usize, sum: usize) -> Result<usize, TreeError> {
         let shape = self.plan.shapes.len();
         self.plan.slots = self.plan.slots.max(slot + 1);
@@ -59,7 +61,7 @@ impl Compiler {
         Ok(shape)
     }
 
-    /// Two poses, the first into the slot, the second into the next one, and what makes one of them.
+    /// Appends a node of two poses: the first in `slot`, the second in the next one, combined by `op`.
     fn pair(
         &mut self,
         [one, other]: [Node; 2],
@@ -78,7 +80,7 @@ impl Compiler {
         Ok(())
     }
 
-    /// A node and its edges, which lead nowhere yet. Returns the first of them.
+    /// Appends a node with unconnected edges. Returns the index of the first edge.
     fn shape(&mut self, rule: Rule, edges: usize) -> usize {
         let first = self.plan.children.len();
         self.plan.children.resize(first + edges, 0);
@@ -86,7 +88,7 @@ impl Compiler {
         first
     }
 
-    /// Begins what is skipped if an edge has no weight.
+    /// Starts the operations that are skipped if an edge has no weight.
     fn skip(&mut self, edge: usize) -> usize {
         self.plan.ops.push(Op::Skip { edge, to: 0 });
         self.plan.ops.len() - 1

@@ -1,30 +1,31 @@
-//! [`TreeError`]: why nodes do not make a tree.
+//! [`TreeError`]: reasons why nodes do not form a tree.
 
 use core::fmt;
 
-/// Why nodes are no tree.
+/// Reason why nodes do not form a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TreeError {
-    /// A mask or a reference pose is not of this skeleton.
+    /// A mask or a reference pose does not fit the skeleton.
     Length {
         /// The number of bones.
         bones: usize,
         /// The length of the mask or the pose.
         found: usize,
     },
-    /// A blend space has another number of places than of nodes.
+    /// The numbers of places and nodes of a blend space differ.
     Places {
         /// The number of places.
         places: usize,
         /// The number of nodes.
         nodes: usize,
     },
-    /// A transform of a reference pose is not finite, or its rotation is no unit quaternion.
+    /// The transform of this bone in a reference pose is not finite, or its rotation is not a unit quaternion.
     Reference(usize),
-    /// A mask was given to a node that is neither a blend nor an addition, or a reference to one that is no addition.
+    /// A mask was given to a node that is neither a blend nor an addition, or a reference pose to one that is not an
+    /// addition.
     Mistaken,
-    /// There are more than 64 nodes one within the other.
+    /// Nodes are nested more than 64 deep.
     Deep,
 }
 

@@ -1,5 +1,5 @@
-//! [`Tree`]: blends of blends, built once and evaluated every frame. `node.rs` says what it is built of, `compile.rs` turns
-//! that into the operations of `plan.rs`, `error.rs` says what is wrong with it.
+//! [`Tree`]: nested blends, built once and evaluated every frame. `node.rs` defines the nodes, `compile.rs` translates
+//! them to the operations of `plan.rs`, and `error.rs` has the errors.
 
 mod compile;
 mod error;
@@ -19,10 +19,11 @@ use crate::transform::Transform;
 use node::Weights;
 use plan::{Op, Plan, Rule, Shape};
 
-/// A tree of blends for one skeleton, shared by all characters that have it.
+/// A tree of blends for one skeleton. Immutable; shared by all characters that have this skeleton.
 ///
-/// It is built once. Every frame the same list of operations is evaluated with other inputs; what has no weight is skipped, its
-/// sources are not asked for. Memory for what is between is the caller's, a [`Scratch`]: nothing is allocated.
+/// It is built once. Every frame the same list of operations is evaluated with other inputs. Subtrees without weight
+/// are skipped, and their sources are not requested. Intermediate results are in a [`Scratch`] of the caller, so
+/// evaluation does not allocate.
 ///
 /// ```
 /// use aim_animation::glam::{Quat, Vec3};
@@ -53,8 +54,8 @@ pub struct Tree {
     plan: Plan,
 }
 
-/// Memory for the evaluation of a [`Tree`]: see [`Tree::scratch`]. It holds nothing from one call to the next; one serves all
-/// characters that a thread evaluates.
+/// Buffers for the evaluation of a [`Tree`], made by [`Tree::scratch`]. They carry no state between calls; one set
+/// serves all characters that a thread evaluates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scratch {
     poses: Vec<Transform>,
@@ -67,20 +68,20 @@ impl Tree {
     /// Builds a tree.
     ///
     /// # Errors
-    /// See [`TreeError`]; the first mistake that is found.
+    /// See [`TreeError`]; returns the first error found.
     pub fn new(skeleton: &Skeleton, root: Node) -> Result<Self, TreeError> {
         let plan = compile::compiled(skeleton.len(), root)?;
         Ok(Self { rest: skeleton.rest().to_vec(), method: Method::default(), plan })
     }
 
-    /// The same tree with another way to interpolate rotations, for all its blends.
+    /// Sets the method by which all blends interpolate rotations.
     #[must_use]
     pub fn with_method(mut self, method: Method) -> Self {
         self.method = method;
         self
     }
 
-    /// Memory that suffices for this tree.
+    /// Creates buffers of the size that this tree needs.
     #[must_use]
     pub fn scratch(&self) -> Scratch {
         let bones = self.rest.len();
@@ -92,11 +93,11 @@ impl Tree {
         }
     }
 
-    /// Writes the blended pose. `sample` is asked for each source that has a weight, with its number and a pose to write to, which
-    /// is the rest pose when it comes.
+    /// Writes the blended pose. Calls `sample` for each source that has a weight, with its number and a pose to write
+    /// to, which is initialised to the rest pose.
     ///
     /// # Errors
-    /// `pose` has another length than the skeleton, or `scratch` is of another tree; then nothing is written.
+    /// `pose` has another length than the skeleton, or `scratch` belongs to another tree; then nothing is written.
     pub fn evaluate(
         &self,
         inputs: &[f32],
@@ -161,12 +162,12 @@ impl Tree {
         Ok(())
     }
 
-    /// The share of each source in a bone's translation, by the number of the source: what moves the character, if `bone` is its root.
-    /// Sources whose number is past the end of `shares` are left out. The shares of poses that are blended sum to 1; what is
-    /// added on top has none. No pose is evaluated.
+    /// Computes the share of each source in a bone's translation, indexed by source number. For the root bone, these
+    /// are the weights of the sources' root motions. Sources whose number is past the end of `shares` are left out. The
+    /// shares of blended poses sum to 1; added layers have none. No pose is evaluated.
     ///
     /// # Errors
-    /// `scratch` is of another tree; then nothing is written.
+    /// `scratch` belongs to another tree; then nothing is written.
     pub fn shares(
         &self,
         bone: usize,
@@ -203,7 +204,7 @@ impl Tree {
         Ok(())
     }
 
-    /// The weight of every edge.
+    /// Computes the weight of every edge.
     fn weigh(&self, inputs: &[f32], scratch: &mut Scratch) -> Result<(), PoseError> {
         let fits = |needed: usize, found: usize| check_length(needed, found);
         fits(self.plan.slots * self.rest.len(), scratch.poses.len())?;
@@ -225,7 +226,7 @@ impl Tree {
                 }
                 Rule::Blend { weight, mask } => {
                     let weight = clamped(weight.value(inputs));
-                    // Behind a mask the first pose is there, whatever the weight.
+                    // With a mask, the first pose is always needed, whatever the weight.
                     weights[0] = if mask.is_some() { 1.0 } else { 1.0 - weight };
                     weights[1] = weight;
                 }

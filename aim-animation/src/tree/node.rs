@@ -1,4 +1,4 @@
-//! [`Node`] and [`Parameter`]: what a tree of blends is built of.
+//! [`Node`] and [`Parameter`]: the building blocks of a tree of blends.
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -7,12 +7,12 @@ use crate::mask::Mask;
 use crate::space::{BlendLine, BlendPlane};
 use crate::transform::Transform;
 
-/// A number that a tree is told: always the same, or one of each frame's inputs.
+/// A number used by a tree: a constant, or one of the inputs of each frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parameter {
-    /// Always this.
+    /// A constant.
     Fixed(f32),
-    /// The input of this number; 0 if a frame has fewer.
+    /// The input with this number; 0 if a frame has fewer inputs.
     Input(usize),
 }
 
@@ -31,17 +31,18 @@ impl Parameter {
     }
 }
 
-/// The most nodes one within the other.
+/// Maximum nesting depth of nodes.
 const DEEPEST: usize = 64;
 
-/// A blend, and those that it blends: what a [`Tree`](super::Tree) is made of. Weights are clamped to 0…1, NaN counts as 0.
+/// A blend of other nodes, or a source: the building block of a [`Tree`](super::Tree). Weights are clamped to 0…1; NaN
+/// is treated as 0.
 ///
-/// A node with more than 64 nodes one within the other keeps none of them, and is refused by [`Tree::new`](super::Tree::new).
+/// A node nested more than 64 deep discards its children, and is rejected by [`Tree::new`](super::Tree::new).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
     pub(super) kind: Kind,
-    /// The number of nodes one within the other, with this one: at most [`DEEPEST`], so that clones and drops, which
-    /// recurse, do not overflow the stack. What holds a [`Kind::Deep`] is one.
+    /// Nesting depth including this node. At most [`DEEPEST`], so that clones and drops, which recurse, do not overflow
+    /// the stack. A [`Kind::Deep`] that replaces a deeper node has this maximum too.
     depth: usize,
 }
 
@@ -63,9 +64,9 @@ pub(super) enum Kind {
         mask: Option<Mask>,
         reference: Option<Vec<Transform>>,
     },
-    /// A mask or a reference was given to what has none.
+    /// A mask or a reference was given to a node that cannot have one.
     Mistaken,
-    /// In place of a node with too many nodes one within the other.
+    /// Replaces a node that is nested too deep.
     Deep,
 }
 
@@ -80,7 +81,7 @@ impl Kind {
     }
 }
 
-/// Where the weights of a sum come from.
+/// Source of the weights of a sum.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Weights {
     Each(Vec<Parameter>),
@@ -94,47 +95,48 @@ impl Node {
         if depth > DEEPEST { Self { kind: Kind::Deep, depth: DEEPEST } } else { Self { kind, depth } }
     }
 
-    /// A pose that the caller writes when it is asked for, under a number of the caller's: a clip sampled, a pose held.
+    /// A pose that the caller writes on request, such as a sampled clip. The number is chosen by the caller and
+    /// identifies it.
     #[must_use]
     pub fn source(number: usize) -> Self {
         Self::new(Kind::Source(number))
     }
 
-    /// The weighted sum of any number of poses, Σ wᵢ·poseᵢ / Σ wᵢ, in any order: see
-    /// [`Blender::sum`](crate::Blender::sum). The rest pose where all weights are 0.
+    /// The weighted mean of any number of poses, Σ wᵢ·poseᵢ / Σ wᵢ, in any order; see
+    /// [`Blender::sum`](crate::Blender::sum). The rest pose if all weights are 0.
     #[must_use]
     pub fn sum<W: Into<Parameter>>(nodes: impl IntoIterator<Item = (Self, W)>) -> Self {
         let (nodes, weights) = nodes.into_iter().map(|(node, weight)| (node, weight.into())).unzip();
         Self::new(Kind::Sum { nodes, weights: Weights::Each(weights) })
     }
 
-    /// A blend space of one dimension: one node for each of its places.
+    /// A one-dimensional blend space, with one node for each of its places.
     #[must_use]
     pub fn line(space: BlendLine, at: impl Into<Parameter>, nodes: impl Into<Vec<Self>>) -> Self {
         Self::new(Kind::Sum { nodes: nodes.into(), weights: Weights::Line(space, at.into()) })
     }
 
-    /// A blend space of two dimensions: one node for each of its points.
+    /// A two-dimensional blend space, with one node for each of its points.
     #[must_use]
     pub fn plane(space: BlendPlane, at: [Parameter; 2], nodes: impl Into<Vec<Self>>) -> Self {
         Self::new(Kind::Sum { nodes: nodes.into(), weights: Weights::Plane(space, at) })
     }
 
-    /// This pose moved towards another by a weight; by bones if there is a [mask](Self::with_mask).
+    /// This pose blended towards another by a weight, multiplied for each bone by the [mask](Self::with_mask), if any.
     #[must_use]
     pub fn blend(self, other: Self, weight: impl Into<Parameter>) -> Self {
         Self::new(Kind::Blend { nodes: Box::new([self, other]), weight: weight.into(), mask: None })
     }
 
-    /// This pose and a part of the difference of another from its [reference](Self::with_reference), which is the rest pose if
-    /// none is told.
+    /// This pose plus a weighted part of the difference of a layer from its [reference](Self::with_reference), by
+    /// default the rest pose.
     #[must_use]
     pub fn add(self, layer: Self, weight: impl Into<Parameter>) -> Self {
         Self::new(Kind::Add { nodes: Box::new([self, layer]), weight: weight.into(), mask: None, reference: None })
     }
 
-    /// The same blend or addition with a weight for each bone beside its own. A node that is neither is refused by
-    /// [`Tree::new`](super::Tree::new).
+    /// Sets the mask of a blend or addition, which multiplies its weight for each bone. Any other node is then rejected
+    /// by [`Tree::new`](super::Tree::new).
     #[must_use]
     pub fn with_mask(mut self, of_bones: Mask) -> Self {
         match &mut self.kind {
@@ -145,8 +147,8 @@ impl Node {
         self
     }
 
-    /// The same addition with the pose that its layer is compared with, such as that of the layer's first frame. A node that
-    /// is none is refused by [`Tree::new`](super::Tree::new).
+    /// Sets the reference pose of an addition, from which the layer's difference is taken, such as the layer's first
+    /// frame. Any other node is then rejected by [`Tree::new`](super::Tree::new).
     #[must_use]
     pub fn with_reference(mut self, pose: impl Into<Vec<Transform>>) -> Self {
         match &mut self.kind {

@@ -1,4 +1,4 @@
-//! [`Plan`]: nodes as a list of operations.
+//! [`Plan`]: a tree compiled to a list of operations.
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -7,29 +7,29 @@ use super::node::{Parameter, Weights};
 use crate::mask::Mask;
 use crate::transform::Transform;
 
-/// What a tree does every frame.
+/// A compiled tree, evaluated every frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Plan {
-    /// Parents before their children, the root first.
+    /// The nodes; parents precede their children, the root is first.
     pub(super) shapes: Vec<Shape>,
-    /// The child at the end of each edge; the edges of a node follow each other.
+    /// The child node of each edge; the edges of a node are consecutive.
     pub(super) children: Vec<usize>,
     pub(super) ops: Vec<Op>,
     pub(super) masks: Vec<Mask>,
     pub(super) references: Vec<Vec<Transform>>,
-    /// How many poses and sums are held at once.
+    /// Number of poses that are held at once.
     pub(super) slots: usize,
     pub(super) sums: usize,
 }
 
-/// A node, by its edges to those that it blends.
+/// A node and its edges to the nodes that it blends.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Shape {
     pub(super) rule: Rule,
     pub(super) edges: Range<usize>,
 }
 
-/// How a node weighs its edges.
+/// Rule for the weights of a node's edges.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Rule {
     Source(usize),
@@ -38,21 +38,21 @@ pub(super) enum Rule {
     Add { weight: Parameter },
 }
 
-/// A step of the evaluation. Poses are in slots, as on a stack.
+/// An operation of the evaluation. Poses are in slots, used like a stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Op {
-    /// Goes on at `to` if the edge has no weight.
+    /// Jumps to operation `to` if the edge has no weight.
     Skip { edge: usize, to: usize },
-    /// Asks the caller for a pose.
+    /// Requests a pose from the caller.
     Source { number: usize, slot: usize },
-    /// Begins a sum.
+    /// Starts a sum.
     Begin { sum: usize },
-    /// Adds a pose to a sum.
+    /// Adds a weighted pose to a sum.
     Gather { edge: usize, slot: usize, sum: usize },
-    /// Writes a sum.
+    /// Writes the result of a sum to a slot.
     Finish { sum: usize, slot: usize },
-    /// Blends the next slot into this one by the weights of the two edges that follow each other.
+    /// Blends the next slot into this one, by the weights of edge `edge` and the one after it.
     Blend { edge: usize, slot: usize, mask: Option<usize> },
-    /// Adds the difference of the next slot from a reference to this one.
+    /// Adds to this slot the difference between the next slot and a reference pose.
     Add { edge: usize, slot: usize, mask: Option<usize>, reference: Option<usize> },
 }

@@ -1,21 +1,22 @@
-//! The weights of a mesh's morph targets as a file has them: one sampler for all, with keys at the times of all of their tracks.
+//! Keys for the weights of a mesh's morph targets. A glTF file has one sampler for all of them, so there are keys at
+//! the times of all of their tracks.
 //!
-//! The curves stay what they are. A line that is cut is two lines, a cubic that is cut is two cubics, a line is a cubic of constant
-//! velocity, and a jump is two keys next to each other.
+//! The curves do not change: a line or a cubic is split exactly at additional keys, a line among cubics is a cubic with
+//! constant velocity, and a jump is two keys at adjacent times.
 
 use aim_animation::{Curve, Track};
 use serde_json::Value;
 
 use super::{Keys, keys};
 
-/// A weight on one side of a time, and its velocity there, a second.
+/// A weight on one side of a time, and its velocity there, per second.
 #[derive(Clone, Copy)]
 struct Side {
     value: f32,
     velocity: f32,
 }
 
-/// The keys of all weights of a mesh; what no track moves stays at rest.
+/// Returns the keys of all weights of a mesh; a weight without a track stays at rest.
 pub(super) fn keys_of_weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -> Keys {
     let known: Vec<&Track<f32>> = tracks.iter().copied().flatten().collect();
     if known.len() == tracks.len()
@@ -37,12 +38,12 @@ pub(super) fn keys_of_weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -
     let mut keys = Keys { curve: common_curve(&known), times: Vec::new(), values: Vec::new(), width: tracks.len() };
     let starts_with_jump = times.first().is_some_and(|first| *first > 0.0 && has_jump(&all_sides(*first)));
     if keys.curve == Curve::Step && starts_with_jump {
-        // Before its first key a file has the value of that key.
+        // glTF clamps before the first key: add a key at 0 to hold the value from before the jump.
         times.insert(0, 0.0);
     }
     for time in times {
         let sides = all_sides(time);
-        // No time is before 0, and a step needs no key to come from.
+        // Times are not negative, and a step needs no key just before it.
         let before = time.next_down();
         if keys.curve != Curve::Step
             && time > 0.0
@@ -60,7 +61,8 @@ pub(super) fn keys_of_weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -
     keys
 }
 
-/// The weights of a node's mesh where no clip has any: its own, or those of the mesh. What is not said is 0.
+/// Returns the weights at rest of a node's mesh: the node's own, or else the mesh's. Invalid ones are 0; the list may
+/// be short.
 pub(super) fn weights_at_rest(json: &Value, node: usize) -> Vec<f32> {
     let node = &json["nodes"][node];
     let mesh = node["mesh"].as_u64().and_then(|mesh| usize::try_from(mesh).ok()).map(|mesh| &json["meshes"][mesh]);
@@ -70,7 +72,7 @@ pub(super) fn weights_at_rest(json: &Value, node: usize) -> Vec<f32> {
 }
 
 impl Keys {
-    /// A key of all weights: velocities on arriving of the first sides, values and velocities on leaving of the second.
+    /// Adds a key of all weights: in-tangents from the first side, values and out-tangents from the second.
     fn push(&mut self, time: f32, sides: &[[Side; 2]]) {
         self.times.push(time);
         let is_cubic = self.curve == Curve::Cubic;
@@ -81,8 +83,8 @@ impl Keys {
     }
 }
 
-/// The curve that all tracks can be written as: steps or lines where nothing else moves, cubics where any is one, and lines for steps
-/// beside lines.
+/// Returns the curve that can represent all tracks that change: cubic if any is cubic, else linear if any is linear
+/// (steps then become jumps), else step.
 fn common_curve(tracks: &[&Track<f32>]) -> Curve {
     let is_still = |track: &Track<f32>| {
         let first = track.values()[0];
@@ -99,11 +101,11 @@ fn common_curve(tracks: &[&Track<f32>]) -> Curve {
     curve
 }
 
-/// A track just before a time, and from it on.
+/// Returns the value and velocity of a track just before a time, and from that time on.
 fn sides(track: &Track<f32>, time: f32) -> [Side; 2] {
     let (times, values) = (track.times(), track.values());
     let (reached, passed) = (times.partition_point(|key| *key < time), times.partition_point(|key| *key <= time));
-    // Before the first key and after the last one it stands still.
+    // A track is constant before its first key and after its last.
     let side = |next: usize| match (next.checked_sub(1), times.get(next)) {
         (Some(key), Some(_)) => in_segment(track, key, time),
         (None, _) => Side { value: values[0], velocity: 0.0 },
@@ -112,7 +114,7 @@ fn sides(track: &Track<f32>, time: f32) -> [Side; 2] {
     [side(reached), side(passed)]
 }
 
-/// A track at a time of the segment from a key to the next one, both ends included.
+/// Returns the value and velocity of a track at a time in the segment from `key` to the next key, both ends included.
 fn in_segment(track: &Track<f32>, key: usize, time: f32) -> Side {
     let ends = [track.times()[key], track.times()[key + 1]];
     let [a, b] = [track.values()[key], track.values()[key + 1]].map(f64::from);
@@ -131,7 +133,7 @@ fn in_segment(track: &Track<f32>, key: usize, time: f32) -> Side {
         _ => (a * v + b * u, b - a),
     };
     let velocity = narrow(slope / interval);
-    // A jump that was written as two times next to each other may be steeper than any number.
+    // The slope of a jump between adjacent times can exceed single precision.
     Side { value: narrow(value), velocity: if velocity.is_finite() { velocity } else { 0.0 } }
 }
 
