@@ -1,4 +1,4 @@
-//! Rigs compiled with the program that uses them, from its own `build.rs`.
+//! Compiles rigs in the `build.rs` of the crate that uses them.
 //!
 //! ```toml
 //! [build-dependencies]
@@ -15,8 +15,9 @@
 //! aim::include_rigs!("rigs");
 //! ```
 //!
-//! Cargo runs it again when a file in `rigs` changes, appears or goes. A mistake in a declaration ends the build with what
-//! the compiler would say of one in a derive: every mistake with file, line, column and what to do.
+//! Cargo reruns the build script when a file in `rigs` changes, appears or disappears. Mistakes in a declaration fail
+//! the build with the messages that the derive macro would give: all of them, each with file, line, column and a help
+//! line.
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -30,15 +31,16 @@ use crate::{RigSpec, format_rust, rust_of};
 
 /// Compiles the rigs of a folder's `*.toml` files, or the rig of one file, for `aim::include_rigs!`.
 ///
-/// `path` is relative to the package. The code goes to `OUT_DIR`, under the folder's or the file's name: `include_rigs!("rigs")`
-/// for `rigs("rigs")`, `include_rigs!("hero")` for `rigs("rigs/hero.toml")`. For other wishes see [`Rigs`].
+/// `path` is relative to the package. The code is written to `OUT_DIR` under the name of the folder or file:
+/// `include_rigs!("rigs")` for `rigs("rigs")`, `include_rigs!("hero")` for `rigs("rigs/hero.toml")`. For other options
+/// see [`Rigs`].
 ///
-/// Ends the build script with exit code 1 where something is wrong, after telling everything that is.
+/// If there are errors, prints all of them and exits the build script with code 1.
 pub fn rigs(path: impl AsRef<Path>) {
     Rigs::new(path).build();
 }
 
-/// What [`rigs`] does, with choices.
+/// Builder form of [`rigs`], with options.
 ///
 /// ```no_run
 /// // build.rs of a package that calls aim-rig's library `look`
@@ -52,19 +54,19 @@ pub struct Rigs {
 }
 
 impl Rigs {
-    /// The rigs of a folder's `*.toml` files, or the rig of one file; `path` is relative to the package.
+    /// Selects the rigs of a folder's `*.toml` files, or the rig of one file; `path` is relative to the package.
     pub fn new(path: impl AsRef<Path>) -> Self {
         Self { path: path.as_ref().to_owned(), krate: "::aim".to_owned() }
     }
 
-    /// The path of aim-rig's library for the code that includes the rigs; `::aim` if not set.
+    /// Sets the path of the facade crate in the code that includes the rigs; `::aim` by default.
     pub fn crate_path(self, path: &str) -> Self {
         Self { krate: path.to_owned(), ..self }
     }
 
-    /// Writes the code to `OUT_DIR` and tells cargo what it was made of; for build scripts.
+    /// Writes the code to `OUT_DIR` and tells Cargo which files it depends on. For use in build scripts.
     ///
-    /// Ends the process with exit code 1 where something is wrong, after telling everything that is.
+    /// If there are errors, prints all of them and exits the process with code 1.
     pub fn build(self) {
         println!("cargo::rerun-if-changed={}", self.path.display());
         let written = env::var_os("OUT_DIR")
@@ -76,11 +78,11 @@ impl Rigs {
         }
     }
 
-    /// Writes the code to this folder and returns the file. A file that holds the code already is left untouched.
+    /// Writes the code to `folder` and returns the file's path. A file that already has this content is left untouched.
     ///
     /// # Errors
     ///
-    /// Everything that is wrong, ready to be printed; nothing is written then.
+    /// Returns all error messages, ready to print; nothing is written in that case.
     pub fn write_to(&self, folder: &Path) -> Result<PathBuf, String> {
         let code = self.code()?;
         let mut name = self.path.file_stem().map_or_else(|| OsString::from("rigs"), OsStr::to_owned);
@@ -92,7 +94,7 @@ impl Rigs {
         Ok(file)
     }
 
-    /// The rigs' code, in the order of the files' names.
+    /// Returns the code of all rigs, in the order of their file names.
     fn code(&self) -> Result<String, String> {
         let krate: TokenStream = syn::parse_str::<syn::Path>(&self.krate).map(|path| quote!(#path)).map_err(|_| {
             failure(&format!("`{}` is not the path of a library", self.krate), "write it as in `crate_path(\"::aim\")`")
@@ -155,7 +157,7 @@ fn source(file: &Path, spec: &RigSpec, krate: &TokenStream) -> String {
     format!("// The rig {} of {}.\n{}", spec.name, file.display(), format_rust(rust_of(spec, krate.clone())))
 }
 
-/// Whole or not at all, and only where it is not there yet: what has not changed is not compiled again.
+/// Writes the file atomically, and only if its content differs, so that unchanged code is not compiled again.
 fn write(file: &Path, code: &str) -> io::Result<()> {
     if fs::read(file).is_ok_and(|found| found == code.as_bytes()) {
         return Ok(());
@@ -165,7 +167,7 @@ fn write(file: &Path, code: &str) -> io::Result<()> {
     fs::rename(&unfinished, file)
 }
 
-/// An error that has no place in a file, in the form of those that do.
+/// Formats an error without a source location like those that have one.
 fn failure(message: &str, help: &str) -> String {
     format!("error: {message}\n  = help: {help}\n")
 }
@@ -176,7 +178,7 @@ mod tests {
 
     const LAMP: &str = "name = 'Lamp'\naxes = { up = '+Z', forward = '+X' }\n[[joint]]\nname = 'arm'\nheading = 'free'\nrate = '90deg'\n";
 
-    /// A folder of its own for each test, emptied first.
+    /// Creates an empty folder for one test, with these files in `rigs`.
     fn folder(test: &str, files: &[(&str, &str)]) -> PathBuf {
         let folder = env::temp_dir().join(format!("aim-build-{}-{test}", process::id()));
         let _ = fs::remove_dir_all(&folder);

@@ -1,9 +1,10 @@
-//! From what the user declared to the code that aims it.
+//! Compiles rig declarations to the code that aims them.
 //!
-//! A declaration passes every check and becomes a [`RigSpec`]; [`objective::kernels`] states the objectives for it
-//! and derives their programs; a back end of [`emit`] writes them down. Nothing after the checks can fail.
+//! A declaration is parsed and checked ([`declare`]) and becomes a [`RigSpec`]. [`objective::kernels`] states the
+//! objectives for that rig and derives a program for each. A back end of [`emit`] writes the programs as source text.
+//! Once the checks have passed, no later step can fail.
 //!
-//! The derive macro, a `build.rs` and the command all come through here, so their code is the same.
+//! The derive macro, a `build.rs` and the command-line tool all use this crate, so they emit the same code.
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -25,7 +26,7 @@ pub use names::snake_case;
 pub use objective::{Kernel, Objective, kernels};
 pub use spec::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, NaturalSpec, RigSpec};
 
-/// What `#[derive(AimRig)]` expands to: the implementation, or every error of the declaration.
+/// Expands `#[derive(AimRig)]`: returns the implementation, or all errors of the declaration.
 #[must_use]
 pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     let input: syn::DeriveInput = match syn::parse2(input) {
@@ -50,16 +51,16 @@ pub fn derive(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     }
 }
 
-/// The kernels that a declaration asks for by `kernels(…)`.
+/// Derives the kernels that the declaration requests with `kernels(…)`.
 fn requested_kernels(spec: &RigSpec) -> Vec<Kernel> {
     let objectives = OBJECTIVES.into_iter().filter(|objective| spec.kernels.contains(&objective.name));
     objectives.flat_map(|objective| objective.kernels(spec, FirstLink::Given)).collect()
 }
 
-/// The Rust code of a rig that was not declared as a struct: the struct that a derive would have found, and what the
-/// derive makes of it.
+/// Emits the Rust code of a rig that was not declared as a struct: the struct itself, and the implementations that the
+/// derive would add to it.
 ///
-/// `krate` is the path of the facade, `::aim` for its users.
+/// `krate` is the path of the facade crate; `::aim` in user code.
 #[must_use]
 pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     let kernels = requested_kernels(spec);
@@ -67,15 +68,16 @@ pub fn rust_of(spec: &RigSpec, krate: proc_macro2::TokenStream) -> proc_macro2::
     emit::rust::emit_with_struct(&rig, &emit::rust::Item::of(spec, krate))
 }
 
-/// Emitted Rust as a readable file's text.
+/// Formats emitted Rust as a readable source file.
 ///
-/// A file of one long line is also slow to compile: the compiler measures every place in it from the line's start.
+/// Also shortens compile times: the compiler computes columns from the start of a line, which is slow in a file of one
+/// long line.
 #[cfg(feature = "toml")]
 #[must_use]
 pub fn format_rust(tokens: proc_macro2::TokenStream) -> String {
     match syn::parse2(tokens.clone()) {
         Ok(file) => prettyplease::unparse(&file),
-        // Not formatted, but as right as before.
+        // Unformatted, but still correct.
         Err(_) => tokens.to_string(),
     }
 }

@@ -1,6 +1,7 @@
-//! Names of emitted items: `snake_case`, and the words that C and WGSL keep for themselves.
+//! Names of emitted items: conversion to `snake_case`, and the keywords of C, WGSL and Rust.
 
-/// The C and WGSL form of a Rust name: lower case, `_` only between a lower-case letter or digit and a capital.
+/// Converts a Rust name to its C and WGSL form: lower case, with `_` inserted only between a lower-case letter or digit
+/// and a capital.
 ///
 /// `LeftEye` → `left_eye`, `VRMHead` → `vrmhead`, `spine3` → `spine3`.
 #[must_use]
@@ -17,10 +18,10 @@ pub fn snake_case(name: &str) -> String {
     snake
 }
 
-/// The language that has this word as a keyword, if one has: `C`, `WGSL` or `C and WGSL`.
+/// Returns the language in which the word is a keyword: `C`, `WGSL` or `C and WGSL`.
 ///
-/// Words that WGSL merely reserves (`target`, `filter`, …) are not among them: what is emitted is always
-/// `rig_joint_function`, so they cannot stand alone, and many are good names for a joint.
+/// Words that WGSL merely reserves (`target`, `filter`, …) are not included: emitted names always have the form
+/// `rig_joint_function`, so a reserved word never stands alone, and many of them are good names for a joint.
 pub(crate) fn keyword_of(snake: &str) -> Option<&'static str> {
     match (is_among(snake, C), is_among(snake, WGSL)) {
         (true, true) => Some("C and WGSL"),
@@ -30,7 +31,7 @@ pub(crate) fn keyword_of(snake: &str) -> Option<&'static str> {
     }
 }
 
-/// Whether Rust keeps this word for itself, in edition 2024.
+/// Returns `true` if the word is a keyword of Rust, edition 2024.
 pub(crate) fn is_rust_keyword(name: &str) -> bool {
     is_among(name, RUST)
 }
@@ -39,14 +40,14 @@ fn is_among(word: &str, words: &str) -> bool {
     words.split_whitespace().any(|other| other == word)
 }
 
-/// The known name that was probably meant.
+/// Returns the known name that was probably meant.
 pub(crate) fn nearest<'n>(name: &str, known: &[&'n str]) -> Option<&'n str> {
     let name = name.to_ascii_lowercase();
     let is_shortened = |known: &&&str| name.len() >= 3 && known.starts_with(name.as_str());
     known.iter().find(is_shortened).copied().or_else(|| {
-        // Letters put in, left out, replaced, or swapped with their neighbour.
+        // Edit distance: insertions, deletions, replacements, transpositions.
         let (distance, nearest) = known.iter().map(|known| (strsim::osa_distance(&name, known), *known)).min()?;
-        // A name of which no letter is left is another one.
+        // If no letter is left, it is a different name.
         (distance <= (nearest.len() / 3).max(1) && distance < name.len()).then_some(nearest)
     })
 }

@@ -1,7 +1,7 @@
-//! What the user declared → a checked [`RigSpec`], or every error in it, each at its place.
+//! Reads and checks declarations: returns a [`RigSpec`], or all errors with their places.
 //!
 //! Three passes: `parse` turns a derive macro's tokens ([`from_derive_input`]) or a TOML file ([`from_toml`]) into one
-//! neutral `tree`; `check` judges that; `report` says what is wrong, the same of both.
+//! neutral `tree`; `check` validates the tree; `report` words the errors, identically for both front ends.
 
 pub(crate) mod check;
 pub(crate) mod parse;
@@ -27,15 +27,15 @@ use crate::RigSpec;
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Declared {
-    /// The rig.
+    /// The checked rig.
     pub spec: RigSpec,
-    /// The struct's name, with its span.
+    /// Name of the struct, with its span.
     pub ident: syn::Ident,
-    /// The joints' fields, with their spans, `r#` and all; as many as the rig has joints.
+    /// The joints' fields, with their spans and including any `r#`; one for each joint of the rig.
     pub fields: Vec<syn::Ident>,
-    /// The struct's visibility.
+    /// Visibility of the struct.
     pub vis: TokenStream,
-    /// The path of `crate = …`, where it is not `::aim`.
+    /// Path given by `crate = …`; `None` for `::aim`.
     pub krate: Option<TokenStream>,
 }
 
@@ -43,7 +43,8 @@ pub struct Declared {
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the declaration. [`fallback`](crate::emit::fallback) gives what to emit beside them.
+/// Returns all errors of the declaration. [`fallback`](crate::emit::fallback) returns the stub items to emit beside
+/// them.
 pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
     let checked = check::check(&item::read(input)).map_err(|found| Diagnostics::new(found, None))?;
     let fields = match &input.data {
@@ -54,7 +55,7 @@ pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
     Ok(Declared { spec: checked.spec, ident: input.ident.clone(), fields, vis, krate: checked.krate })
 }
 
-/// Reads and checks a rig's TOML file. `file_name` is what the errors call it.
+/// Reads and checks a rig's TOML file. `file_name` is the name shown in errors.
 ///
 /// ```
 /// let rig = "name = 'Lamp'\naxes = { up = '+Y', forward = '+Z' }\n[[joint]]\nname = 'base'\nheading = 'free'\nrate = '90deg'\n";
@@ -68,11 +69,11 @@ pub fn from_derive_input(input: &DeriveInput) -> Result<Declared, Diagnostics> {
 ///
 /// # Errors
 ///
-/// Everything that is wrong with the declaration; [`Diagnostics::render`] shows it with line and column.
+/// Returns all errors of the declaration; [`Diagnostics::render`] formats them with line and column.
 #[cfg(feature = "toml")]
 pub fn from_toml(file_name: &str, text: &str) -> Result<RigSpec, Diagnostics> {
     let (rig, syntax) = toml_file::read(text);
-    // What is missing from a file that does not parse is no mistake of its own.
+    // After a syntax error, missing settings are not errors of their own.
     let checked = if syntax.is_empty() { check::check(&rig) } else { Err(syntax) };
     checked.map(|checked| checked.spec).map_err(|found| {
         let source = report::diagnostics::Source { name: file_name.to_owned(), text: text.to_owned() };

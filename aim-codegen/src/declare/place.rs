@@ -1,31 +1,31 @@
-//! [`Place`]: where the user wrote something, in a macro's tokens or in a TOML file's text.
+//! [`Place`]: position of something in the user's source, as tokens of a macro or as a range of a TOML file's text.
 
 use core::ops::Range;
 
 use proc_macro2::{Span, TokenTree};
 use quote::ToTokens;
 
-/// Where something stands in what the user wrote.
+/// Position of something in the user's source.
 #[derive(Clone, Debug)]
 pub enum Place {
     /// From one token to another of a macro's input; both may be the same.
     Tokens {
-        /// The first token.
+        /// First token.
         first: Span,
-        /// The last token.
+        /// Last token.
         last: Span,
     },
-    /// A byte range of a file's text.
+    /// Byte range in a file's text.
     Text(Range<usize>),
 }
 
 impl Place {
-    /// The place of one token.
+    /// Returns the place of one token.
     pub(crate) fn span(span: Span) -> Self {
         Self::Tokens { first: span, last: span }
     }
 
-    /// The place of these tokens, or `fallback` where there are none.
+    /// Returns the place of these tokens, or of `fallback` if there are none.
     pub(crate) fn tokens(tokens: &[TokenTree], fallback: Span) -> Self {
         match (tokens.first(), tokens.last()) {
             (Some(first), Some(last)) => Self::Tokens { first: first.span(), last: last.span() },
@@ -33,13 +33,13 @@ impl Place {
         }
     }
 
-    /// The place of what these tokens write.
+    /// Returns the place of all tokens of a syntax item.
     pub(crate) fn of(tokens: &impl ToTokens) -> Self {
         let tokens: Vec<TokenTree> = tokens.to_token_stream().into_iter().collect();
         Self::tokens(&tokens, Span::call_site())
     }
 
-    /// The place in the text that its tokens were read from; tokens of a macro do not know it.
+    /// Converts to a range of the text that the tokens were parsed from. Meaningless for tokens of a macro call.
     pub(crate) fn in_text(&self) -> Self {
         match self {
             Self::Tokens { first, last } => Self::Text(first.byte_range().start..last.byte_range().end),
@@ -47,7 +47,8 @@ impl Place {
         }
     }
 
-    /// Orders places of one file; places in tokens all compare equal, as spans have no order on stable.
+    /// Returns a key that orders places of one file. All places in tokens compare equal, because spans have no order on
+    /// stable Rust.
     pub(crate) fn offset(&self) -> usize {
         match self {
             Self::Tokens { .. } => 0,

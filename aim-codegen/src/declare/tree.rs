@@ -1,13 +1,13 @@
-//! The neutral tree: what the user wrote, with a place for every key and value, before anything is judged.
+//! The neutral tree: the user's declaration, unchecked, with a place for every key and value.
 //!
-//! Both front ends build it and neither reports anything: what is wrong is kept in the tree as a fact, so that `check`
-//! is the only source of errors.
+//! Both front ends build it, and neither reports anything: mistakes are recorded in the tree, so that `check` is the
+//! only source of errors.
 
 use proc_macro2::TokenStream;
 
 use super::place::Place;
 
-/// How the declaration was written; messages quote it back in the same notation.
+/// Notation of a declaration; messages quote it back in the same notation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Notation {
     /// Attributes of a derive macro.
@@ -17,7 +17,7 @@ pub(crate) enum Notation {
 }
 
 impl Notation {
-    /// One of two, by notation.
+    /// Returns the variant for this notation.
     pub(crate) fn pick<T>(self, rust: T, toml: T) -> T {
         match self {
             Self::Rust => rust,
@@ -33,7 +33,7 @@ pub(crate) struct Rig {
     pub(crate) name: Option<Value>,
     pub(crate) section: Section,
     pub(crate) joints: Vec<Joint>,
-    /// Facts about the Rust item that a TOML file cannot have.
+    /// Facts about the Rust item; empty for a TOML file.
     pub(crate) item: ItemFacts,
 }
 
@@ -45,12 +45,12 @@ pub(crate) struct Joint {
 }
 
 impl Joint {
-    /// Its name, as far as it has one.
+    /// Returns the joint's name, or `joint` if it has none.
     pub(crate) fn name_or_joint(&self) -> &str {
         self.name.as_ref().and_then(Value::text).unwrap_or("joint")
     }
 
-    /// Where something missing is reported: at the name, the smallest place that tells which joint it is.
+    /// Returns the place for reports of missing settings: the name, the smallest place that identifies the joint.
     pub(crate) fn name_place(&self) -> &Place {
         self.name.as_ref().map_or(&self.section.place, |name| &name.place)
     }
@@ -59,31 +59,31 @@ impl Joint {
 /// The settings of a rig or of a joint.
 #[derive(Debug)]
 pub(crate) struct Section {
-    /// Where something missing is reported.
+    /// Place for reports of missing settings.
     pub(crate) place: Place,
-    /// The attributes the settings came from; none in TOML.
+    /// Attributes that the settings came from; none in TOML.
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) entries: Vec<Entry>,
 }
 
-/// An attribute that is ours.
+/// An attribute of this derive.
 #[derive(Debug)]
 pub(crate) struct Attribute {
     pub(crate) place: Place,
-    /// Whether it has the form `#[name(…)]`.
+    /// `true` if it has the form `#[name(…)]`.
     pub(crate) has_list: bool,
 }
 
-/// What is known of the Rust item that carries the declaration.
+/// Facts about the Rust item that carries the declaration.
 #[derive(Debug, Default)]
 pub(crate) struct ItemFacts {
-    /// What the item is, if it is not a struct with named fields: `a tuple struct`.
+    /// Kind of the item if it is not a struct with named fields: `a tuple struct`.
     pub(crate) wrong_shape: Option<(&'static str, Place)>,
-    /// Its generic parameters.
+    /// Place of its generic parameters.
     pub(crate) generics: Option<Place>,
-    /// Joints' fields of a type that cannot be `Joint`: the field's name, and the type with its place.
+    /// Joint fields whose type cannot be `Joint`: the field's name, and the type with its place.
     pub(crate) foreign: Vec<(String, Word)>,
-    /// Attributes of ours where they do not belong.
+    /// Attributes of this derive in places where they do not belong.
     pub(crate) misplaced: Vec<Word>,
 }
 
@@ -94,7 +94,7 @@ pub(crate) struct Word {
     pub(crate) place: Place,
 }
 
-/// One piece of a section or table.
+/// One entry of a section or table.
 #[derive(Debug)]
 pub(crate) enum Entry {
     /// `key = value` or `key(…)`.
@@ -103,7 +103,7 @@ pub(crate) enum Entry {
     Stray(Word),
     /// A key that follows a value without a comma.
     NoComma(Word),
-    /// A key that appears again where the syntax itself forbids it.
+    /// A repeated key, where the syntax itself forbids it.
     #[cfg(feature = "toml")]
     Repeated { key: Word, first: Option<Place> },
 }
@@ -122,7 +122,7 @@ pub(crate) struct Value {
     pub(crate) place: Place,
 }
 
-/// What a value is, by its form alone.
+/// Kind of a value, by its form alone.
 #[derive(Debug)]
 pub(crate) enum Kind {
     Number(Number),
@@ -135,7 +135,7 @@ pub(crate) enum Kind {
     Tuple(Vec<Value>),
     /// `[a, b]`
     List(Vec<Value>),
-    /// `a..=b`, with ends left out as written.
+    /// `a..=b`; either end may be missing.
     Range {
         low: Option<Box<Value>>,
         high: Option<Box<Value>>,
@@ -161,41 +161,41 @@ pub(crate) enum Kind {
 /// A numeric literal.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Number {
-    /// As written.
+    /// Text as written.
     pub(crate) text: String,
     pub(crate) value: f64,
-    /// What follows the digits; empty if nothing does.
+    /// Text after the digits; empty if there is none.
     pub(crate) unit: String,
     /// `hexadecimal`, `octal` or `binary`.
     pub(crate) radix: Option<&'static str>,
-    /// Whether there is space between the digits and the unit.
+    /// `true` if there is space between the digits and the unit.
     pub(crate) detached: bool,
 }
 
 impl Number {
-    /// A number without a unit.
+    /// Returns a number without a unit.
     pub(crate) fn plain(text: &str, value: f64) -> Self {
         Self { text: text.to_owned(), value, unit: String::new(), radix: None, detached: false }
     }
 
-    /// The number as written, without its unit.
+    /// Returns the number as written, without its unit.
     pub(crate) fn digits(&self) -> &str {
         self.text.strip_suffix(self.unit.as_str()).unwrap_or(&self.text).trim_end()
     }
 }
 
 impl Value {
-    /// The string, if it is meant as one.
+    /// Returns the string, if the value is meant as one.
     pub(crate) fn text(&self) -> Option<&str> {
         if let Kind::Text(text) = &self.kind { Some(text) } else { None }
     }
 
-    /// A number as written; empty if it is none.
+    /// Returns the number as written; empty if the value is not a number.
     pub(crate) fn number(&self) -> &str {
         if let Kind::Number(number) = &self.kind { &number.text } else { "" }
     }
 
-    /// What was found, for a message.
+    /// Describes the value for a message.
     pub(crate) fn describe(&self) -> String {
         match &self.kind {
             Kind::Number(number) => format!("`{}`", number.text),

@@ -20,45 +20,45 @@ use crate::declare::tree::Word;
 
 /// An argument of a known type.
 pub(super) struct Argument {
-    /// `None` for a pattern.
+    /// Name of the argument; `None` for a pattern.
     pub(super) name: Option<Ident>,
-    /// What it is called in emitted code.
+    /// Expression for the argument in emitted code.
     pub(super) called: TokenStream,
-    /// What it is bound to in the function.
+    /// Pattern that the function binds the argument to.
     pub(super) pattern: Pat,
     pub(super) ty: Type,
-    /// Its type as it is declared.
+    /// Type as declared.
     pub(super) declared: TokenStream,
-    /// Its place among the variables, if it is one.
+    /// Position in `wrt`, if derivatives are taken with respect to the argument.
     pub(super) variable: Option<usize>,
     pub(super) varies: Varies,
-    /// What derivatives by it are: numbers like its own, or of its tangent.
+    /// Type of derivatives with respect to the argument: its own type, or that of its tangent.
     pub(super) slope: Type,
 }
 
 impl Argument {
-    /// The derivatives by it, from those by its numbers that vary.
+    /// Builds the derivative with respect to the argument from the derivatives with respect to its varying numbers.
     pub(super) fn build_slope(&self, numbers: &[TokenStream]) -> TokenStream {
         let called = &self.called;
         self.slope.build_slope(&if self.ty.borrowed { quote!((*#called)) } else { quote!(#called) }, numbers)
     }
 }
 
-/// What is known of a signature.
+/// The checked arguments and result of a signature.
 pub(super) struct Arguments {
     pub(super) list: Vec<Argument>,
-    /// The names of the others, of whose types an error was reported.
+    /// Names of the arguments whose type was reported.
     pub(super) faulty: Vec<Ident>,
-    /// The result's type, or what may be inside of it, where that is one of ours.
+    /// Type of the result, or of the value inside an option or `Result`, if it is a known type.
     pub(super) result: Option<Type>,
-    /// True of a result that may be nothing: an option, or a `Result`, of whose errors nothing is known.
+    /// `true` if the result may be absent: an option, or a `Result`, whose error type is ignored.
     pub(super) is_optional: bool,
-    /// Whether an error was reported of the signature.
+    /// `true` if an error in the signature was reported.
     pub(super) is_wrong: bool,
 }
 
 impl Arguments {
-    /// Reads a signature; what is wrong with it is reported and left out.
+    /// Reads a signature; reports errors and leaves out the arguments that have one.
     pub(super) fn check(signature: &Signature, options: &Options, items: &Items, report: &mut Report) -> Self {
         let errors = report.count();
         let generic = refuse_qualifiers(signature, report);
@@ -85,7 +85,7 @@ impl Arguments {
             let known = if slice.is_some() {
                 slice
             } else if generic {
-                // What is wrong with it was said.
+                // Generics have already been reported; do not report the type again.
                 Type::parse(&declared, items).ok()
             } else {
                 known_type(&declared, items, report)
@@ -128,14 +128,14 @@ impl Arguments {
         arguments
     }
 
-    /// The variables, in the order of `wrt`.
+    /// Returns the variables, in the order of `wrt`.
     pub(super) fn variables(&self) -> Vec<&Argument> {
         let mut variables: Vec<&Argument> = self.list.iter().filter(|argument| argument.variable.is_some()).collect();
         variables.sort_by_key(|argument| argument.variable);
         variables
     }
 
-    /// The number type that the function computes in.
+    /// Returns the number type that the function computes in.
     pub(super) fn precision(&self) -> Precision {
         let types = self.result.iter().chain(self.list.iter().map(|argument| &argument.ty));
         types.filter_map(|ty| ty.precision).next().unwrap_or(Precision::Single)
@@ -209,13 +209,13 @@ impl Arguments {
 }
 
 impl Arguments {
-    /// The end of a companion's name; `None` without a result.
+    /// Returns the suffix of a companion's name; `None` without a result.
     pub(super) fn suffix(&self, companion: Companion) -> Option<&'static str> {
         let is_number = matches!(self.result.as_ref()?.shape, Shape::Scalar);
         Some(if companion == Companion::First && !is_number { "jacobian" } else { companion.key() })
     }
 
-    /// What a companion takes besides the arguments: names and types.
+    /// Returns the names and types of a companion's additional parameters.
     pub(super) fn taken(&self, companion: Companion) -> Vec<(Ident, Type)> {
         match companion.takes() {
             Takes::Nothing => Vec::new(),
@@ -228,7 +228,7 @@ impl Arguments {
         }
     }
 
-    /// This name, or the same with `_` after it where an argument has it.
+    /// Returns this name, with `_` appended until no argument has it.
     fn free(&self, mut name: String) -> Ident {
         while self.list.iter().any(|argument| argument.name.as_ref().is_some_and(|known| *known == name)) {
             name.push('_');
@@ -236,7 +236,7 @@ impl Arguments {
         format_ident!("{name}")
     }
 
-    /// Declares their numbers as further inputs.
+    /// Declares the numbers of a companion's additional parameters as inputs.
     pub(super) fn further(&self, companion: Companion, g: &mut Graph) -> Vec<Scalar> {
         let mut declared = Vec::new();
         for (name, ty) in self.taken(companion) {
@@ -245,14 +245,14 @@ impl Arguments {
         declared
     }
 
-    /// The slices among the arguments and their fields: what each is called, and the type of its elements.
+    /// Returns the slices among the arguments and their fields: the expression of each, and the type of its elements.
     pub(super) fn slices(&self) -> Vec<(TokenStream, &Type)> {
         let mut slices = Vec::new();
         self.list.iter().for_each(|argument| argument.ty.slices(&argument.called, &mut slices));
         slices
     }
 
-    /// The names of a companion's inputs in emitted code, in the order in which they are declared.
+    /// Returns the expressions of a companion's inputs in emitted code, in the order of their declaration.
     pub(super) fn inputs(&self, companion: Companion) -> Vec<TokenStream> {
         let (mut inputs, precision) = (Vec::new(), self.precision());
         for Argument { called, ty, .. } in &self.list {
@@ -265,15 +265,15 @@ impl Arguments {
     }
 }
 
-/// The arguments as the graph knows them.
+/// The arguments, declared in the graph.
 pub(super) struct Declared {
-    /// Their values.
+    /// Value of each argument.
     pub(super) values: Vec<Value>,
-    /// The inputs of each variable, or its steps' components, in the order of `wrt`.
+    /// Inputs of each variable, or the components of its step, in the order of `wrt`.
     pub(super) variables: Vec<Vec<Scalar>>,
 }
 
-/// What an argument that is taken apart is called in emitted code.
+/// Returns the name that emitted code gives an argument with a pattern.
 pub(super) fn pattern_argument(index: usize) -> Ident {
     crate::emit::body::local(&format!("argument{index}"))
 }
@@ -282,7 +282,7 @@ fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
 }
 
-/// A slice as the array of the length that the attribute says; `None` of anything else.
+/// Replaces a slice by an array of the length that the attribute gives; `None` for any other type.
 fn sized(ty: &syn::Type, name: &Ident, options: &Options) -> Option<syn::Type> {
     let (_, element) = slice_of(ty)?;
     let (_, length) = options.lengths.iter().find(|(word, _)| is(name, word))?;
@@ -290,7 +290,7 @@ fn sized(ty: &syn::Type, name: &Ident, options: &Options) -> Option<syn::Type> {
     Some(syn::parse_quote!(&[#element; #length]))
 }
 
-/// The type of what an optional result is, if it is something.
+/// Returns the type inside an `Option` or `Result`.
 fn inside(output: &ReturnType) -> Option<&syn::Type> {
     let ReturnType::Type(_, ty) = output else { return None };
     let syn::Type::Path(path) = &**ty else { return None };
@@ -310,7 +310,8 @@ fn known_type(ty: &syn::Type, items: &Items, report: &mut Report) -> Option<Type
     Type::parse(ty, items).map_err(|(place, text)| report.error_in(&place, text)).ok()
 }
 
-/// A function that is generic, asynchronous and so on cannot be written beside. Whether it is generic.
+/// Reports qualifiers that a companion cannot have: generic parameters, `async` and so on. Returns `true` if the
+/// function is generic.
 fn refuse_qualifiers(signature: &Signature, report: &mut Report) -> bool {
     let Signature { asyncness, safety, abi, variadic, generics, .. } = signature;
     let qualifiers = [

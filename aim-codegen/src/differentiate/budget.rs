@@ -1,4 +1,4 @@
-//! `budget = …`: how much a derived function may need.
+//! `budget = …`: upper limits for the operations of a derived function.
 
 use aim_symbolic::Count;
 
@@ -11,7 +11,7 @@ use crate::declare::report::Report;
 use crate::declare::report::expected::Expected;
 use crate::declare::tree::Kind;
 
-/// The most of each kind in [`KINDS`], and where that is written.
+/// Upper limit of each kind in [`KINDS`], and the place where it is written.
 pub(super) struct Budget {
     most: [Option<(usize, Place)>; KINDS.len()],
 }
@@ -19,10 +19,10 @@ pub(super) struct Budget {
 const KEYS: &[Key] =
     &[("operations", Expected::OPERATIONS), ("selects", Expected::SELECTS), ("calls", Expected::CALLS)];
 
-/// What is counted, in words and in a count.
+/// Name of a kind of operation, and its number in a [`Count`].
 type Counted = (&'static str, fn(&Count) -> usize);
 
-/// In the order of [`KEYS`].
+/// Kinds of operations, in the order of [`KEYS`].
 const KINDS: [Counted; 3] = [
     ("operations", Count::total),
     ("comparisons and selects", |count| count.select),
@@ -30,7 +30,7 @@ const KINDS: [Counted; 3] = [
 ];
 
 impl Budget {
-    /// A number of operations, or `(operations = 46, selects = 2, calls = 4)`, of which any may be left out.
+    /// Reads a number of operations, or `(operations = 46, selects = 2, calls = 4)`, any of which may be omitted.
     pub(super) fn read(report: &mut Report, setting: Setting<'_>) -> Option<Self> {
         let Kind::Table(entries) = &setting.value.kind else {
             let operations = number(report, setting)?;
@@ -44,7 +44,7 @@ impl Budget {
         Some(Self { most })
     }
 
-    /// Reports what the function needs more of; whether there is nothing.
+    /// Reports each limit that the function exceeds; returns `true` if there is none.
     pub(super) fn judge(&self, count: Count, report: &mut Report) -> bool {
         let mut is_kept = true;
         for ((most, (words, of)), (key, _)) in self.most.iter().zip(KINDS).zip(KEYS) {

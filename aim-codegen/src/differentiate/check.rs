@@ -1,4 +1,4 @@
-//! The test beside a function that compares its derivatives with central differences.
+//! The generated test that compares a function's derivatives with central differences.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -9,7 +9,7 @@ use super::manifold::{Side, Varies};
 use super::types::{Precision, Shape, Type};
 
 impl Companions<'_> {
-    /// The test, for a function whose companion returns derivatives; `None` without a result.
+    /// Emits the test, for a function whose companion returns derivatives; `None` without a result.
     pub(super) fn check(&self) -> Option<TokenStream> {
         let (krate, function) = (self.krate, &self.item.sig.ident);
         let result = self.arguments.result.as_ref()?;
@@ -39,7 +39,7 @@ impl Companions<'_> {
         let private = quote!(#krate::__private::differences);
         let (mut original, mut derived) = (quote!(#function(#(#made),*)), quote!(#name(#(#made),*)));
         if self.arguments.is_optional {
-            // Where there is no value, nothing is judged.
+            // NaN marks a point without a value; it is not compared.
             original = quote!(match #original.into_iter().next() {
                 ::core::option::Option::Some(value) => value,
                 ::core::option::Option::None => return [::core::primitive::f64::NAN; #size],
@@ -59,7 +59,7 @@ impl Companions<'_> {
                     ::core::stringify!(#function),
                     (&[#(#private::Draw::#draws),*], &[#(#places),*], #single),
                     |at: &[::core::primitive::f64; #count]| {
-                        // Arguments that the function does not take are no points to judge.
+                        // A panic means that the function rejects these arguments; the point is not compared.
                         let value = || {
                             let value = #original;
                             #value
@@ -75,7 +75,7 @@ impl Companions<'_> {
         })
     }
 
-    /// By each number of the variables, the derivatives of all numbers of the result.
+    /// Returns, for each number of the variables, the expressions of the derivatives of all numbers of the result.
     fn slopes(&self, result: &Type) -> Vec<TokenStream> {
         let size = result.components();
         let precision = self.arguments.precision();
@@ -109,15 +109,15 @@ impl Companions<'_> {
     }
 }
 
-/// The numbers of the points that a function is judged at, `at[0]` and so on.
+/// The numbers of the points at which a function is tested: `at[0]` and so on.
 struct Points<'a> {
     precision: Precision,
     krate: &'a TokenStream,
-    /// How many there are.
+    /// Number of numbers so far.
     count: usize,
-    /// How they are drawn.
+    /// Kind of random value for each draw.
     draws: Vec<TokenStream>,
-    /// Those that derivatives are by, of the argument that is being made.
+    /// Indices of the numbers of the current argument that derivatives are taken with respect to.
     moved: Vec<usize>,
 }
 
@@ -126,7 +126,7 @@ impl<'a> Points<'a> {
         Self { precision, krate, count: 0, draws: Vec::new(), moved: Vec::new() }
     }
 
-    /// The next numbers: as many as there are of their type's.
+    /// Returns the expressions of the next `size` numbers, in the function's number type.
     fn next(&mut self, size: usize) -> Vec<TokenStream> {
         let (first, number) = (self.count, format_ident!("{}", self.precision.name()));
         self.count += size;
@@ -134,7 +134,7 @@ impl<'a> Points<'a> {
         places.map(|place| quote!((at[#place] as ::core::primitive::#number))).collect()
     }
 
-    /// A value of a type that is not made of others.
+    /// Builds a value of a type that is not composed of others.
     fn made(&mut self, leaf: &Type, varies: Varies) -> TokenStream {
         if let Varies::Tangent(side) = varies
             && leaf.has_rotation()
@@ -168,7 +168,7 @@ impl<'a> Points<'a> {
         }
     }
 
-    /// A rotation or a transform, moved on its manifold by numbers that are 0.
+    /// Builds a rotation or transform, moved on its manifold by numbers that are 0.
     fn moved(&mut self, leaf: &Type, side: Side) -> TokenStream {
         let ty = &leaf.tokens;
         let double = self.precision == Precision::Double;

@@ -1,4 +1,4 @@
-//! [`Companion`]: what can stand beside a function, and what is derived for it.
+//! [`Companion`]: the kinds of functions that are derived from a user's function, and their outputs.
 
 use std::rc::Rc;
 
@@ -7,16 +7,16 @@ use aim_symbolic::{Count, Graph, Program, Scalar, Variable, Want};
 use super::kept_loops::Kept;
 use super::needed::Stated;
 
-/// A function beside the user's.
+/// A kind of function that is emitted beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Companion {
     /// The value and its first derivatives.
     First,
-    /// Those and second derivatives.
+    /// The value, its first and its second derivatives.
     Hessian,
-    /// The derivative along a direction, Jv.
+    /// The value and its derivative along a direction, Jv.
     Jvp,
-    /// The derivatives of the weighted sum of the value's numbers, wᵀJ.
+    /// The value and the derivatives of its weighted sum, wᵀJ.
     Vjp,
     /// The derivative along a direction, and its derivatives, Hv.
     Hvp,
@@ -24,21 +24,21 @@ pub(super) enum Companion {
     GaussNewton,
 }
 
-/// What a companion takes beside the function's own arguments.
+/// Parameters of a companion in addition to the function's own arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Takes {
     Nothing,
-    /// `along_x` for each variable `x`, of its type.
+    /// `along_x` for each variable `x`, of the variable's type.
     Direction,
     /// `weights`, of the result's type.
     Weights,
 }
 
 impl Companion {
-    /// Those that an option asks for.
+    /// Companions that are emitted only if an option requests them.
     pub(super) const OPTIONAL: [Self; 5] = [Self::Hessian, Self::Jvp, Self::Vjp, Self::Hvp, Self::GaussNewton];
 
-    /// The option, which is also the end of its name.
+    /// Returns the option's name, which is also the suffix of the companion's name.
     pub(super) fn key(self) -> &'static str {
         match self {
             Self::First => "gradient",
@@ -58,12 +58,13 @@ impl Companion {
         }
     }
 
-    /// Whether it is of functions of one number only.
+    /// Returns `true` if it applies only to functions that return one number.
     pub(super) fn is_of_a_number(self) -> bool {
         matches!(self, Self::Hessian | Self::Hvp)
     }
 
-    /// What it returns, in the order of its program's outputs; `taken` are the numbers of what it [takes](Self::takes).
+    /// Returns the outputs of the companion's program, in order. `taken` are the numbers of the parameters that it
+    /// [takes](Self::takes).
     pub(super) fn wanted(self, g: &mut Graph, stated: &Stated, taken: &[Scalar]) -> Vec<Want> {
         let Stated { values, vector, variables } = stated;
         let value = values.iter().map(|&value| Want::Value(value));
@@ -113,7 +114,7 @@ impl Companion {
 }
 
 impl Derived {
-    /// The operations of all of it, those of a round of a loop once.
+    /// Returns the number of operations of all programs; a kept loop's iteration counts once.
     pub(super) fn count(&self) -> Count {
         self.program.count() + self.kept.count()
     }
@@ -122,11 +123,11 @@ impl Derived {
 /// A derived companion.
 pub(super) struct Derived {
     pub(super) companion: Companion,
-    /// Where its statement is.
+    /// Graph of its statement.
     pub(super) graph: Graph,
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
     pub(super) kept: Rc<Kept>,
-    /// Names that are taken for mathematical constants.
+    /// Names that are assumed to be mathematical constants.
     pub(super) taken_for_known: Vec<String>,
 }

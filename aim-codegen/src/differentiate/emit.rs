@@ -1,4 +1,4 @@
-//! The functions beside the user's: signatures, bodies, and stubs where there was an error.
+//! Emits the companion functions: signatures, bodies, and stubs if there was an error.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -11,18 +11,19 @@ use super::manifold::Varies;
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
-/// The source of the companions.
+/// Everything that companions are emitted from.
 #[derive(Clone, Copy)]
 pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
-    /// True if the arguments are [in lanes](Arguments::in_lanes).
+    /// `true` if the arguments are [in lanes](Arguments::in_lanes).
     pub(super) of_lanes: bool,
 }
 
 impl Companions<'_> {
-    /// The companion, with a stub for a body where there is no program; `None` where there is no result or it has none such.
+    /// Emits the companion, with a stub body if there is no program; `None` if the function has no result, or none that
+    /// this companion applies to.
     pub(super) fn companion(&self, companion: Companion, derived: Option<&Derived>) -> Option<TokenStream> {
         let result = self.arguments.result.as_ref()?;
         if companion.is_of_a_number() && !matches!(result.shape, Shape::Scalar) {
@@ -51,7 +52,7 @@ impl Companions<'_> {
             (Some(derived), Some(body)) => derived.kept.through_loops(body, &input, result.components()),
             _ => Default::default(),
         };
-        // The last one tells whether there is a value.
+        // The last output is positive if there is a value.
         let is_some = if self.arguments.is_optional { outputs.pop() } else { None };
         let (mut returns, mut value) = self.returned(companion, result, &number, &outputs);
         if self.arguments.is_optional {
@@ -66,7 +67,7 @@ impl Companions<'_> {
         Some(self.function(&name, companion, &self.doc(companion, suffix, derived), &returns, body))
     }
 
-    /// The type of the numbers.
+    /// Returns the number type.
     fn number(&self) -> TokenStream {
         if self.of_lanes {
             return lanes::number();
@@ -75,8 +76,8 @@ impl Companions<'_> {
         quote!(::core::primitive::#number)
     }
 
-    /// The type that a companion returns, and its value from the program's outputs; without a program there are none, and the
-    /// value is of no use.
+    /// Returns the companion's return type, and its value built from the program's outputs. Without a program there are
+    /// no outputs, and the value is not used.
     fn returned(
         &self,
         companion: Companion,
@@ -115,7 +116,7 @@ impl Companions<'_> {
         }
     }
 
-    /// The types and the values of a number's derivatives by each variable.
+    /// Returns types and values of the derivatives of one number with respect to each variable.
     fn gradient(&self, mut rest: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
         let by = |variable: &Argument| {
             let (numbers, after) = rest.split_at_checked(variable.slope.dimension()).unwrap_or_default();
@@ -125,7 +126,8 @@ impl Companions<'_> {
         self.arguments.variables().into_iter().map(by).unzip()
     }
 
-    /// The types and the values of the derivatives by each variable: the numbers by each of its components.
+    /// Returns types and values of the derivatives of the result with respect to each variable. `rest` holds, for each
+    /// component of each variable, the derivatives of all numbers of the result.
     fn derivatives(&self, result: &Type, mut rest: &[TokenStream]) -> (Vec<TokenStream>, Vec<TokenStream>) {
         if matches!(result.shape, Shape::Scalar) {
             return self.gradient(rest);
@@ -148,7 +150,7 @@ impl Companions<'_> {
                     let vectors = numbers.chunks(size).map(|numbers| result.build(numbers));
                     (quote!([#original; #length]), quote!([#(#vectors),*]))
                 }
-                // A row a component of the result.
+                // One row for each component of the result.
                 _ => {
                     let (length, row) = (Literal::usize_unsuffixed(size), &variable.slope.tokens);
                     let rows = (0..size).map(|i| {
@@ -226,7 +228,7 @@ impl Companions<'_> {
     }
 }
 
-/// A constant of this name has the value of the mathematical one.
+/// Emits an assertion that the constant of this name has the value of the mathematical constant.
 fn sure_of(name: &str) -> TokenStream {
     let (constant, text) =
         (format_ident!("{name}"), format!("`{name}` is not the mathematical constant, which it was taken for"));
@@ -239,12 +241,13 @@ fn sure_of(name: &str) -> TokenStream {
     }
 }
 
-/// Attributes of the user's function that hold for its companions, too.
+/// Returns `true` if an attribute of the user's function also applies to its companions.
 fn is_kept(attribute: &Attribute) -> bool {
     ["cfg", "allow", "deprecated"].iter().any(|known| attribute.path().is_ident(known))
 }
 
-/// Where the second derivative by the variables `i` ≤ `k` of `count` stands in the upper triangle, row by row.
+/// Returns the index of the second derivative with respect to the variables `i` ≤ `k` of `count` in the upper triangle,
+/// row by row.
 fn triangle(count: usize, i: usize, k: usize) -> usize {
     i * (2 * count + 1 - i) / 2 + (k - i)
 }

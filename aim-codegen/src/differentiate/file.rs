@@ -1,4 +1,4 @@
-//! Differentiated functions of a Rust file, for languages that are not Rust.
+//! Differentiated functions of a Rust file, for emission in other languages.
 
 use aim_symbolic::print::{Formula, Notation};
 use aim_symbolic::{Derivation, Graph, Program, Want};
@@ -24,22 +24,23 @@ pub struct Differentiated {
     name: String,
     precision: Precision,
     programs: Vec<Written>,
-    /// The statement, and what is wanted of it first.
+    /// Graph and outputs of the first companion.
     stated: (Graph, Vec<Want>),
 }
 
-/// A companion in another language.
+/// A companion, to be emitted in another language.
 #[derive(Debug)]
 struct Written {
     suffix: &'static str,
-    /// What its outputs are.
+    /// Description of its outputs.
     outputs: String,
     parameters: Vec<(String, Option<usize>)>,
     program: Program,
 }
 
 impl Differentiated {
-    /// Derives what `#[differentiate(…)]` asks for on the function of this name, which may be in a module of the file.
+    /// Derives the companions that `#[differentiate(…)]` requests for the function of this name. The function may be in
+    /// a module of the file.
     ///
     /// ```
     /// use aim_codegen::{Differentiated, emit::c};
@@ -51,16 +52,19 @@ impl Differentiated {
     /// ```
     ///
     /// # Errors
-    /// Where the text is no Rust, has no such function, or one that cannot be differentiated: all that is wrong, with places
-    /// in the text.
+    ///
+    /// If the text is not valid Rust, has no such function, or the function cannot be differentiated: returns all
+    /// errors, with places in the text.
     pub fn from_file(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
         Self::found(file_name, text, name, Search::Smallest)
     }
 
-    /// The same by the first way that offers itself, which need not be the smallest: for tests of many functions.
+    /// Like [`from_file`](Self::from_file), but takes the first derivation found, which need not be the smallest. For
+    /// tests of many functions.
     ///
     /// # Errors
-    /// As of [`from_file`](Self::from_file).
+    ///
+    /// The same as [`from_file`](Self::from_file).
     pub fn from_file_at_once(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
         Self::found(file_name, text, name, Search::Any)
     }
@@ -75,13 +79,13 @@ impl Differentiated {
         })
     }
 
-    /// What the function computes with.
+    /// Returns the precision that the function computes in.
     #[must_use]
     pub fn precision(&self) -> Precision {
         self.precision
     }
 
-    /// Whether a number that is not finite is written out in one of its programs.
+    /// Returns `true` if one of the programs contains a constant that is infinite or NaN.
     #[must_use]
     pub fn has_infinities(&self) -> bool {
         self.programs.iter().any(|Written { program, .. }| {
@@ -92,13 +96,13 @@ impl Differentiated {
         })
     }
 
-    /// The derivation of its first companion, with everything on the way.
+    /// Derives the first companion again and records every intermediate step.
     #[must_use]
     pub fn derivation(&self) -> Derivation {
         Derivation::new(&self.stated.0, &self.stated.1)
     }
 
-    /// The names of its arguments in formulas: numbers by themselves, vectors by their components' common name.
+    /// Returns the symbols of its arguments in formulas: the name of a number, the components' common name of a vector.
     #[must_use]
     pub fn notation(&self) -> Notation {
         let own = self.programs.first().map_or(&[][..], |first| &first.parameters);
@@ -110,7 +114,8 @@ impl Differentiated {
         Notation { inputs: numbers.map(symbol).collect(), ..Notation::default() }
     }
 
-    /// The functions to be written: `NAME_gradient` or `NAME_jacobian`, and those that the attribute asks for besides.
+    /// Returns the functions to emit: `NAME_gradient` or `NAME_jacobian`, and those that the attribute requests
+    /// besides.
     #[must_use]
     pub fn procedures(&self) -> Vec<Procedure<'_>> {
         let programs = self.programs.iter();
@@ -163,7 +168,7 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         is_optional: arguments.is_optional,
     };
     let own = arguments.list.iter().enumerate().map(|(index, argument)| {
-        // One that is taken apart is called by its number.
+        // An argument with a pattern is named by its index.
         let name = argument.name.as_ref().map_or_else(|| index.to_string(), |name| word_of(name).text);
         parameter(&name, &argument.ty)
     });
@@ -186,19 +191,19 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
     })
 }
 
-/// An argument, by a name that is no word of another language.
+/// Returns an argument's name, with a prefix that keeps it from being a keyword, and its number of elements.
 fn parameter(name: &str, ty: &Type) -> (String, Option<usize>) {
     (format!("in_{name}"), (!matches!(ty.shape, Shape::Scalar)).then(|| ty.components()))
 }
 
-/// A function with the attribute, and the items of its module where that has it, too.
+/// A function with the attribute, and the items of its module if the module has the attribute as well.
 struct Found<'f> {
     function: &'f ItemFn,
     attribute: &'f Attribute,
     module: Option<&'f [Item]>,
 }
 
-/// The functions with the attribute, in modules too.
+/// Collects all functions with the attribute, including those in modules.
 fn collect<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Vec<Found<'f>>) {
     for item in items {
         match item {
@@ -216,7 +221,7 @@ fn collect<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Ve
     }
 }
 
-/// What a program's outputs are, in words.
+/// Describes the outputs of a program in words.
 struct Outputs<'a> {
     name: &'a str,
     size: usize,
@@ -250,7 +255,7 @@ impl Outputs<'_> {
         outputs + last
     }
 
-    /// The variables and how many numbers each has.
+    /// Lists the variables, each with its number of components.
     fn variables(&self) -> String {
         let variable = |argument: &&Argument| {
             let name = argument.name.as_ref().map(ToString::to_string).unwrap_or_default();

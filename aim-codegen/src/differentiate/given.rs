@@ -1,4 +1,4 @@
-//! The arguments that an item's generic parameters stand for where it is named.
+//! Substitution of generic parameters by the arguments that a path gives.
 
 use proc_macro2::{Group, Literal, TokenStream, TokenTree};
 use quote::quote;
@@ -7,10 +7,10 @@ use super::items::{Items, Parameter};
 use super::lower::Scope;
 use super::{lower, names};
 
-/// Generic parameters of a struct or an enum, and the arguments that they stand for.
+/// Generic parameters of a struct or an enum, each with its argument.
 pub(super) type Given = Vec<(String, TokenStream)>;
 
-/// The arguments of a type, by its parameters; `None` where there are not as many.
+/// Returns the argument of each parameter; `None` if their numbers differ.
 pub(super) fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, items: &Items) -> Option<Given> {
     let written = names::arguments(path);
     let given = parameters.iter().zip(&written).map(|(parameter, written)| {
@@ -23,7 +23,8 @@ pub(super) fn given(parameters: &[Parameter], path: &syn::Path, scope: &Scope, i
     (parameters.len() == written.len()).then(|| given.collect())
 }
 
-/// A type with what stands for the parameters of a path's item in their place; `None` where there are not as many.
+/// Returns a type with the generic parameters of the path's item replaced by the path's arguments; `None` if their
+/// numbers differ.
 pub(super) fn written_out(
     ty: &syn::Type,
     parameters: &[Parameter],
@@ -34,7 +35,7 @@ pub(super) fn written_out(
     syn::parse2(with(quote!(#ty), &given(parameters, path, scope, items)?)).ok()
 }
 
-/// Tokens with what stands for parameters in their place.
+/// Replaces parameters in tokens by their arguments.
 pub(super) fn with(tokens: TokenStream, given: &Given) -> TokenStream {
     if given.is_empty() {
         return tokens;

@@ -9,14 +9,14 @@ use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Slice,
 use super::manifold::Varies;
 use super::types::{Shape, Type};
 
-/// The numbers of an argument, as its parts take them.
+/// The numbers of an argument, consumed part by part.
 pub(super) struct Inputs<'a> {
     a: &'a mut Algebra,
     numbers: std::vec::IntoIter<Scalar>,
     varies: Varies,
-    /// What derivatives are taken by, in the order of its parts.
+    /// Inputs that derivatives are taken with respect to, in the order of the argument's parts.
     pub(super) variables: Vec<Scalar>,
-    /// The number of slices among what is before, and then up to its end.
+    /// Number of slices so far, including those of earlier arguments.
     pub(super) slices: usize,
 }
 
@@ -25,8 +25,9 @@ impl<'a> Inputs<'a> {
         Self { a, numbers: numbers.into_iter(), varies, variables: Vec::new(), slices }
     }
 
-    /// The value that these numbers make. A transform is rigid, a quaternion that is no variable has length 1; a matrix is
-    /// any matrix. Where derivatives are by tangents, quaternions and matrices are rotations.
+    /// Builds a value of type `ty` from the next numbers. Transforms are assumed rigid, quaternions that are not
+    /// variables to have length 1; matrices are arbitrary. If derivatives are taken with respect to tangents,
+    /// quaternions and matrices are rotations.
     pub(super) fn value(&mut self, ty: &Type) -> Value {
         let mut parts = |types: &[&Type]| -> Vec<Value> { types.iter().map(|ty| self.value(ty)).collect() };
         match &ty.shape {
@@ -43,7 +44,7 @@ impl<'a> Inputs<'a> {
                 self.slices += 1;
                 self.a.set_extent(len, 0.0, f64::INFINITY);
                 let (components, element) = (element.components(), element.clone());
-                // There is no slice in an element.
+                // Elements contain no slices.
                 let make = move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing, 0).value(&element);
                 let first = self.a.number(0.0);
                 Value::Slice(Rc::new(Slice { place, components, make: Rc::new(make), first, len }))
@@ -68,7 +69,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// The next number, of those that have to be there.
+    /// Returns the next number. As many were declared as the type has, so there always is one.
     fn next(&mut self) -> Scalar {
         self.numbers.next().expect("a type has as many numbers as were declared for it")
     }
@@ -82,7 +83,7 @@ impl<'a> Inputs<'a> {
         self.a.vector(numbers)
     }
 
-    /// Numbers of which each may vary by itself.
+    /// Builds a value that is not composed of others. Each of its numbers varies independently, or its tangent does.
     fn leaf(&mut self, ty: &Type) -> Value {
         if let Varies::Tangent(side) = self.varies {
             match ty.shape {

@@ -1,4 +1,4 @@
-//! [`Items`]: what a module defines that its functions may use.
+//! [`Items`]: the items of a module that its functions may use.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -10,71 +10,72 @@ use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, 
 use super::lower::{Callable, Scope};
 use super::names::{Meaning, Names, join, segments};
 
-/// An item by its full name, or what a type of that full name has by this name.
+/// Key of an item: `None` and the item's full name, or the full name of a type and the name of its associated item.
 type Name = (Option<String>, String);
 
-/// The items of a module, and of the modules inside of it.
+/// The items of a module, and of the modules inside it.
 #[derive(Default)]
 pub(super) struct Items {
     names: Names,
     constants: Vec<(Name, Constant)>,
-    /// Of one name are several where a type implements a trait, such as `From`, more than once.
+    /// Several have the same name if a type implements a trait, such as `From`, more than once.
     functions: Vec<(Name, Rc<Callable>)>,
     structs: Vec<(String, Structure)>,
     enums: Vec<(String, Enumeration)>,
     traits: Vec<(String, Rc<Scope>, syn::ItemTrait)>,
-    /// Implementations of traits: the trait's full name, the name that the type is known by, and what `Self` is.
+    /// Implementations of traits: the trait's full name, the name that the type is known by, and the type that `Self`
+    /// is.
     implementations: Vec<(String, String, String)>,
     aliases: Vec<(String, Alias)>,
-    /// Names of items that depend on `cfg`, of which nothing is read.
+    /// Names of items that depend on `cfg`; these items are not read.
     conditional: Vec<String>,
-    /// Functions that errors were reported of: of further calls nothing more is said.
+    /// Functions with reported errors; further calls of them report nothing.
     faulty: RefCell<Vec<Rc<Callable>>>,
-    /// Structs and enums whose fields are being read.
+    /// Structs and enums whose fields are being read, to detect recursive types.
     under_way: RefCell<Vec<String>>,
 }
 
-/// A constant, or a `static` that is not changed.
+/// A constant, or an immutable `static`.
 pub(super) struct Constant {
     pub(super) scope: Rc<Scope>,
     pub(super) ty: Option<syn::Type>,
     pub(super) value: Expr,
 }
 
-/// A generic parameter that is no lifetime.
+/// A generic parameter other than a lifetime.
 pub(super) struct Parameter {
     pub(super) name: String,
-    /// A length, or else a type.
+    /// `true` for a length, `false` for a type.
     pub(super) is_length: bool,
 }
 
-/// A struct, with the types of its fields as its module names them.
+/// A struct; the types of its fields are as written in its module.
 pub(super) struct Structure {
     pub(super) scope: Rc<Scope>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) fields: Vec<(Member, syn::Type)>,
-    /// Whether `Default` is derived.
+    /// `true` if `Default` is derived.
     pub(super) has_default: bool,
 }
 
-/// An enum, with the types of its variants' fields as its module names them.
+/// An enum; the types of its variants' fields are as written in its module.
 pub(super) struct Enumeration {
     pub(super) scope: Rc<Scope>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) variants: Vec<Variant>,
-    /// The number of the one that is the default, where `Default` is derived.
+    /// Index of the default variant, if `Default` is derived.
     pub(super) default: Option<usize>,
 }
 
 /// A variant of an enum.
 pub(super) struct Variant {
     pub(super) name: String,
-    /// The number that is written for it.
+    /// Explicit discriminant.
     pub(super) discriminant: Option<Expr>,
     pub(super) fields: Vec<(Member, syn::Type)>,
 }
 
-/// A type that a name is short for, as its module names it.
+/// A type alias; its type is as written in its module.
 pub(super) struct Alias {
     pub(super) scope: Rc<Scope>,
     pub(super) parameters: Vec<Parameter>,
@@ -82,7 +83,7 @@ pub(super) struct Alias {
 }
 
 impl Items {
-    /// Reads the items of a module. What its functions cannot use is left out.
+    /// Reads the items of a module. Items that its functions cannot use are left out.
     pub(super) fn of(module: &[Item]) -> Self {
         let mut items = Self::default();
         items.add_names("", module);
@@ -91,7 +92,7 @@ impl Items {
         items
     }
 
-    /// Adds what traits of the module provide, to the types that implement them without saying it themselves.
+    /// Adds the provided methods and constants of the module's traits to implementing types that do not define them.
     fn add_provided(&mut self) {
         for (of_trait, known_as, ty) in core::mem::take(&mut self.implementations) {
             let Some((_, scope, definition)) = self.traits.iter().find(|(known, ..)| *known == of_trait) else {
@@ -121,7 +122,7 @@ impl Items {
         }
     }
 
-    /// Notes what there is, so that paths are understood.
+    /// Records the names of all items, so that paths can be resolved.
     fn add_names(&mut self, module: &str, parts: &[Item]) {
         for item in parts {
             if depends_on_cfg(item.to_token_stream()).is_some() && !matches!(item, Item::Mod(_)) {
@@ -138,7 +139,7 @@ impl Items {
                     if let Some(name) = name_of_item(item) {
                         self.names.add_item(join(module, &name));
                     }
-                    // Variants are found, and imported, as the items of a module are.
+                    // Variants are looked up, and imported, like the items of a module.
                     if let Item::Enum(item) = item {
                         let name = join(module, &item.ident.to_string());
                         for variant in &item.variants {
@@ -216,7 +217,7 @@ impl Items {
     }
 
     fn add_impl(&mut self, scope: &Rc<Scope>, item: &syn::ItemImpl) {
-        // What is implemented for references is known of the type where it has nothing itself.
+        // An implementation for references serves the type itself if the type has none.
         let (by_reference, ty) = match &*item.self_ty {
             syn::Type::Reference(reference) => (true, &*reference.elem),
             ty => (false, ty),
@@ -254,7 +255,7 @@ impl Items {
         }
     }
 
-    /// What a path means where it is written.
+    /// Resolves a path that is written in `scope`.
     pub(super) fn meaning(&self, scope: &Scope, path: &[String]) -> Meaning {
         let import = path.split_first().and_then(|(first, rest)| {
             let (_, imported) = scope.imports.iter().rev().find(|(name, _)| name == first)?;
@@ -263,21 +264,21 @@ impl Items {
         self.names.meaning(&scope.module, import.as_deref().unwrap_or(path))
     }
 
-    /// The names of the items of a module.
+    /// Iterates over the names of the items of a module.
     pub(super) fn names_in<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
         self.names.names_in(module)
     }
 
-    /// The value of a constant of the module or of a type of it; `None` if there is none, or several.
+    /// Returns a constant of the module or of one of its types; `None` if there is none, or several.
     pub(super) fn constant(&self, of: Option<&str>, name: &str) -> Option<&Constant> {
         let is_it = |(ty, known): &Name| ty.as_deref() == of && known == name;
         let mut several = self.constants.iter().filter(|(known, _)| is_it(known));
         let (_, first) = several.next()?;
-        // Which of them depends on the arguments of the type.
+        // The type's arguments would decide among several.
         several.next().is_none().then_some(first)
     }
 
-    /// The functions of this name, of which one is meant.
+    /// Returns all functions of this name; the call decides which one is meant.
     pub(super) fn functions<'a>(
         &'a self,
         of: Option<&'a str>,
@@ -287,36 +288,36 @@ impl Items {
         self.functions.iter().filter(move |(known, _)| is_it(known)).map(|(_, function)| function)
     }
 
-    /// The names of the functions of a type of the module.
+    /// Returns the names of the functions of a type.
     pub(super) fn functions_of(&self, of: &str) -> Vec<&str> {
         let of_it = self.functions.iter().filter(|((known, _), _)| known.as_deref() == Some(of));
         of_it.map(|((_, name), _)| name.as_str()).collect()
     }
 
-    /// The struct of this full name.
+    /// Returns the struct with this full name.
     pub(super) fn structure(&self, name: &str) -> Option<&Structure> {
         self.structs.iter().find(|(known, _)| known == name).map(|(_, structure)| structure)
     }
 
-    /// The enum of this full name.
+    /// Returns the enum with this full name.
     pub(super) fn enumeration(&self, name: &str) -> Option<&Enumeration> {
         self.enums.iter().find(|(known, _)| known == name).map(|(_, enumeration)| enumeration)
     }
 
-    /// True if a struct or an enum has this full name.
+    /// Returns `true` if a struct or an enum has this full name.
     pub(super) fn defines(&self, name: &str) -> bool {
         self.structure(name).is_some() || self.enumeration(name).is_some()
     }
 
-    /// The type that this full name is short for.
+    /// Returns the type alias with this full name.
     pub(super) fn alias(&self, name: &str) -> Option<&Alias> {
         self.aliases.iter().find(|(known, _)| known == name).map(|(_, alias)| alias)
     }
 
-    /// The name of the type that a path means where it is written: a full one, or the last word of one that is outside.
+    /// Resolves a path to the name of a type: the full name, or the last segment for a type outside the module.
     pub(super) fn resolved(&self, scope: &Scope, path: &[String]) -> String {
         let mut name = self.meaning(scope, path).into_type();
-        // Those that go in a circle are the compiler's to refuse.
+        // The compiler rejects cyclic aliases.
         for _ in 0..=self.aliases.len() {
             match self.alias(&name) {
                 Some(Alias { scope, ty: syn::Type::Path(path), .. }) => {
@@ -337,7 +338,7 @@ impl Items {
         self.faulty.borrow().iter().any(|known| Rc::ptr_eq(known, function))
     }
 
-    /// Reads the fields of a type; `None` where it is a part of itself.
+    /// Calls `read` to read a type's fields; `None` if the type is part of itself.
     pub(super) fn once<R>(&self, name: &str, read: impl FnOnce() -> R) -> Option<R> {
         if self.under_way.borrow().iter().any(|known| known == name) {
             return None;
@@ -348,12 +349,12 @@ impl Items {
         Some(made)
     }
 
-    /// The number of functions that errors were reported of.
+    /// Returns the number of functions with reported errors.
     pub(super) fn faults(&self) -> usize {
         self.faulty.borrow().len()
     }
 
-    /// Forgets the errors of all but the first so many.
+    /// Forgets the errors of all but the first `faults` functions.
     pub(super) fn forget_faults(&self, faults: usize) {
         self.faulty.borrow_mut().truncate(faults);
     }
@@ -363,7 +364,7 @@ impl Items {
     }
 }
 
-/// Whether one of these attributes is a `cfg`.
+/// Returns `true` if one of these attributes is `cfg`.
 fn has_cfg(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("cfg"))
 }
@@ -372,7 +373,7 @@ fn derives_default(attributes: &[Attribute]) -> bool {
     let derives = attributes.iter().filter(|attribute| attribute.path().is_ident("derive"));
     let mut found = false;
     for attribute in derives {
-        // Derives that cannot be parsed are the compiler's to refuse.
+        // The compiler rejects derives that cannot be parsed.
         let _ = attribute.parse_nested_meta(|meta| {
             found |= meta.path.segments.last().is_some_and(|last| last.ident == "Default");
             Ok(())
@@ -381,7 +382,7 @@ fn derives_default(attributes: &[Attribute]) -> bool {
     found
 }
 
-/// The place in tokens of an attribute `cfg`, which a macro cannot tell the truth of.
+/// Returns the first `cfg` attribute in the tokens. A macro cannot evaluate it.
 pub(super) fn depends_on_cfg(tokens: TokenStream) -> Option<TokenTree> {
     let mut after_hash = false;
     for token in tokens {
@@ -429,7 +430,7 @@ fn parameters(generics: &syn::Generics) -> Vec<Parameter> {
     parameters.collect()
 }
 
-/// The scope inside of an item with these generic parameters.
+/// Returns the scope inside an item with these generic parameters.
 fn inside(scope: &Rc<Scope>, generics: &syn::Generics) -> Rc<Scope> {
     let parameters = parameters(generics);
     if parameters.is_empty() {
@@ -442,7 +443,7 @@ fn inside(scope: &Rc<Scope>, generics: &syn::Generics) -> Rc<Scope> {
     Rc::new(scope)
 }
 
-/// A function with a name.
+/// Returns a named function.
 pub(super) fn callable(
     signature: &Signature,
     block: &syn::Block,
@@ -477,7 +478,7 @@ pub(super) fn callable(
     }
 }
 
-/// Whether a parameter is `&mut`.
+/// Returns `true` if a parameter is `&mut`.
 fn is_changed(input: &FnArg) -> bool {
     let is_reference = |ty: &syn::Type| matches!(ty, syn::Type::Reference(reference) if reference.mutability.is_some());
     match input {

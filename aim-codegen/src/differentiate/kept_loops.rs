@@ -1,5 +1,7 @@
-//! Loops that stay loops: what is derived of them, and their code. The numbers that a round changes go from round to round with their
-//! derivatives by the variables: where a round makes s' of s and x, ds'/dx = ∂s'/∂x + ∂s'/∂s ds/dx.
+//! Kept loops: loops that stay loops in emitted code instead of being unrolled. Derives and emits their programs.
+//!
+//! The states, the numbers that an iteration changes, are carried from iteration to iteration with their derivatives.
+//! If an iteration computes s' from the state s and the variable x, then ds'/dx = ∂s'/∂x + ∂s'/∂s ds/dx.
 
 use std::rc::Rc;
 
@@ -12,36 +14,36 @@ use super::needed::Needed;
 use super::types::{Precision, Type};
 use crate::emit::body::{Arithmetic, Body, local};
 
-/// The loops of a function.
+/// The kept loops of a function.
 #[derive(Default)]
 pub(super) struct Kept {
     loops: Vec<Stage>,
-    /// The sources of the inputs that are not the numbers of arguments, after which all of them stand; with the programs for the
-    /// numbers of elements that are chosen.
+    /// Sources of the inputs that are not numbers of arguments; they follow the arguments' inputs. An element with a
+    /// computed index has the program that computes the index.
     outside: Vec<(Outside, Option<Rc<Program>>)>,
-    /// The number of the variables.
+    /// Number of variables.
     variables: usize,
-    /// The states that loops have left at the end.
+    /// Final states of the outermost loops that have derivatives.
     left: Vec<Varying>,
 }
 
 struct Stage {
-    /// The loop in a round of which it stands.
+    /// Index of the enclosing kept loop.
     within: Option<usize>,
     states: Vec<State>,
-    /// The program before the first round: the states, how many rounds there are, and derivatives by the variables and by what
-    /// is seen there.
+    /// Program before the first iteration. Outputs: the states, the number of iterations, then the derivatives with
+    /// respect to the variables and to the states in `seen`.
     entry: Program,
     seen: Vec<Varying>,
-    /// True if a round may be the last one.
+    /// `true` if an iteration may end the loop early.
     leaves: bool,
-    /// The program of a round: the states after it, whether it is the last one, and derivatives by the variables and by what is
-    /// seen in a round: its own states, too, and what loops in it have left.
+    /// Program of one iteration. Outputs: the next states, the exit flag if `leaves`, then the derivatives with respect
+    /// to the variables and to the states in `seen_in_round`: its own, and the final ones of loops inside it.
     round: Program,
     seen_in_round: Vec<Varying>,
 }
 
-/// A state that has derivatives: the input that it is, its loop's number and its own.
+/// A state that has derivatives: its input, its loop's index and its own index in that loop.
 #[derive(Clone, Copy)]
 struct Varying {
     input: Scalar,
@@ -49,19 +51,20 @@ struct Varying {
     k: usize,
 }
 
-/// The states of a loop that have derivatives, by what they are in a round, or after it.
+/// Returns the states of loop `l` that have derivatives. `input` selects their value before an iteration or after the
+/// loop.
 fn varying(loops: &[KeptLoop], l: usize, input: fn(&State) -> Scalar) -> impl Iterator<Item = Varying> {
     let states = loops[l].states.iter().enumerate().filter(|(_, state)| state.varies);
     states.map(move |(k, state)| Varying { input: input(state), l, k })
 }
 
-/// What the loops have left that stand in a round of one, or in none, before the one of this number.
+/// Returns the final states of the loops directly inside `within`, or at the top level, whose index is below `before`.
 fn left(loops: &[KeptLoop], within: Option<usize>, before: usize) -> Vec<Varying> {
     let earlier = (0..before).filter(|&l| loops[l].within == within);
     earlier.flat_map(|l| varying(loops, l, |state| state.after)).collect()
 }
 
-/// The states that are seen before a loop: of the loops around it, and of those before it there.
+/// Returns the states that are visible before loop `l`: those of enclosing loops, and the final ones of earlier loops.
 fn seen(loops: &[KeptLoop], l: usize) -> Vec<Varying> {
     let mut seen = left(loops, loops[l].within, l);
     if let Some(around) = loops[l].within {
@@ -72,11 +75,11 @@ fn seen(loops: &[KeptLoop], l: usize) -> Vec<Varying> {
 }
 
 impl Kept {
-    /// Those of a function's graph, with `program` for what is wanted of it.
+    /// Derives the programs of all kept loops; `program` derives the program of requested outputs.
     pub(super) fn derive(needed: &Needed, variables: &[Scalar], program: &dyn Fn(&Graph, &[Want]) -> Program) -> Self {
         let all = &needed.loops;
         let stage = |(l, kept): (usize, &KeptLoop)| {
-            // The values, and the derivatives of those that have some.
+            // The values, then the derivatives of those that have any.
             let wanted = |values: &dyn Fn(&State) -> Scalar, more: Option<Scalar>, seen: &[Varying]| {
                 let numbers = kept.states.iter().map(values).chain(more).map(Want::Value);
                 let by: Vec<Scalar> =
@@ -119,12 +122,12 @@ impl Kept {
         self.loops.is_empty()
     }
 
-    /// What the loops have left that has derivatives.
+    /// Returns the final states, after all loops, that have derivatives.
     pub(super) fn after(&self) -> impl Iterator<Item = Scalar> {
         self.left.iter().map(|varying| varying.input)
     }
 
-    /// Appends the inputs that come from outside of the arguments' numbers.
+    /// Appends the inputs that are not numbers of arguments.
     pub(super) fn add_inputs(
         &self,
         inputs: &mut Vec<TokenStream>,
@@ -166,7 +169,7 @@ impl Kept {
                         (At::Known(index), _) => Literal::usize_unsuffixed(index).into_token_stream(),
                         (At::Chosen(_), None) => unreachable!("a number that is chosen has a program"),
                     };
-                    // Where the function would panic, it is 0.
+                    // Where the function would panic, the value is 0.
                     quote!((match #called.get(#index) {
                         ::core::option::Option::Some(#value) => #component,
                         ::core::option::Option::None => 0.0,
@@ -177,12 +180,12 @@ impl Kept {
         }
     }
 
-    /// The operations of all programs but the function's own, those of a round once.
+    /// Returns the number of operations of all programs except the function's own; an iteration counts once.
     pub(super) fn count(&self) -> Count {
         self.loops.iter().fold(Count::default(), |count, stage| count + stage.entry.count() + stage.round.count())
     }
 
-    /// The code of the loops that stand in a round of this one, or in none.
+    /// Emits the loops directly inside loop `within`, or those at the top level.
     fn code(
         &self,
         within: Option<usize>,
@@ -228,10 +231,10 @@ impl Kept {
     }
 }
 
-/// The derivatives that a program has, by variables and by states.
+/// Applies the chain rule: combines a program's derivatives with respect to variables and to states.
 struct Chain<'a> {
     body: &'a Body<'a>,
-    /// Which of its values a select has a part in.
+    /// For each value, `true` if it depends on a select.
     is_selected: Vec<bool>,
 }
 
@@ -245,7 +248,8 @@ impl<'a> Chain<'a> {
         Self { body, is_selected }
     }
 
-    /// The derivative by the variable `j`: the direct one, and those by states that have derivatives themselves.
+    /// Returns the derivative with respect to variable `j`: the direct one, plus the derivative with respect to each
+    /// state times that state's own derivative.
     fn derivative(&self, direct: Value, by_states: &[Value], states: &[Varying], j: usize) -> TokenStream {
         let known = |value: Value| match self.body.program.ops()[value.index()] {
             Op::Constant(constant) => Some(constant.value()),
@@ -260,7 +264,7 @@ impl<'a> Chain<'a> {
             match known(by_state) {
                 Some(0.0) => {}
                 Some(1.0) => terms.push(quote!(#slope)),
-                // What is not chosen may be infinite.
+                // The slope may be infinite in the branch that was not selected, and 0 · ∞ is NaN.
                 _ if self.is_selected[by_state.index()] => {
                     terms.push(quote!((if #factor == 0.0 { 0.0 } else { (#factor) * #slope })));
                 }
@@ -272,8 +276,8 @@ impl<'a> Chain<'a> {
 }
 
 impl Kept {
-    /// The code before the function's own program, and the outputs of that, with the derivatives through loops in those by
-    /// the variables.
+    /// Returns the code before the function's own program, and the program's outputs. Derivatives with respect to
+    /// variables include those through the loops.
     pub(super) fn through_loops(
         &self,
         body: &Body<'_>,
@@ -300,17 +304,17 @@ impl Kept {
     }
 }
 
-/// A state of a loop.
+/// Variable of a loop's state.
 fn state(l: usize, k: usize) -> Ident {
     local(&format!("state{l}_{k}"))
 }
 
-/// Its derivative by a variable.
+/// Variable of the derivative of a loop's state with respect to variable `j`.
 fn slope(l: usize, k: usize, j: usize) -> Ident {
     local(&format!("slope{l}_{k}_{j}"))
 }
 
-/// The number of its round.
+/// Variable of a loop's iteration counter.
 fn round_number(l: usize) -> Ident {
     local(&format!("round{l}"))
 }

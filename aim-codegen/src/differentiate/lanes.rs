@@ -1,14 +1,13 @@
-//! Functions of numbers in lanes: companions that are generic over the type of their numbers, which may be a vector of
-//! `wide`.
+//! Companions over numbers in lanes: generic over the number type, which may be a vector of `wide`.
 //!
 //! | a value of | in lanes |
 //! |---|---|
-//! | a number, a whole number, a `bool` | one number; of `true` 1, of `false` 0 |
+//! | a number, a whole number, a `bool` | one number; 1 for `true`, 0 for `false` |
 //! | a vector, a quaternion, a matrix, a transform | the array of its numbers |
-//! | an array, a tuple | of its elements |
-//! | an `Option` | 1 and what is inside, or 0 and anything |
+//! | an array, a tuple | an array, a tuple of its elements in lanes |
+//! | an `Option` | 1 and the value inside, or 0 and any value |
 //! | a struct | the tuple of its fields |
-//! | an enum | the number of its variant, then the fields of all: of the others anything |
+//! | an enum | the index of its variant, then the fields of all variants; those of other variants may be anything |
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -19,19 +18,20 @@ use super::types::{Shape, Type};
 use crate::declare::Place;
 use crate::declare::report::Report;
 
-/// The type of the numbers.
+/// Returns the number type.
 pub(super) fn number() -> TokenStream {
     quote!(S)
 }
 
-/// The generic parameters of a companion.
+/// Returns the generic parameters of a companion.
 pub(super) fn generics(krate: &TokenStream) -> TokenStream {
     let number = number();
     quote!(<#number: #krate::__private::Real>)
 }
 
 impl Arguments {
-    /// The same arguments and result in lanes. `None` where one of them has none, which is reported at `place`.
+    /// Returns the arguments and the result in lanes. `None` if one of their types has no such form, which is reported
+    /// at `place`.
     pub(super) fn in_lanes(&self, place: &Place, report: &mut Report) -> Option<Self> {
         if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
             return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
@@ -66,7 +66,7 @@ impl Arguments {
 }
 
 impl Type {
-    /// The type of the same value in lanes.
+    /// Returns the type of the same value in lanes.
     fn in_lanes(&self) -> Self {
         let scalar = || Self::made(number(), Shape::Scalar, self.precision);
         let array = |element: Self, length: usize| {
@@ -87,7 +87,7 @@ impl Type {
             | Shape::Square(_)
             | Shape::Rigid => array(scalar(), self.components()),
             Shape::Array(element, length) => array(element.in_lanes(), *length),
-            // It was refused.
+            // Slices have been rejected before.
             Shape::Slice(element) => element.in_lanes(),
             Shape::Optional(inner) => tuple(vec![scalar(), inner.in_lanes()]),
             Shape::Tuple(parts) => tuple(parts.iter().map(Self::in_lanes).collect()),

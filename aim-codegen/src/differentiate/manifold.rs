@@ -1,13 +1,13 @@
-//! Variables on their manifold: rotations and rigid transforms, by whose tangent vectors derivatives are taken.
+//! Variables on a manifold: rotations and rigid transforms, with derivatives with respect to their tangent vectors.
 //!
 //! | type | its tangent | q ⊕ δ, perturbed on the right | on the left |
 //! |---|---|---|---|
 //! | `Quat`, and `Mat3` as a rotation | a vector ω | q exp ω | exp(ω) q |
 //! | `Rigid`, `Affine3A` | ω and ρ | R exp ω, t + R ρ | exp(ω) R, exp(ω) t + ρ |
-//! | arrays and tuples | those of their elements | | |
-//! | structs | the tuple of their fields' | | |
+//! | arrays and tuples | the tangents of their elements | | |
+//! | structs | the tuple of their fields' tangents | | |
 //! | numbers and vectors | themselves | x + δ | x + δ |
-//! | what does not vary | `()` | | |
+//! | values that do not vary | `()` | | |
 
 use aim_symbolic::{Rotation, Scalar, Vector, VectorNode};
 use quote::quote;
@@ -15,7 +15,7 @@ use quote::quote;
 use super::lower::{Affine, Algebra, Map, Quaternion};
 use super::types::{Precision, Shape, Type};
 
-/// The side of a rotation that its step is on.
+/// Side of a rotation on which its step is composed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Side {
     Left,
@@ -23,24 +23,24 @@ pub(super) enum Side {
     Right,
 }
 
-/// What of an argument derivatives are taken by.
+/// The part of an argument that derivatives are taken with respect to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Varies {
     Nothing,
     Numbers,
-    /// Its tangent.
+    /// Its tangent vector.
     Tangent(Side),
 }
 
 impl Type {
-    /// Whether there is a rotation in it.
+    /// Returns `true` if the type contains a rotation.
     pub(super) fn has_rotation(&self) -> bool {
         let mut found = false;
         self.leaves(&mut |leaf| found |= matches!(leaf.shape, Shape::Quaternion | Shape::Matrix | Shape::Rigid));
         found
     }
 
-    /// The type of its tangent, with vectors from beside its own types or from the facade `krate`.
+    /// Returns the type of its tangent. Vectors come from the same module as its own types, or from the facade `krate`.
     pub(super) fn tangent(&self, krate: &proc_macro2::TokenStream) -> Self {
         let of_parts = |parts: Vec<Self>| {
             let types = parts.iter().map(|part| &part.tokens);
@@ -67,7 +67,7 @@ impl Type {
 }
 
 impl Side {
-    /// A rotation and its step, and the components of that.
+    /// Composes a rotation with a step; also returns the step and its components.
     fn step(self, a: &mut Algebra, rotation: Rotation) -> (Rotation, Vector, [Scalar; 3]) {
         let step = a.g.step();
         let turn = a.g.turn_by_step(step);
@@ -78,12 +78,12 @@ impl Side {
         (moved, step, components(a, step))
     }
 
-    /// A quaternion of length 1 that moves on its manifold, and its step's components.
+    /// Returns a quaternion of length 1 that moves on its manifold, and the components of its step.
     pub(super) fn quaternion(self, a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> (Quaternion, [Scalar; 3]) {
         let u = a.vector([x, y, z]);
         let rotation = a.g.quaternion(u, w);
         let (rotation, step, components) = self.step(a, rotation);
-        // exp δ has the parts δ/2 and 1 − δ²/8, to the second order.
+        // exp δ = (δ/2, 1 − |δ|²/8), to second order.
         let (half, one, eighth) = (a.number(0.5), a.number(1.0), a.number(0.125));
         let (vector, square) = (a.scale(half, step), a.dot(step, step));
         let less = a.mul(eighth, square);
@@ -94,14 +94,14 @@ impl Side {
         (Quaternion { map: Map::Rotation(rotation), parts }, components)
     }
 
-    /// A matrix that is a rotation.
+    /// Returns a rotation matrix that moves on its manifold, and the components of its step.
     pub(super) fn matrix(self, a: &mut Algebra, rows: [Scalar; 9]) -> (Map, [Scalar; 3]) {
         let rotation = a.g.matrix(rows);
         let (rotation, _, components) = self.step(a, rotation);
         (Map::Rotation(rotation), components)
     }
 
-    /// A rigid transform.
+    /// Returns a rigid transform that moves on its manifold, and the components of its step.
     pub(super) fn rigid(self, a: &mut Algebra, rows: [Scalar; 9], translation: Vector) -> (Affine, [Scalar; 6]) {
         let still = a.g.matrix(rows);
         let (rotation, step, turned) = self.step(a, still);

@@ -1,4 +1,4 @@
-//! Every text a user of `#[differentiate]` may read: what was found, and what to write instead.
+//! All messages about `#[differentiate]` that a user may read: what was found, and what to write instead.
 
 use aim_symbolic::Count;
 use syn::BinOp;
@@ -14,7 +14,7 @@ messages! {
         "it is not said by what this function is to be differentiated",
         "name the arguments: `#[differentiate(wrt(p, h))]`";
 
-    /// Of a file.
+    /// For functions in a file.
     no_such_function(name: &str, known: &[&str])
         where help = did_you_mean(name, known, || match known {
             [] => "no function in it has the attribute `#[differentiate(wrt(…))]`".to_owned(),
@@ -470,17 +470,17 @@ messages! {
         "make both the same";
 }
 
-/// What of the standard library is not known by name cannot be read either.
+/// Help for functions of the standard library that are not known by name.
 const OF_STD: &str = "the standard library is not read: write what it does in its place";
 
-/// How a function sees what is defined beside it.
+/// Help for items that the attribute does not see: how to make them visible.
 const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";
 
-/// The help for a constant that a function does not see.
+/// Help for a constant that the attribute does not see.
 const CONSTANT: &str = "write its `const` inside of the function, or beside it in the `#[differentiate] mod m { … }`: the attribute sees \
                         nothing outside of what it stands on, also not what `use super::…` brings";
 
-/// What to write for functions that are known not to be supported.
+/// Replacements for functions that are known but not supported.
 const INSTEAD: &[(&str, &str)] = &[
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
     ("from_rotation_arc", "write the turn about their cross product by `from_axis_angle`"),

@@ -1,15 +1,17 @@
-//! `#[differentiate]`: an ordinary function → the same function, and its derivatives beside it. On a module: of each
-//! function there that has the attribute itself, and that may use what else the module defines ([`items`]).
+//! `#[differentiate]`: emits a function unchanged, with its derivatives beside it. On a module, does so for each
+//! function inside that has the attribute itself; such a function may use the module's other items ([`items`]).
 //!
-//! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's: the numbers of each argument become
-//!    inputs of a graph ([`inputs`]), and rotations that derivatives are taken by get steps there ([`manifold`]).
-//! 2. [`lower`] runs the body, statement by statement, and builds its value there. What is a rotation stays one.
-//! 3. The graph is differentiated and compiled as the objectives of rigs are; of loops that stay loops ([`kept_loops`]) what is
-//!    before them, a round, and what is after them.
-//! 4. [`emit`] writes the programs as functions of the same arguments. Derivatives by values of which a part does not vary keep
-//!    that part ([`slopes`]).
+//! 1. [`options`] reads the attribute's arguments, [`arguments`] the function's. The numbers of each argument become
+//!    inputs of a graph ([`inputs`]); rotations that derivatives are taken with respect to get steps there
+//!    ([`manifold`]).
+//! 2. [`lower`] runs the body symbolically, statement by statement, and builds its value in the graph. Rotations stay
+//!    rotations.
+//! 3. The graph is differentiated and compiled like the objectives of rigs. A kept loop ([`kept_loops`]) is compiled in
+//!    three parts: the code before it, one iteration, and the code after it.
+//! 4. [`emit`] writes the programs as functions of the same arguments. A derivative with respect to a value keeps the
+//!    parts of that value that do not vary ([`slopes`]).
 //!
-//! Every error is collected, with its place. The function or module itself is always emitted as it was written.
+//! All errors are collected, with their places. The function or module itself is always emitted as written.
 
 mod arguments;
 mod budget;
@@ -54,7 +56,7 @@ use self::types::{Shape, Type};
 use crate::declare::report::Report;
 use crate::declare::tree::Notation;
 
-/// What `#[differentiate(…)]` on `item` expands to, `facade` being the name of the crate whose attribute it is.
+/// Expands `#[differentiate(…)]` on `item`. `facade` is the name of the crate that exports the attribute.
 #[must_use]
 pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
@@ -78,7 +80,7 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) ->
                 attrs.into_iter().partition(|attribute| matches!(attribute.style, syn::AttrStyle::Inner(_)));
             quote!(#(#outer)* #vis #mod_token #ident { #(#inner)* #items } #errors)
         }
-        // What is something else is said in our words, what does not parse in the parser's.
+        // Unsupported items get an error of ours, syntax errors the parser's message.
         Ok(_) => {
             report.error_in(&item.clone().into_iter().next(), messages::not_a_function());
             let errors = report.into_compile_error();
@@ -91,7 +93,7 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) ->
     }
 }
 
-/// The items of a module, the functions that are to be differentiated with their companions after them.
+/// Returns the items of a module, with the companions of each differentiated function after it.
 fn module(
     mut items: Vec<Item>,
     of_module: &Options,
@@ -123,7 +125,7 @@ fn module(
     expanded
 }
 
-/// Takes the attribute `differentiate` from a function: its arguments.
+/// Removes the attribute `differentiate` from a function and returns its arguments.
 fn take_request(item: &mut Item) -> Option<TokenStream> {
     let Item::Fn(function) = item else { return None };
     let place = function.attrs.iter().position(is_ours)?;
@@ -133,7 +135,7 @@ fn take_request(item: &mut Item) -> Option<TokenStream> {
     })
 }
 
-/// Takes the attribute from methods, which have no companions.
+/// Removes the attribute from methods, which have no companions.
 fn take_requests_of_methods(item: &mut Item) -> Vec<syn::Attribute> {
     let Item::Impl(implementation) = item else { return Vec::new() };
     let methods = implementation.items.iter_mut().filter_map(|item| match item {
@@ -143,7 +145,7 @@ fn take_requests_of_methods(item: &mut Item) -> Vec<syn::Attribute> {
     methods.flat_map(|method| method.attrs.extract_if(.., |attribute| is_ours(attribute)).collect::<Vec<_>>()).collect()
 }
 
-/// Whether a test is asked for, of a function whose arguments can be made up.
+/// Returns `true` if a test is requested and test values for all arguments can be built.
 fn checked(options: &Options, arguments: &Arguments, report: &mut Report) -> bool {
     let Some((true, place)) = &options.check else { return false };
     let unmade = arguments.list.iter().find(|argument| !argument.ty.is_whole());
@@ -153,12 +155,12 @@ fn checked(options: &Options, arguments: &Arguments, report: &mut Report) -> boo
     unmade.is_none()
 }
 
-/// Whether an attribute is `differentiate`.
+/// Returns `true` if the attribute is `differentiate`.
 fn is_ours(attribute: &syn::Attribute) -> bool {
     attribute.path().segments.last().is_some_and(|last| last.ident == "differentiate")
 }
 
-/// The functions beside a function.
+/// Returns the companions of a function.
 fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut Report) -> TokenStream {
     let parts = [function.sig.to_token_stream(), function.block.to_token_stream()];
     if let Some(place) = parts.into_iter().find_map(items::depends_on_cfg) {
@@ -169,7 +171,7 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
     let krate = options.krate.clone().unwrap_or_default();
     let companions = Companions { item: function, arguments: &arguments, krate: &krate, of_lanes: false };
-    // Where `self` or a type is in the way, a stub would only be another error.
+    // With `self` or an unsupported type in the signature, a stub would only cause another error.
     if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {
         return TokenStream::new();
     }
@@ -188,12 +190,12 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     quote!(#all #check)
 }
 
-/// Whether rules that compete are compared.
+/// Decides whether competing rewrite rules are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Search {
-    /// For the smallest program.
+    /// Search for the smallest program.
     Smallest,
-    /// For any, as tests of many functions do.
+    /// Take the first program found, for tests of many functions.
     Any,
 }
 
@@ -207,7 +209,7 @@ impl Search {
 }
 
 impl Derived {
-    /// Derives all that is asked for, unless there are errors.
+    /// Derives all requested companions, unless there are errors.
     fn all(
         function: &ItemFn,
         options: &Options,
@@ -241,7 +243,7 @@ impl Derived {
             return None;
         }
         if body.is_unknown() {
-            // It was said, of a helper that another function calls, too; or else the compiler says it.
+            // Either an error was reported for a helper that another function also calls, or the compiler reports one.
             if report.is_empty() {
                 report.error_in(&function.sig.ident, messages::unknown_result());
             }
@@ -298,7 +300,7 @@ impl Derived {
     }
 }
 
-/// Appends the numbers of a value; whether it is what its type says.
+/// Appends the numbers of a value; returns `true` if the value is of type `ty`.
 fn add_numbers(a: &mut Algebra, value: &Value, ty: &Type, numbers: &mut Vec<Scalar>) -> bool {
     match (value, &ty.shape) {
         (Value::Scalar(number), Shape::Scalar) => numbers.push(*number),

@@ -1,12 +1,12 @@
-//! [`Names`]: what a path means in a module and in the modules inside of it.
+//! [`Names`]: resolves paths in a module and in the modules inside it.
 //!
-//! An item is known by its full name, which is its path from the module that is read: `shapes::sphere`.
+//! An item is known by its full name, its path from the module that is read: `shapes::sphere`.
 
 use syn::UseTree;
 
 use super::lower::names_at;
 
-/// The modules, the items that they define, and what they import.
+/// The modules, the items that they define, and their imports.
 #[derive(Default)]
 pub(super) struct Names {
     modules: Vec<String>,
@@ -14,25 +14,25 @@ pub(super) struct Names {
     imports: Vec<Import>,
 }
 
-/// A name that a module has from elsewhere.
+/// An imported name of a module.
 struct Import {
     module: String,
-    /// `None` of all names that are there.
+    /// `None` for a glob import.
     name: Option<String>,
     path: Vec<String>,
 }
 
-/// What a path leads to.
+/// The item that a path resolves to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Meaning {
     /// An item of these modules, by its full name.
     Own(String),
-    /// Something else, by its path where it was imported.
+    /// Any other item, by its path where it was imported.
     Outside(Vec<String>),
 }
 
 impl Meaning {
-    /// The name of a type: the full one, or of what is outside, the last word.
+    /// Returns the name of a type: its full name, or the last segment if it is outside.
     pub(super) fn into_type(self) -> String {
         match self {
             Self::Own(name) => name,
@@ -41,12 +41,12 @@ impl Meaning {
     }
 }
 
-/// The full name of an item of a module.
+/// Returns the full name of an item of a module.
 pub(super) fn join(module: &str, name: &str) -> String {
     if module.is_empty() { name.to_owned() } else { format!("{module}::{name}") }
 }
 
-/// The arguments of a type that are no lifetimes.
+/// Returns the generic arguments of a path, without lifetimes.
 pub(super) fn arguments(path: &syn::Path) -> Vec<&syn::GenericArgument> {
     match path.segments.last().map(|last| &last.arguments) {
         Some(syn::PathArguments::AngleBracketed(of)) => {
@@ -56,12 +56,12 @@ pub(super) fn arguments(path: &syn::Path) -> Vec<&syn::GenericArgument> {
     }
 }
 
-/// The segments of a path.
+/// Returns the segments of a path.
 pub(super) fn segments(path: &syn::Path) -> Vec<String> {
     path.segments.iter().map(|segment| segment.ident.to_string()).collect()
 }
 
-/// The imports of a `use`: the names, `None` of all that are there, and the paths.
+/// Returns the imports of a `use`: the name, `None` for a glob, and the path.
 pub(super) fn imports(tree: &UseTree) -> Vec<(Option<String>, Vec<String>)> {
     let mut found = Vec::new();
     collect(tree, &[], &mut found);
@@ -101,12 +101,12 @@ impl Names {
         }
     }
 
-    /// What a path means in a module.
+    /// Resolves a path in a module.
     pub(super) fn meaning(&self, module: &str, path: &[String]) -> Meaning {
         self.follow(module, path, &mut Vec::new()).unwrap_or_else(|| Meaning::Outside(path.to_vec()))
     }
 
-    /// The names of the items of a module and of the modules inside of it.
+    /// Iterates over the names of the items of a module and of the modules inside it.
     pub(super) fn names_in<'a>(&'a self, module: &'a str) -> impl Iterator<Item = &'a str> {
         self.items.iter().chain(&self.modules).filter_map(move |name| {
             let name = if module.is_empty() { name } else { name.strip_prefix(module)?.strip_prefix("::")? };
@@ -114,8 +114,8 @@ impl Names {
         })
     }
 
-    /// The same as [`meaning`](Self::meaning); `None` where nothing is known of it. Names that are looked up already are in
-    /// `under_way`: imports may lead in a circle.
+    /// Like [`meaning`](Self::meaning), but returns `None` for an unknown path. `under_way` holds the names that are
+    /// being looked up, because imports may be cyclic.
     fn follow(&self, module: &str, path: &[String], under_way: &mut Vec<(String, String)>) -> Option<Meaning> {
         let (first, rest) = path.split_first()?;
         let found = match first.as_str() {
@@ -149,7 +149,7 @@ impl Names {
         under_way.push(asked);
         let mine = || self.imports.iter().filter(|import| import.module == module);
         if let Some(import) = mine().find(|import| import.name.as_deref() == Some(name)) {
-            // A crate of the same name is outside.
+            // An external crate of the same name.
             let found = self.follow(module, &import.path, under_way);
             return Some(found.unwrap_or_else(|| Meaning::Outside(import.path.clone())));
         }

@@ -1,4 +1,4 @@
-//! [`Stated`] and [`Needed`]: a function as it was run, without what was given up on the way.
+//! [`Stated`] and [`Needed`]: the result of running a function, without the nodes that it does not use.
 
 use aim_symbolic::{Graph, Node, Scalar, Vector, Want};
 
@@ -6,21 +6,21 @@ use super::lower::{Algebra, At, KeptLoop, Outside, State};
 
 /// The numbers that companions are derived from.
 pub(super) struct Stated {
-    /// The numbers of the value.
+    /// Numbers of the value.
     pub(super) values: Vec<Scalar>,
-    /// The value, where it is a vector.
+    /// The value, if it is a vector.
     pub(super) vector: Option<Vector>,
     pub(super) variables: Vec<Scalar>,
 }
 
 impl Stated {
-    /// The derivatives of the numbers by one of what loops leave.
+    /// Returns the derivatives of the value's numbers with respect to a final state of a loop.
     pub(super) fn derivatives_by(&self, x: Scalar) -> impl Iterator<Item = Want> {
         self.values.iter().map(move |&value| Want::Derivative(value, x.into()))
     }
 }
 
-/// The graph of a function, of what is stated in it and of its loops alone.
+/// Graph that holds only the nodes that the value and its loops need.
 pub(super) struct Needed {
     pub(super) g: Graph,
     pub(super) loops: Vec<KeptLoop>,
@@ -28,7 +28,7 @@ pub(super) struct Needed {
 }
 
 impl Needed {
-    /// Leaves of a graph what is needed; what is stated is then of that.
+    /// Removes all nodes that are not needed, and updates `stated` and `flag` to the new graph.
     pub(super) fn of(algebra: &Algebra, stated: &mut Stated, flag: &mut Option<Scalar>) -> Self {
         let mut nodes: Vec<Node> = stated.vector.into_iter().map(Node::Vector).collect();
         let states = algebra.loops.iter().flat_map(|kept| &kept.states);
@@ -40,7 +40,7 @@ impl Needed {
         let pruned = loop {
             let pruned = algebra.g.pruned(&nodes, &optional);
             let has = |s: Scalar| pruned.scalar(s).is_some();
-            // An element that is chosen needs its number.
+            // An element with a computed index needs the index.
             let numbers = algebra.outside.iter().filter_map(|(which, input)| match *which {
                 Outside::Element { at: At::Chosen(index), .. } if has(*input) && !has(index) => Some(index),
                 _ => None,

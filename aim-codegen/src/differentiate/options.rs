@@ -1,4 +1,4 @@
-//! The attribute's own arguments: `wrt(…)`, `budget = …`, `hessian` and its like, `crate = …`.
+//! The attribute's arguments: `wrt(…)`, `budget = …`, `hessian` and the other companions, `crate = …`.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -16,30 +16,30 @@ use crate::declare::report::Report;
 use crate::declare::report::expected::Expected;
 use crate::declare::tree::{Entry, Item, Kind, Value, Word};
 
-/// What the attribute asks for.
+/// The attribute's parsed arguments.
 pub(super) struct Options {
-    /// The variables, each once; `None` where `wrt` is missing.
+    /// The variables, each once; `None` if `wrt` is missing.
     pub(super) wrt: Option<Vec<Variable>>,
-    /// The side of rotations that tangents are on.
+    /// Side on which the steps of rotations are composed.
     side: Side,
-    /// How long arguments are that are slices, by name.
+    /// Lengths of arguments that are slices, by name.
     pub(super) lengths: Vec<(Word, usize)>,
     pub(super) budget: Option<Budget>,
-    /// Further companions, and where they are asked for.
+    /// Requested companions besides the first, and the place of each request.
     pub(super) companions: Vec<(Companion, Place)>,
-    /// Whether a test is to be written, and where that is said.
+    /// `true` if a test is to be emitted, and the place of that option.
     pub(super) check: Option<(bool, Place)>,
-    /// The place that asks for companions of numbers in lanes.
+    /// Place of the request for companions over numbers in lanes.
     pub(super) lanes: Option<Place>,
     pub(super) krate: Option<TokenStream>,
-    /// False where what is made has no loops.
+    /// `false` if emitted code may not contain loops.
     loops: bool,
 }
 
-/// A variable as the attribute names it.
+/// A variable, as the attribute names it.
 pub(super) struct Variable {
     pub(super) name: Word,
-    /// Whether derivatives are by its tangent.
+    /// `true` if derivatives are taken with respect to its tangent.
     pub(super) tangent: bool,
 }
 
@@ -58,11 +58,11 @@ const KEYS: &[Key] = &[
     ("crate", Expected::PATH),
 ];
 
-/// What a module may say for all of its functions.
+/// Options that a module may set for all of its functions.
 const KEYS_OF_MODULE: &[Key] = &[("check", Expected::FLAG), ("crate", Expected::PATH)];
 
 impl Options {
-    /// The arguments of the attribute of a module.
+    /// Parses the attribute of a module.
     pub(super) fn parse_module(attribute: TokenStream, report: &mut Report) -> Self {
         let entries = entries(attribute);
         let settings = Settings::read(&entries, KEYS_OF_MODULE, Level::Options, report);
@@ -80,29 +80,29 @@ impl Options {
         }
     }
 
-    /// What is not said here is as the module says.
+    /// Fills options that are missing here with those of the module.
     pub(super) fn within(self, module: &Self) -> Self {
         let krate = self.krate.or_else(|| module.krate.clone());
         Self { check: self.check.or_else(|| module.check.clone()), krate, ..self }
     }
 
-    /// Where no crate is named, it is `facade`.
+    /// Sets the crate to `facade` if none is given.
     pub(super) fn beside(self, facade: &str) -> Self {
         let facade = format_ident!("{facade}");
         Self { krate: self.krate.or_else(|| Some(quote!(::#facade))), ..self }
     }
 
-    /// For a language in which nothing has loops.
+    /// Disables loops, for languages in which emitted code has none.
     pub(super) fn without_loops(self) -> Self {
         Self { loops: false, ..self }
     }
 
-    /// True if everything that is asked for may have loops.
+    /// Returns `true` if all requested companions may contain loops.
     pub(super) fn may_keep_loops(&self) -> bool {
         self.loops && self.companions.is_empty() && self.lanes.is_none()
     }
 
-    /// What of a variable derivatives are taken by.
+    /// Returns the part of a variable that derivatives are taken with respect to.
     pub(super) fn varies(&self, variable: &Variable) -> Varies {
         if variable.tangent { Varies::Tangent(self.side) } else { Varies::Numbers }
     }
@@ -137,7 +137,7 @@ impl Options {
     }
 }
 
-/// What stands around the names of variables whose tangents are meant.
+/// Wrapper around the names of variables that stand for their tangents.
 const TANGENT: &str = "tangent";
 
 fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Variable> {
@@ -156,7 +156,7 @@ fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Variable> {
     words.into_iter().map(variable).collect()
 }
 
-/// `(values = 8, weights = 8)`
+/// Reads `(values = 8, weights = 8)`.
 fn lengths(report: &mut Report, setting: Setting<'_>) -> Option<Vec<(Word, usize)>> {
     let Kind::Table(entries) = &setting.value.kind else { return read::mismatch(report, setting) };
     let mut lengths = Vec::new();

@@ -1,4 +1,4 @@
-//! Slices among the arguments and the fields of structs: as many elements as there happen to be.
+//! Slices among the arguments and the fields of structs; their length is only known at run time.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -9,7 +9,7 @@ use super::lower::Scope;
 use super::types::{Shape, Type};
 
 impl Type {
-    /// A slice that is borrowed; `None` of any other type, and where its elements are none of ours.
+    /// Returns the type of a borrowed slice; `None` for any other type, and if its elements are not supported.
     pub(super) fn slice(written: &syn::Type, scope: &Scope, items: &Items) -> Option<Self> {
         let (slice, element) = slice_of(written)?;
         let element = Self::parse_in(scope, element, items).ok()?;
@@ -22,18 +22,18 @@ impl Type {
         Some(ty)
     }
 
-    /// True of a slice, and of what holds one.
+    /// Returns `true` for a slice, and for a type that contains one.
     pub(super) fn has_slice(&self) -> bool {
         match &self.shape {
             Shape::Slice(_) => true,
             Shape::Tuple(parts) => parts.iter().any(Self::has_slice),
             Shape::Struct(_, fields, _) => fields.iter().any(|(_, field)| field.has_slice()),
-            // There is none inside of any other.
+            // Other types contain no slices.
             _ => false,
         }
     }
 
-    /// The slices of the value that `place` names: what each is called, and the type of its elements.
+    /// Appends the slices of the value that `place` names: the expression of each, and the type of its elements.
     pub(super) fn slices<'t>(&'t self, place: &TokenStream, to: &mut Vec<(TokenStream, &'t Self)>) {
         match &self.shape {
             Shape::Slice(element) => to.push((place.clone(), element)),
@@ -48,13 +48,13 @@ impl Type {
                     field.slices(&quote!(#place.#member), to);
                 }
             }
-            // There is none inside of any other.
+            // Other types contain no slices.
             _ => {}
         }
     }
 }
 
-/// A slice that is borrowed, and its element.
+/// Returns a borrowed slice's type and its element type.
 pub(super) fn slice_of(ty: &syn::Type) -> Option<(&syn::Type, &syn::Type)> {
     let syn::Type::Reference(reference) = ty else { return None };
     let syn::Type::Slice(slice) = &*reference.elem else { return None };

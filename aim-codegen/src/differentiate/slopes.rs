@@ -1,5 +1,5 @@
-//! What derivatives by a value are: numbers by each number of it that varies. Truth values, whole numbers and the variants of
-//! options and enums do not: in derivatives by what they are part of, they are what they are there.
+//! Derivatives with respect to a value: values of its own type, with a derivative in place of each number that varies.
+//! Truth values, whole numbers and the variants of options and enums do not vary; a derivative repeats them unchanged.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -11,7 +11,7 @@ use crate::declare::report::text::Text;
 use crate::emit::body::local;
 
 impl Type {
-    /// Why there are no derivatives by a value of this type, or by its tangent; `None` if there are.
+    /// Returns the error if derivatives with respect to a value of this type, or to its tangent, do not exist.
     pub(super) fn no_variable(&self, name: &str, tangent: bool) -> Option<Text> {
         if self.dimension() == 0 {
             return Some(messages::constant_variable(name));
@@ -38,26 +38,26 @@ impl Type {
         }
     }
 
-    /// Whether it is one number that does not vary.
+    /// Returns `true` if the type is a single number that does not vary.
     pub(super) fn is_discrete(&self) -> bool {
         matches!(self.shape, Shape::Truth | Shape::Integer | Shape::Choice(_))
     }
 
-    /// Whether some of its numbers do not.
+    /// Returns `true` if the type contains numbers that do not vary.
     pub(super) fn holds_discrete(&self) -> bool {
         let mut found = false;
         self.leaves(&mut |leaf| found |= leaf.is_discrete());
         found
     }
 
-    /// How many of its numbers vary.
+    /// Returns the number of its numbers that vary.
     pub(super) fn dimension(&self) -> usize {
         let mut dimension = 0;
         self.leaves(&mut |leaf| dimension += if leaf.is_discrete() { 0 } else { leaf.components() });
         dimension
     }
 
-    /// The numbers that vary of the value that `place` names.
+    /// Returns the varying numbers of the value that `place` names.
     pub(super) fn varying(&self, place: &TokenStream, number: Precision) -> Vec<TokenStream> {
         let (mut numbers, mut varies) = (Vec::new(), Vec::new());
         self.numbers(place, number, &mut numbers);
@@ -65,7 +65,8 @@ impl Type {
         numbers.into_iter().zip(varies).filter_map(|(number, varies)| varies.then_some(number)).collect()
     }
 
-    /// The derivatives by the value that `place` names, of this type as that is, from those by the numbers that vary.
+    /// Builds the derivative with respect to the value that `place` names from the derivatives with respect to its
+    /// varying numbers.
     pub(super) fn build_slope(&self, place: &TokenStream, numbers: &[TokenStream]) -> TokenStream {
         let mut rest = numbers;
         self.slope_from(place, &mut rest)

@@ -1,4 +1,4 @@
-//! What the attribute expands to, as tokens: the function unchanged, and companions or errors beside it.
+//! Expansions of the attribute, as tokens: the function unchanged, with companions or errors beside it.
 
 use proc_macro2::TokenStream;
 use syn::{Item, ItemFn};
@@ -11,7 +11,7 @@ fn expand(attribute: &str, item: &str) -> String {
     differentiate(tokens(attribute), tokens(item), "aim").to_string()
 }
 
-/// The functions of an expansion, without the errors.
+/// Returns the functions of an expansion, without the errors.
 fn functions(expansion: &str) -> Vec<ItemFn> {
     let file: syn::File = syn::parse_str(expansion).unwrap_or_else(|error| panic!("{error}: {expansion}"));
     file.items
@@ -27,12 +27,12 @@ fn names(expansion: &str) -> Vec<String> {
     functions(expansion).iter().map(|function| function.sig.ident.to_string()).collect()
 }
 
-/// How many errors there are.
+/// Counts the errors of an expansion.
 fn errors(expansion: &str) -> usize {
     expansion.matches("compile_error").count()
 }
 
-/// The values of functions that ask for what programs, folding and literals could stumble over.
+/// Function bodies that are hard for programs, constant folding or literals.
 const ODD: &[&str] = &[
     "1e300 * 1e300 * x",
     "x / 0.0 + 0.0 / 0.0",
@@ -187,7 +187,7 @@ fn whole_numbers_are_no_others() {
     }
 }
 
-/// What would be taken for something else is refused.
+/// Rejects code that would otherwise be misinterpreted.
 #[test]
 fn what_is_not_followed_is_refused() {
     for value in [
@@ -209,7 +209,7 @@ fn what_is_not_followed_is_refused() {
     }
 }
 
-/// Types that are parts of themselves are read once.
+/// Recursive types are read once.
 #[test]
 fn types_that_contain_themselves_are_refused() {
     for tree in ["enum Tree { Leaf(f64), Node(&'static Tree) }", "struct Tree { k: f64, next: Option<&'static Tree> }"]
@@ -222,7 +222,7 @@ fn types_that_contain_themselves_are_refused() {
     assert_eq!(errors(&expand("", module)), 0, "the compiler says so");
 }
 
-/// A generic parameter is the type of the argument, also where another struct has its name.
+/// A generic parameter resolves to the argument's type, even if another struct has the parameter's name.
 #[test]
 fn defaults_of_generic_types_are_those_of_the_arguments() {
     let module = |parameter: &str| {
@@ -273,14 +273,14 @@ fn lanes_stand_beside_each_companion() {
         expansion.contains("([S;3],S,),__argument1:&[S;9],n:[S;2],q:[S;4],along_q:[S;4])->(S,([S;4],))"),
         "{expansion}"
     );
-    // Where it is wrong, a stub stands for each.
+    // If there is an error, each companion is a stub.
     let wrong = expand("wrt(q), hvp, lanes", &item.replace("q.w", "q.v"));
     assert_eq!((names(&wrong).len(), errors(&wrong)), (5, 1), "{wrong}");
     assert_eq!(errors(&expand("wrt(q), lanes = 4", item)), 1);
 }
 
-/// Of a chain of points a product with the Hessian costs a few values, whatever the chain's length; the Hessian grows with its
-/// square.
+/// For a chain of points, a Hessian-vector product costs a constant number of operations for each point; the Hessian
+/// itself grows with the square of their number.
 #[test]
 fn products_are_linear() {
     let of = |points: usize| {
@@ -304,7 +304,8 @@ fn products_are_linear() {
     }
 }
 
-/// Operations and, as two each, selects in the companion that an expansion has, and its length as it is formatted.
+/// Counts the operations of the companion in an expansion, where a select counts as two; also returns the companion's
+/// length when formatted.
 fn size(item: &str, attribute: &str) -> (usize, usize) {
     let expansion = expand(attribute, item);
     assert_eq!(errors(&expansion), 0, "{expansion}");
@@ -317,7 +318,7 @@ fn size(item: &str, attribute: &str) -> (usize, usize) {
 fn operations(tokens: TokenStream) -> usize {
     use proc_macro2::TokenTree;
     let mut count = 0;
-    // A sign before anything is an operator where something stands before it.
+    // A sign is a binary operator only if an operand precedes it.
     let mut after_operand = false;
     for token in tokens {
         match &token {
@@ -332,7 +333,7 @@ fn operations(tokens: TokenStream) -> usize {
     count
 }
 
-/// The body of a function: `first`, then `count` times `step`, in which `#` is the number of the time, then `last`.
+/// Builds a function body: `first`, then `step` repeated `count` times with `#` replaced by the index, then `last`.
 fn repeated(count: usize, [first, step, last]: [&str; 3]) -> String {
     let steps: String = (0..count).map(|i| step.replace('#', &i.to_string())).collect();
     format!("{{ {first} {steps} {last} }}")
@@ -395,7 +396,7 @@ fn conditions_and_branches_used_again_are_written_once() {
     }
 }
 
-/// What is not told is not taken from an item of the same name, nor from another implementation.
+/// Unknown values are not taken from an item of the same name, nor from another implementation.
 #[test]
 fn generic_parameters_are_nothing_else() {
     for module in [

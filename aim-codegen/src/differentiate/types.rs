@@ -1,5 +1,5 @@
-//! Types of arguments and results, recognised by the last segment of their paths; how their values are taken apart and
-//! put together in emitted code.
+//! Types of arguments and results, recognised by the last segment of their paths. Emits the code that takes their
+//! values apart and builds them.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
@@ -13,7 +13,7 @@ use super::{lower, messages};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
 
-/// What a type holds.
+/// Structure of a type's values.
 #[derive(Clone)]
 pub(super) enum Shape {
     Truth,
@@ -24,20 +24,20 @@ pub(super) enum Shape {
     Four,
     Quaternion,
     Matrix,
-    /// A matrix of two or four columns.
+    /// A square matrix of two or four columns.
     Square(usize),
     Rigid,
     Array(Box<Type>, usize),
-    /// As many elements as there happen to be: of an argument, which is a reference to it.
+    /// A borrowed slice of unknown length.
     Slice(Box<Type>),
-    /// An option: 1 or 0, then the numbers of what is inside, or as many 0.
+    /// An option: 1 or 0, then the numbers of the value inside, all 0 if there is none.
     Optional(Box<Type>),
     Tuple(Vec<Type>),
-    /// The number of a variant, of so many.
+    /// Index of an enum variant; the field is the number of variants.
     Choice(usize),
-    /// An enum of the module: its name, and its variants.
+    /// An enum of the module: its name and its variants.
     Enum(String, Vec<Variant>),
-    /// A struct of the module: its name, its fields of types that are understood, and whether those are all.
+    /// A struct of the module: its name, its fields of supported types, and `true` if those are all its fields.
     Struct(String, Vec<(Member, Type)>, bool),
 }
 
@@ -45,13 +45,13 @@ pub(super) enum Shape {
 #[derive(Clone)]
 pub(super) struct Variant {
     pub(super) name: Ident,
-    /// Its fields of types that are understood.
+    /// The fields of supported types.
     pub(super) fields: Vec<(Member, Type)>,
-    /// Whether those are all.
+    /// `true` if those are all its fields.
     pub(super) is_whole: bool,
 }
 
-/// Names that are types of ours.
+/// Supported types, by name.
 const KNOWN: [(&str, Shape, Precision); 22] = [
     ("f32", Shape::Scalar, Precision::Single),
     ("f64", Shape::Scalar, Precision::Double),
@@ -79,17 +79,18 @@ const KNOWN: [(&str, Shape, Precision); 22] = [
 
 const INTEGERS: [&str; 10] = ["u8", "u16", "u32", "u64", "usize", "i8", "i16", "i32", "i64", "isize"];
 
-/// What the type of this name holds.
+/// Returns the shape and precision of the type with this name.
 pub(super) fn named(name: &str) -> Option<(Shape, Precision)> {
     KNOWN.iter().find(|(known, ..)| *known == name).map(|(_, shape, precision)| (shape.clone(), *precision))
 }
 
-/// Whether the type of this name holds whole numbers.
+/// Returns `true` if the type with this name is an integer type.
 pub(super) fn is_integer(name: &str) -> bool {
     INTEGERS.contains(&name)
 }
 
-/// The least and the most whole number of the type of this name; what is beyond the others' ends is no count.
+/// Returns the smallest and the largest number of an integer type. The ends of wide types are infinite, because no
+/// count reaches them.
 pub(super) fn ends(name: &str) -> (f64, f64) {
     match name {
         "u8" => (0.0, u8::MAX.into()),
@@ -103,7 +104,7 @@ pub(super) fn ends(name: &str) -> (f64, f64) {
     }
 }
 
-/// The first type of these numbers whose values are of a shape.
+/// Returns the first type of this precision whose shape satisfies `is_it`.
 pub(super) fn named_like(precision: Option<Precision>, is_it: impl Fn(&Shape) -> bool) -> Option<&'static str> {
     let fits = |precision_of: Precision| precision.is_none_or(|precision| precision == precision_of);
     KNOWN.iter().find(|(_, shape, precision)| fits(*precision) && is_it(shape)).map(|(name, ..)| *name)
@@ -113,13 +114,13 @@ pub(super) fn named_like(precision: Option<Precision>, is_it: impl Fn(&Shape) ->
 #[derive(Clone)]
 pub(super) struct Type {
     pub(super) shape: Shape,
-    /// `None` where it holds no numbers to compute with.
+    /// Number type; `None` if it holds no floating-point numbers.
     pub(super) precision: Option<Precision>,
-    /// Its tokens, without a reference.
+    /// Tokens of the type, without a reference.
     pub(super) tokens: TokenStream,
-    /// The path before its name, with the last `::`.
+    /// Path before its name, including the last `::`.
     module: TokenStream,
-    /// Whether a value of it comes by reference.
+    /// `true` if its values are passed by reference.
     pub(super) borrowed: bool,
 }
 
@@ -133,12 +134,13 @@ fn unknown(written: &syn::Type) -> Fault {
 }
 
 impl Type {
-    /// Reads a type, in invisible groups and behind one reference too; or tells why it is none of ours, and where.
+    /// Parses a type, also in invisible groups and behind one reference. Returns an error and its place if it is not
+    /// supported.
     pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         Self::parse_in(&Scope::default(), written, items)
     }
 
-    /// The same of a type that is written elsewhere in the module.
+    /// Parses a type that is written in `scope`, elsewhere in the module.
     pub(super) fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
         let unknown = || unknown(written);
         match written {
@@ -149,7 +151,7 @@ impl Type {
                     return Err((quote!(#mutability), messages::mutable_reference()));
                 }
                 if let syn::Type::Slice(slice) = &*reference.elem {
-                    // What the elements are comes first: with another length they would be no better known.
+                    // Report an unsupported element type first: giving a length would not help.
                     Self::parse_in(scope, &slice.elem, items)?;
                     let element = slice.elem.to_token_stream().to_string();
                     return Err((quote!(#slice), messages::slice(&element)));
@@ -166,7 +168,7 @@ impl Type {
                     Some(of) if path.path.is_ident("Self") => Meaning::Own(of.clone()),
                     _ => items.meaning(scope, &segments(&path.path)),
                 };
-                // Seen from the module that is read.
+                // Tokens that name the type from the module that is read.
                 let seen = |name: &str| match syn::parse_str::<syn::Type>(name) {
                     Ok(ty) if !scope.module.is_empty() => {
                         let arguments = &last.arguments;
@@ -242,17 +244,17 @@ impl Type {
         Err(unknown(written))
     }
 
-    /// A truth value.
+    /// Returns the type of truth values.
     pub(super) fn truth() -> Self {
         Self::made(quote!(::core::primitive::bool), Shape::Truth, None)
     }
 
-    /// The number of a variant, of so many.
+    /// Returns the type of an index of one of `variants` enum variants.
     pub(super) fn choice(variants: usize) -> Self {
         Self::made(quote!(::core::primitive::usize), Shape::Choice(variants), None)
     }
 
-    /// A struct of the module. Fields of other types may be there, but not read.
+    /// Returns a struct of the module. Fields of unsupported types are left out.
     fn of_struct(
         tokens: TokenStream,
         name: &str,
@@ -266,7 +268,7 @@ impl Type {
         Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
     }
 
-    /// The types of the fields that are understood.
+    /// Returns the types of the fields that are supported.
     fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], given: &Given, items: &Items) -> Vec<(Member, Self)> {
         let known = declared.iter().filter_map(|(member, ty)| {
             let ty = syn::parse2(with(quote!(#ty), given)).ok()?;
@@ -277,7 +279,7 @@ impl Type {
         known.collect()
     }
 
-    /// An enum of the module.
+    /// Returns an enum of the module.
     fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
         let variants = of.variants.iter().map(|variant| {
             let mut fields = Self::of_fields(&of.scope, &variant.fields, given, items);
@@ -295,12 +297,12 @@ impl Type {
         if ty.components() > LONGEST { Err((ty.tokens, messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
     }
 
-    /// A type that is not the user's own.
+    /// Returns a type that the user did not write.
     pub(super) fn made(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Self {
         Self { shape, precision, tokens, module: TokenStream::new(), borrowed: false }
     }
 
-    /// A number type in it that is not this one.
+    /// Returns a number type inside this type that differs from `expected`.
     pub(super) fn other_precision(&self, expected: Precision) -> Option<Precision> {
         match &self.shape {
             Shape::Array(element, _) | Shape::Slice(element) | Shape::Optional(element) => {
@@ -316,7 +318,7 @@ impl Type {
         }
     }
 
-    /// Whether a result may be of this type.
+    /// Returns `true` if a function's result may have this type.
     pub(super) fn is_result(&self) -> bool {
         match &self.shape {
             Shape::Truth | Shape::Integer | Shape::Choice(_) => false,
@@ -328,12 +330,12 @@ impl Type {
         }
     }
 
-    /// Of values that are no references.
+    /// Returns the type of owned values.
     pub(super) fn owned(&self) -> Self {
         Self { borrowed: false, ..self.clone() }
     }
 
-    /// Between which numbers a whole number of it is.
+    /// Returns the smallest and the largest whole number of this type.
     pub(super) fn extent(&self) -> (f64, f64) {
         match self.shape {
             #[expect(clippy::cast_precision_loss, reason = "types have few variants")]
@@ -342,10 +344,10 @@ impl Type {
         }
     }
 
-    /// How many numbers it is made of.
+    /// Returns the number of numbers in a value.
     pub(super) fn components(&self) -> usize {
         match &self.shape {
-            // Of a slice, how long it is.
+            // For a slice, its length.
             Shape::Truth | Shape::Integer | Shape::Choice(_) | Shape::Scalar | Shape::Slice(_) => 1,
             Shape::Planar => 2,
             Shape::Vector => 3,
@@ -364,7 +366,7 @@ impl Type {
         }
     }
 
-    /// The numbers of the value that `place` names, for a function that computes in this number type.
+    /// Appends the numbers of the value that `place` names, converted to this number type.
     pub(super) fn numbers(&self, place: &TokenStream, number: Precision, to: &mut Vec<TokenStream>) {
         let value = if self.borrowed { quote!((*#place)) } else { place.clone() };
         let number_type = format_ident!("{}", number.name());
@@ -404,7 +406,7 @@ impl Type {
                     }))
                 }));
             }
-            // The number of its variant, then those of all fields, of which those of other variants are 0.
+            // The index of the variant, then the fields of all variants; those of other variants are 0.
             Shape::Enum(_, variants) => {
                 let ty = self.path();
                 let names = variants.iter().map(|variant| &variant.name);
@@ -441,7 +443,7 @@ impl Type {
         }
     }
 
-    /// The parts of it that are not made of others, in the order of its numbers.
+    /// Visits the parts that are not composed of others, in the order of their numbers.
     pub(super) fn leaves(&self, each: &mut dyn FnMut(&Self)) {
         match &self.shape {
             Shape::Array(element, length) => (0..*length).for_each(|_| element.leaves(each)),
@@ -460,7 +462,7 @@ impl Type {
         }
     }
 
-    /// Whether all of a value of it can be made of numbers.
+    /// Returns `true` if a value can be built from its numbers alone.
     pub(super) fn is_whole(&self) -> bool {
         match &self.shape {
             Shape::Array(element, _) | Shape::Slice(element) | Shape::Optional(element) => element.is_whole(),
@@ -473,27 +475,27 @@ impl Type {
         }
     }
 
-    /// Its path, by which values are made: the compiler knows the arguments.
+    /// Returns the path for constructors, without generic arguments: the compiler infers them.
     pub(super) fn path(&self) -> TokenStream {
         let Ok(mut path) = syn::parse2::<syn::Path>(self.tokens.clone()) else { return self.tokens.clone() };
         path.segments.iter_mut().for_each(|segment| segment.arguments = syn::PathArguments::None);
         quote!(#path)
     }
 
-    /// A value of this type from its numbers.
+    /// Builds a value of this type from its numbers.
     pub(super) fn build(&self, components: &[TokenStream]) -> TokenStream {
         let mut from = components.iter();
         self.assemble(&mut |leaf| leaf.built(&mut from))
     }
 
-    /// A value of this type from its leaves.
+    /// Builds a value of this type from its leaves.
     pub(super) fn assemble(&self, leaf: &mut dyn FnMut(&Self) -> TokenStream) -> TokenStream {
         match &self.shape {
             Shape::Array(element, length) => {
                 let parts: Vec<TokenStream> = (0..*length).map(|_| element.assemble(leaf)).collect();
                 quote!([#(#parts),*])
             }
-            // Some, wherever one is made up.
+            // The length is arbitrary for test values.
             Shape::Slice(element) => {
                 let parts: Vec<TokenStream> = (0..MADE_UP).map(|_| element.assemble(leaf)).collect();
                 quote!([#(#parts),*])
@@ -529,7 +531,7 @@ impl Type {
         }
     }
 
-    /// Of a type that is not made of others.
+    /// Builds a value of a type that is not composed of others.
     fn built<'a>(&self, from: &mut impl Iterator<Item = &'a TokenStream>) -> TokenStream {
         let ty = &self.tokens;
         let mut take = |count: usize| -> Vec<&TokenStream> { from.by_ref().take(count).collect() };
@@ -559,24 +561,24 @@ impl Type {
         }
     }
 
-    /// The matrix whose columns are vectors of this type's number type.
+    /// Returns the 3×3 matrix type with this type's precision.
     pub(super) fn matrix(&self, krate: &TokenStream) -> TokenStream {
         self.neighbour(if self.precision == Some(Precision::Double) { "DMat3" } else { "Mat3" }, krate)
     }
 
-    /// Another type of glam: beside the user's own where that has a path, else from the facade.
+    /// Returns another type of glam: from the module of the user's type if it has a path, otherwise from the facade.
     pub(super) fn neighbour(&self, name: &str, krate: &TokenStream) -> TokenStream {
         let (module, name) = (&self.module, format_ident!("{name}"));
-        // The facade's own names for transforms have no neighbours.
+        // The facade's own transform types are not in glam's module.
         let is_facades = self.tokens.to_string().ends_with("Rigid");
         if module.is_empty() || is_facades { quote!(#krate::glam::#name) } else { quote!(#module #name) }
     }
 }
 
-/// More numbers would make a program nobody wants to compile.
+/// Largest number of numbers in a type; more would make a program that takes too long to compile.
 const LONGEST: usize = 1024;
 
-/// How many elements a slice has that is made up.
+/// Length of slices in test values.
 const MADE_UP: usize = 4;
 
 const XYZW: [&str; 4] = ["x", "y", "z", "w"];

@@ -1,4 +1,4 @@
-//! A program as Rust statements, for the kernels of rigs and for differentiated functions alike.
+//! Emits a program as Rust statements. Used for rig kernels and differentiated functions alike.
 
 use core::fmt;
 use std::collections::HashMap;
@@ -8,28 +8,28 @@ use aim_symbolic::{Count, Function, Op, Program, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// The body of one function.
+/// Body of one emitted function.
 pub struct Body<'a> {
-    /// The program that it computes.
+    /// Program that the function computes.
     pub program: &'a Program,
-    /// The numbers that it computes with.
+    /// Number type of the function.
     pub number: Arithmetic<'a>,
-    /// The facade's hidden module.
+    /// Path of the facade's hidden module.
     pub private: &'a TokenStream,
-    /// The expression of an input, by its number.
+    /// Returns the expression of an input, given its index.
     pub input: &'a dyn Fn(usize) -> TokenStream,
 }
 
-/// The most statements of a block.
+/// Maximum number of statements in one block.
 const LONGEST_BLOCK: usize = 1000;
 
-/// The numbers that a body computes with.
+/// Number type of an emitted function.
 #[derive(Clone, Copy, Debug)]
 pub enum Arithmetic<'a> {
-    /// Those of a type that implements the runtime's `Scalar`, through that.
+    /// A type that implements the runtime's `Scalar`; every operation goes through that trait.
     Generic(&'a TokenStream),
-    /// `f32`, by its own operators and literals wherever there are such: in a build without optimisation, everything else
-    /// is a call.
+    /// `f32`, with its own operators and literals wherever they exist: in an unoptimised build, everything else is a
+    /// function call.
     F32,
 }
 
@@ -49,8 +49,8 @@ impl fmt::Debug for Body<'_> {
 }
 
 impl Body<'_> {
-    /// The program's steps, one after another; those of a long program in blocks, because the debug information of each
-    /// variable is nested in that of the one before.
+    /// Returns the statements of the program's steps. A long program is split into blocks, because the debug
+    /// information of each variable nests in that of the previous one.
     #[must_use]
     pub fn steps(&self) -> TokenStream {
         let statements = self.statements();
@@ -58,7 +58,7 @@ impl Body<'_> {
             return statements.into_iter().map(|(_, statement)| statement).collect();
         }
         let ops: HashMap<usize, Op> = self.program.steps().collect();
-        // The steps that a statement computes.
+        // The steps that one statement computes: sine and cosine of an angle share a statement.
         let computed = |number: usize| match ops[&number] {
             Op::Call(function, a) => self.sin_and_cos(function, a).map_or(vec![number], |(_, sin, cos)| vec![sin, cos]),
             _ => vec![number],
@@ -71,7 +71,7 @@ impl Body<'_> {
         blocks.collect()
     }
 
-    /// The numbers of the program's steps, each with the statement that computes it.
+    /// Returns the statements, each with the number of the step that it computes.
     pub fn statements(&self) -> Vec<(usize, TokenStream)> {
         let written = Written { program: self.program, printer: self };
         let real = self.real();
@@ -94,18 +94,18 @@ impl Body<'_> {
         statements
     }
 
-    /// The program's outputs, in their order.
+    /// Returns the expressions of the program's outputs, in order.
     pub fn results(&self) -> impl Iterator<Item = TokenStream> {
         self.program.outputs().iter().map(|&v| self.operand(v))
     }
 
-    /// A value where it is used.
+    /// Returns the expression of a value where it is used.
     pub(crate) fn operand(&self, v: Value) -> TokenStream {
         Written { program: self.program, printer: self }.operand(v)
     }
 
-    /// If both the sine and the cosine of `a` are needed: the number of the first of the two steps, of the sine's and of
-    /// the cosine's.
+    /// Returns the step numbers if the program needs both sine and cosine of `a`: the lower of the two, the sine's, the
+    /// cosine's.
     fn sin_and_cos(&self, function: Function, a: Value) -> Option<(usize, usize, usize)> {
         if !matches!(function, Function::Sin | Function::Cos) {
             return None;
@@ -178,7 +178,7 @@ impl Printer for Body<'_> {
     }
 }
 
-/// A constant without its sign; folding may have made it infinite or no number.
+/// Literal of the constant's absolute value. Constant folding may have made it infinite or NaN.
 fn magnitude(value: f64) -> TokenStream {
     if value.is_nan() {
         quote!(<::core::primitive::f64>::NAN)
@@ -190,7 +190,7 @@ fn magnitude(value: f64) -> TokenStream {
     }
 }
 
-/// The same in `f32`.
+/// `f32` literal of the constant's absolute value; infinite or NaN if the constant is, once rounded.
 #[expect(clippy::cast_possible_truncation, reason = "rounding to f32 is the purpose")]
 fn magnitude_f32(value: f64) -> TokenStream {
     let value = value as f32;
@@ -204,19 +204,21 @@ fn magnitude_f32(value: f64) -> TokenStream {
     }
 }
 
-/// A variable of emitted code. Mixed-site spans keep it apart from variables, but a pattern called as a constant at the
-/// call site would compare instead of bind: hence the prefix, which declarations may not use.
+/// Identifier of a local variable in emitted code.
+///
+/// Its mixed-site span keeps it apart from user variables. A constant of the same name at the call site would still
+/// turn a binding into a comparison; hence the `__` prefix, which declarations may not use.
 #[must_use]
 pub fn local(name: &str) -> Ident {
     format_ident!("__{name}", span = Span::mixed_site())
 }
 
-/// The variable of a step.
+/// Identifier of the variable that holds a step's value.
 fn step(number: usize) -> Ident {
     local(&format!("v{number}"))
 }
 
-/// A count at the start of a sentence.
+/// Formats a count for the start of a sentence, capitalised.
 pub fn counted(count: Count) -> String {
     let text = count.to_string();
     let mut letters = text.chars();

@@ -1,4 +1,4 @@
-//! C99: a function for each kernel and joint, or for what was differentiated, with nothing but `math.h` of the library.
+//! C99 back end: a function for each kernel and joint, or for each differentiated function. Needs only `math.h`.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use aim_symbolic::print::steps;
 use super::Rig;
 use super::text::{self, Expressions, Language, Precision, Procedure};
 
-/// The source file of a rig's kernels.
+/// Emits the source file of a rig's kernels.
 #[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let functions = rig.functions();
@@ -16,7 +16,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
     file(text::header(rig.spec), &procedures)
 }
 
-/// The source file of these functions.
+/// Emits the source file of these functions.
 #[must_use]
 pub fn emit_procedures(what: &str, procedures: &[Procedure<'_>]) -> String {
     file(vec![text::written(what)], procedures)
@@ -55,10 +55,10 @@ fn write_function(out: &mut String, procedure: &Procedure<'_>) {
         })
         .collect();
     declared.push(format!("{number} out[{}]", procedure.program.outputs().len()));
-    // The leading arrays in the first line, the rest in the second.
+    // Leading arrays on the first line, the rest on the second.
     let arrays = procedure.parameters.iter().take_while(|(_, elements)| elements.is_some()).count().max(1);
     let _ = writeln!(out, "{},\n    {})\n{{", declared[..arrays].join(", "), declared[arrays..].join(", "));
-    // Any of them may be unused.
+    // Parameters may be unused.
     for (name, _) in &procedure.parameters {
         let _ = writeln!(out, "    (void){name};");
     }

@@ -1,4 +1,4 @@
-//! What a faulty declaration expands to beside its errors: just enough that nothing else is reported.
+//! Stub implementations for a faulty declaration, so that the compiler reports only the declaration's own errors.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
@@ -7,11 +7,11 @@ use syn::{Data, DeriveInput};
 use super::rust::{Item, conversions, pose};
 use crate::declare::parse::item;
 
-/// Implements for the item, whatever it is, what the derive would have: the user then reads the errors of the
-/// declaration, and not that `Thug` has no `RIG`.
+/// Emits stubs of everything that the derive would implement for the item. The user then reads the errors of the
+/// declaration, and not also that `Thug` has no `RIG`.
 #[must_use]
 pub fn fallback(input: &DeriveInput) -> TokenStream {
-    // As many joints as fields: a correct use of a wrong declaration is no mistake of its own.
+    // One joint for each field, so that correct uses of a faulty declaration cause no further errors.
     let fields: Vec<syn::Ident> = match &input.data {
         Data::Struct(data) => data.fields.iter().filter_map(|field| field.ident.clone()).collect(),
         Data::Enum(_) | Data::Union(_) => Vec::new(),
@@ -21,15 +21,15 @@ pub fn fallback(input: &DeriveInput) -> TokenStream {
     let krate = item::crate_override(input).unwrap_or_else(|| quote!(::aim));
     let private = quote!(#krate::__private);
     let item = Item { name: input.ident.clone(), fields, vis: input.vis.to_token_stream(), krate };
-    // Without fields, its parameter would be an error of its own.
+    // Without fields, the pose struct's type parameter would be unused, which is an error.
     let pose = (!item.fields.is_empty()).then(|| [pose(&item), conversions(&item)]).into_iter().flatten();
     let name = &input.ident;
     let (generics, arguments, clause) = input.generics.split_for_impl();
-    // It never runs, as the errors beside it keep it from being compiled; but it must not warn either.
+    // Never runs, because the errors beside it stop compilation; must still compile without warnings.
     let body = quote!({ ::core::unreachable!() });
     let [f32, usize] = [quote!(::core::primitive::f32), quote!(::core::primitive::usize)];
     let name_of = quote!(::core::option::Option<&::core::primitive::str>);
-    // Generic rigs, which are an error, live as long as their parameters.
+    // Generic rigs are an error. `&'static Self` would be another, because their type parameters may not be `'static`.
     let is_static = input.generics.params.is_empty();
     let aim_rig = is_static.then(|| {
         quote! {

@@ -1,4 +1,4 @@
-//! Maxima: the derived programs as functions.
+//! Maxima back end: the derived programs as functions.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use aim_symbolic::print;
 
 use super::Rig;
 
-/// The batch file.
+/// Emits the batch file.
 #[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let mut out = format!(

@@ -1,8 +1,8 @@
-//! Back ends, one file each. A checked rig always has code: nothing here can fail.
+//! Back ends, one file each. They take a checked rig and cannot fail.
 //!
-//! `rust` writes the items of a rig and `rust_kernels` the functions in them, from statements that `body` makes;
-//! `fallback` stands in for them where the declaration is faulty. `c` and `wgsl` write text and say the same in it, which
-//! is in `text`; `maxima` writes a batch file. Formulas for readers are `aim-symbolic`'s `print`.
+//! `rust` writes the items of a rig and `rust_kernels` the functions in them, both from statements that `body` makes;
+//! `fallback` replaces them if the declaration is faulty. `c` and `wgsl` write source text; what the two languages
+//! share is in `text`. `maxima` writes a batch file. Formulas for readers are in `aim-symbolic`'s `print`.
 
 pub mod body;
 pub mod c;
@@ -18,17 +18,17 @@ pub use self::text::{Precision, Procedure};
 use crate::RigSpec;
 use crate::objective::{Function, Kernel, functions};
 
-/// A rig with the kernels that are emitted of it.
+/// A rig with the kernels to emit for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Rig<'a> {
-    /// The declaration.
+    /// The checked declaration.
     pub spec: &'a RigSpec,
-    /// The kernels, those of one objective side by side.
+    /// The kernels, grouped by objective.
     pub kernels: &'a [Kernel],
 }
 
 impl<'a> Rig<'a> {
-    /// The functions that compute the kernels.
+    /// Returns the functions that compute the kernels.
     #[must_use]
     pub fn functions(&self) -> Vec<Function<'a>> {
         functions(self.kernels)

@@ -1,7 +1,7 @@
-//! Rust: the implementations of `Rig` and `AimRig`, the struct of a pose by name, and kernels that are asked for.
+//! Rust back end: the implementations of `Rig` and `AimRig`, the pose struct, and the kernels that were requested.
 //!
-//! Emitted code names `::core` and the facade's hidden re-export, uses nothing of the prelude, does not allocate or panic,
-//! and is the same for a derived struct and for a TOML file.
+//! Emitted code refers to items only through `::core` and the facade's hidden re-export. It does not rely on the
+//! prelude, does not allocate, does not panic, and is the same for a derived struct and for a TOML file.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -12,21 +12,21 @@ use super::rust_kernels::{self, trait_kernels};
 use crate::{AngleRange, Budget, Budgets, JointSpec, NaturalSpec, RigSpec};
 use aim_model::{LimitsFrom, Role};
 
-/// The names that emitted code stands among.
+/// Names of the item that code is emitted for.
 #[derive(Clone, Debug)]
 pub struct Item {
-    /// The struct.
+    /// Name of the struct.
     pub name: Ident,
-    /// Its fields, from the effector inward.
+    /// Names of the fields, from the effector inward.
     pub fields: Vec<Ident>,
-    /// Its visibility.
+    /// Visibility of the struct.
     pub vis: TokenStream,
-    /// The facade's path, `::aim` unless overridden.
+    /// Path of the facade crate, `::aim` unless overridden.
     pub krate: TokenStream,
 }
 
 impl Item {
-    /// The names of a rig that was not declared as a struct.
+    /// Returns the names for a rig that was not declared as a struct.
     #[must_use]
     pub fn of(spec: &RigSpec, krate: TokenStream) -> Self {
         let ident = |name: &str| Ident::new(name, Span::call_site());
@@ -38,13 +38,13 @@ impl Item {
         }
     }
 
-    /// The struct of one value for each joint.
+    /// Name of the struct with one value for each joint.
     fn pose(&self) -> Ident {
         format_ident!("{}Pose", self.name)
     }
 }
 
-/// The struct that a derive would have found, and its implementation.
+/// Emits the struct that a derive would be attached to, and its implementations.
 #[must_use]
 pub fn emit_with_struct(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let Item { name, fields, krate, .. } = item;
@@ -61,9 +61,9 @@ pub fn emit_with_struct(rig: &Rig<'_>, item: &Item) -> TokenStream {
     }
 }
 
-/// The implementations, the struct of a value for each joint, and `rig.kernels` as associated functions.
+/// Emits the implementations, the pose struct, and `rig.kernels` as associated functions.
 ///
-/// The kernels that the runtime's trait needs are [`trait_kernels`], whatever those of the rig are.
+/// The kernels of the runtime's trait are always [`trait_kernels`], independent of `rig.kernels`.
 #[must_use]
 pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let Item { name, krate, .. } = item;
@@ -79,7 +79,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     let fields = &item.fields;
     let value = local("value");
     let places: Vec<Ident> = (0..fields.len()).map(|i| local(&format!("joint_{i}"))).collect();
-    // For code in files: what a macro expands to is excused anyway.
+    // Needed only for code in files: clippy skips most lints in macro expansions.
     quote! {
         #pose
 
@@ -138,7 +138,7 @@ pub fn emit(rig: &Rig<'_>, item: &Item) -> TokenStream {
     }
 }
 
-/// The struct of one value for each joint, by name.
+/// Emits the struct with one named value for each joint.
 pub(super) fn pose(item: &Item) -> TokenStream {
     let Item { name, fields, vis, krate } = item;
     let pose = item.pose();
@@ -156,7 +156,7 @@ pub(super) fn pose(item: &Item) -> TokenStream {
     }
 }
 
-/// Poses by name to arrays, and back.
+/// Emits the conversions between the pose struct and an array, in both directions.
 pub(super) fn conversions(item: &Item) -> TokenStream {
     let Item { fields, krate, .. } = item;
     let (pose, value) = (item.pose(), local("pose"));
@@ -189,7 +189,7 @@ pub(super) fn conversions(item: &Item) -> TokenStream {
     }
 }
 
-/// The description, a constant.
+/// Emits the description constant.
 fn description(spec: &RigSpec, private: &TokenStream) -> TokenStream {
     let infos = spec.joints.iter().map(|joint| joint_info(joint, private));
     let natural = spec.natural.as_ref().map(|spec| natural(spec, private));
@@ -203,7 +203,7 @@ fn description(spec: &RigSpec, private: &TokenStream) -> TokenStream {
     }
 }
 
-/// The methods that give the names of joints, of their bones, of held bones and of the other eye.
+/// Emits the methods that return the names of joints, of their bones, of held bones and of the other eye's bone.
 fn names(spec: &RigSpec) -> TokenStream {
     let [joint, candidate] = ["joint", "candidate"].map(local);
     let joints: Vec<Literal> = (0..spec.joints.len()).map(Literal::usize_unsuffixed).collect();
@@ -265,7 +265,7 @@ fn names(spec: &RigSpec) -> TokenStream {
     }
 }
 
-/// Names as documentation shows code.
+/// Formats names as code in a doc comment.
 fn quoted(names: &[impl std::fmt::Display], between: &str) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(between)
 }
@@ -308,7 +308,7 @@ fn joint_info(joint: &JointSpec, private: &TokenStream) -> TokenStream {
     }
 }
 
-/// The declared sharing of a gaze, on a description.
+/// Emits the builder call that sets the declared gaze sharing on a description.
 fn natural(natural: &NaturalSpec, private: &TokenStream) -> TokenStream {
     let [eyes_only, head_share, engage, release, delay] =
         [natural.eyes_only, natural.head_share, natural.engage, natural.release, natural.delay].map(float);
@@ -323,7 +323,7 @@ fn natural(natural: &NaturalSpec, private: &TokenStream) -> TokenStream {
     }
 }
 
-/// The declared budgets of the parts of the body, on a description.
+/// Emits the builder call that sets the declared region budgets on a description.
 fn region(budgets: &Budgets, private: &TokenStream) -> TokenStream {
     let budget = |budget: &Budget| {
         let [[right, left], [down, up]] = [budget.heading, budget.pitch].map(|ends| ends.map(float));
@@ -343,7 +343,7 @@ fn vector(components: [f64; 3]) -> TokenStream {
     quote!([#(#components),*])
 }
 
-/// A float literal, its sign a token of its own, as the parser of Rust wants it.
+/// Emits a float literal. The sign is a token of its own, because a literal token cannot be negative in Rust's grammar.
 #[expect(clippy::cast_possible_truncation, reason = "declared numbers are stored in f32")]
 fn float(value: f64) -> TokenStream {
     let magnitude = Literal::f32_unsuffixed((value as f32).abs());

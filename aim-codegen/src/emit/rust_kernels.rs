@@ -1,8 +1,8 @@
-//! The kernels of a rig as Rust: those that [`Rig`](crate::emit::Rig)'s trait needs in plain `f32`, the others generic
+//! Kernels of a rig as Rust functions: those of [`Rig`](crate::emit::Rig)'s trait in plain `f32`, the others generic
 //! over the runtime's `Scalar`.
 //!
-//! The trait's kernels run in users' debug builds, where every operator of a generic type is a call and every `get` and
-//! `try_from` another: they are written with the operators of `f32`, constant indices and slice patterns alone.
+//! The trait's kernels also run in users' debug builds, where every operator of a generic type is a function call, as
+//! is every `get` and `try_from`. They therefore use only `f32` operators, constant indices and slice patterns.
 
 use aim_symbolic::Op;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -12,21 +12,21 @@ use super::body::{Arithmetic, Body, counted, local};
 use crate::RigSpec;
 use crate::objective::{AIM_GRADIENT, CHAIN_RESIDUAL_JACOBIAN, FirstLink, Kernel, Objective, Scope};
 
-/// The objectives that the runtime's trait needs.
+/// Objectives that the runtime's trait needs.
 pub const TRAIT_OBJECTIVES: [&Objective; 2] = [&CHAIN_RESIDUAL_JACOBIAN, &AIM_GRADIENT];
 
-/// The kernels that the runtime's trait needs. Where the first link is always the identity they do without it.
+/// Derives the kernels that the runtime's trait needs, without the first link if it is always the identity.
 #[must_use]
 pub fn trait_kernels(spec: &RigSpec) -> Vec<Kernel> {
     let first_link = |objective: &Objective| match objective.scope {
-        // The link of a joint leads from the effector through all joints between.
+        // A joint's link spans all joints between the effector and it, so it is not the identity in general.
         Scope::Joint => FirstLink::Given,
         Scope::Chain => FirstLink::of(spec),
     };
     TRAIT_OBJECTIVES.into_iter().flat_map(|objective| objective.kernels(spec, first_link(objective))).collect()
 }
 
-/// The names of a kernel's parameters.
+/// Identifiers of a kernel's parameters.
 struct Parameters {
     joint: Ident,
     link: Ident,
@@ -43,7 +43,7 @@ impl Parameters {
         Self { joint, link, links, target, sin_cos, out }
     }
 
-    /// The expression of an input of a kernel of `joints` joints.
+    /// Returns the expression of input `i` of a kernel over `joints` joints.
     fn input(&self, scope: Scope, joints: usize, i: usize) -> TokenStream {
         let Self { link, links, target, sin_cos, .. } = self;
         let numbers = if scope == Scope::Joint { 12 } else { 12 * joints };
@@ -57,7 +57,7 @@ impl Parameters {
     }
 }
 
-/// The name of the function of a kernel.
+/// Returns the function name of a kernel.
 #[must_use]
 pub fn function_name(kernel: &Kernel) -> String {
     let Objective { name, scope, .. } = kernel.objective;
@@ -67,16 +67,16 @@ pub fn function_name(kernel: &Kernel) -> String {
     }
 }
 
-/// The body of a kernel's function.
+/// Body of a kernel's function.
 #[derive(Clone, Debug)]
 pub struct Lines {
     steps: Vec<(usize, TokenStream)>,
-    /// The array of the outputs.
+    /// Array expression of the outputs.
     pub results: TokenStream,
 }
 
 impl Lines {
-    /// The statement of the step with this number.
+    /// Returns the statement that computes the step with this number.
     #[must_use]
     pub fn step(&self, number: usize) -> Option<&TokenStream> {
         self.steps.iter().find(|(known, _)| *known == number).map(|(_, line)| line)
@@ -87,7 +87,7 @@ impl Lines {
     }
 }
 
-/// The body of a kernel's generic function, step by step; `krate` is the facade's path.
+/// Emits the body of a kernel's generic function, step by step; `krate` is the facade's path.
 #[must_use]
 pub fn lines(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> Lines {
     let number = quote!(S);
@@ -103,14 +103,14 @@ fn body(kernel: &Kernel, private: &TokenStream, number: Arithmetic<'_>, input: &
     Lines { steps: body.statements(), results: quote!([#(#results),*]) }
 }
 
-/// What a kernel computes, for its documentation.
+/// Doc comment of a kernel's function.
 fn doc(kernel: &Kernel, spec: &RigSpec) -> String {
     let names: Vec<String> = kernel.joints.iter().map(|&j| format!("`{}`", spec.joints[j].name)).collect();
     let outputs = (kernel.objective.outputs)(&names.join(", "), spec.angles());
     format!("{outputs} {}. Derived for the rig `{}`.", counted(kernel.program.count()), spec.name)
 }
 
-/// The methods of the runtime's trait that compute `kernels`, which are [`trait_kernels`].
+/// Emits the trait methods that compute `kernels`, which must be [`trait_kernels`].
 pub(super) fn trait_methods(kernels: &[Kernel], spec: &RigSpec, private: &TokenStream) -> TokenStream {
     kernels
         .chunk_by(|a, b| a.objective == b.objective)
@@ -153,7 +153,7 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
     let Parameters { links, target, sin_cos, out, .. } = &parameters;
     let joints = spec.joints.len();
     let element = |name: &str, i: usize| local(&format!("{name}_{i}"));
-    // An array for each joint, found by a pattern: a slice's length is checked once and without a call.
+    // A slice pattern binds one array for each joint: it checks the length once, without a function call.
     let numbers = 12 * joints;
     let input = |i: usize| match i {
         _ if i < numbers => index(&element("link", i / 12), i % 12),
@@ -182,7 +182,7 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
     let (link_pattern, angle_pattern) = (pattern("link", 0, 12), pattern("sin_cos", numbers + 3, 4));
     let outputs: Vec<Ident> = (0..kernel.program.outputs().len()).map(|i| element("out", i)).collect();
     let body = Body { program: &kernel.program, number: Arithmetic::F32, private, input: &input };
-    // Each output is written as soon as it is known: what waits would take a register.
+    // Write each output as soon as it is known; a result that waits would occupy a register.
     let mut written = TokenStream::new();
     let mut results: Vec<_> = body.results().zip(outputs.iter().zip(kernel.program.outputs())).collect();
     for (number, statement) in body.statements().into_iter().chain([(usize::MAX, TokenStream::new())]) {
@@ -214,7 +214,7 @@ fn chain_method(kernel: &Kernel, spec: &RigSpec, private: &TokenStream) -> Token
     }
 }
 
-/// The functions of `kernels`, generic over `Scalar`, and the associated functions of the rig that lead to them.
+/// Emits the functions of `kernels`, generic over `Scalar`, and the rig's associated functions that call them.
 pub(super) fn generic(kernels: &[Kernel], spec: &RigSpec, name: &Ident, krate: &TokenStream) -> Option<TokenStream> {
     let associated = kernels.chunk_by(|a, b| a.objective == b.objective);
     let associated: Vec<TokenStream> = associated
@@ -236,7 +236,7 @@ pub(super) fn generic(kernels: &[Kernel], spec: &RigSpec, name: &Ident, krate: &
     })
 }
 
-/// The function that finds a joint's kernel.
+/// Emits the associated function that dispatches to a joint's kernel.
 fn by_joint(kernels: &[Kernel], spec: &RigSpec, krate: &TokenStream) -> TokenStream {
     let Parameters { joint, link, target, sin_cos, .. } = Parameters::new();
     let arms = kernels.iter().map(|kernel| {
@@ -265,7 +265,7 @@ fn by_joint(kernels: &[Kernel], spec: &RigSpec, krate: &TokenStream) -> TokenStr
     }
 }
 
-/// The function that takes slices instead of arrays; those of other lengths give zeros.
+/// Emits the associated function that takes slices; slices of the wrong length give zeros.
 fn by_slices(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> TokenStream {
     let Parameters { links, target, sin_cos, out, .. } = Parameters::new();
     let name = format_ident!("{}", function_name(kernel));
@@ -299,7 +299,7 @@ fn by_slices(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> TokenStrea
     }
 }
 
-/// A kernel as a function of arrays.
+/// Emits a kernel as a function of arrays.
 fn function(kernel: &Kernel, spec: &RigSpec, krate: &TokenStream) -> TokenStream {
     let Parameters { link, links, target, sin_cos, .. } = Parameters::new();
     let joints = Literal::usize_unsuffixed(spec.joints.len());

@@ -1,4 +1,4 @@
-//! The text that C and WGSL have in common: names, comments, expressions.
+//! Text that C and WGSL share: names, comments, expressions.
 
 use aim_symbolic::print::Dialect;
 use aim_symbolic::{Function as Mathematical, Program};
@@ -6,17 +6,17 @@ use aim_symbolic::{Function as Mathematical, Program};
 use crate::RigSpec;
 use crate::objective::{Function, Scope};
 
-/// The numbers that a function computes with.
+/// Floating-point precision of an emitted function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
-    /// 32 bits.
+    /// 32-bit.
     Single,
-    /// 64 bits.
+    /// 64-bit.
     Double,
 }
 
 impl Precision {
-    /// The number type's name in Rust.
+    /// Returns the name of the number type in Rust.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -26,35 +26,35 @@ impl Precision {
     }
 }
 
-/// A function of numbers as other languages declare it.
+/// A function of numbers, to be declared in C or WGSL.
 #[derive(Debug)]
 pub struct Procedure<'a> {
-    /// Its name.
+    /// Name of the function.
     pub name: String,
-    /// What it computes, in lines.
+    /// Lines of the comment above the function.
     pub doc: Vec<String>,
-    /// Each parameter's name with the number of its elements, `None` for a single number, in the order of the program's
+    /// Name of each parameter and its number of elements, `None` for a single number; in the order of the program's
     /// inputs.
     pub parameters: Vec<(String, Option<usize>)>,
-    /// What it computes with.
+    /// Precision of all numbers.
     pub precision: Precision,
-    /// What it computes.
+    /// Program that the function computes.
     pub program: &'a Program,
 }
 
-/// The parts of a language that its functions differ in.
+/// Points in which the languages differ.
 pub(super) struct Language {
-    /// What it calls a rig's target: WGSL reserves the word alone.
+    /// Parameter name of a rig's target; `target` is a reserved word in WGSL.
     pub(super) target: &'static str,
-    /// What follows the names of the library's functions in single and in double precision.
+    /// Suffixes of library function names, in single and in double precision.
     pub(super) suffixes: [&'static str; 2],
-    /// `then` where `a < b`, else `otherwise`.
+    /// Formats `then` if `a < b`, else `otherwise`.
     pub(super) select_less: fn(a: &str, b: &str, then: &str, otherwise: &str) -> String,
-    /// The power of `a` by `b`; the suffix of functions.
+    /// Formats `a` to the power of `b`; the third argument is the suffix of library functions.
     pub(super) pow: fn(a: &str, b: &str, suffix: &str) -> String,
 }
 
-/// The lines at the head of a file of a rig's kernels, but for what holds in one language only.
+/// Returns the header lines of a file of rig kernels that hold in every language.
 pub(super) fn header(spec: &RigSpec) -> Vec<String> {
     let mut lines = vec![
         written(&format!("Aim solver kernels of the rig {}", spec.name)),
@@ -67,12 +67,12 @@ pub(super) fn header(spec: &RigSpec) -> Vec<String> {
     lines
 }
 
-/// The line that says what wrote a file.
+/// Returns the line that says which tool wrote the file.
 pub(super) fn written(what: &str) -> String {
     format!("{what}, derived and written by aim {}. Do not edit: generate again.", env!("CARGO_PKG_VERSION"))
 }
 
-/// A rig's kernel.
+/// Returns a rig's kernel as a procedure.
 pub(super) fn procedure<'a>(function: &Function<'a>, spec: &RigSpec, language: &Language) -> Procedure<'a> {
     let target = language.target;
     let program = &function.kernel.program;
@@ -111,7 +111,7 @@ pub(super) fn procedure<'a>(function: &Function<'a>, spec: &RigSpec, language: &
     }
 }
 
-/// The expressions of a function in a language.
+/// Formats the expressions of a function in one language.
 pub(super) struct Expressions<'a> {
     pub(super) procedure: &'a Procedure<'a>,
     pub(super) language: &'a Language,
@@ -136,8 +136,8 @@ impl Dialect for Expressions<'_> {
         unreachable!("a function has no input {index}")
     }
 
-    /// The shortest decimal that reads back as the same number; with the suffix it is of that type in either language. WGSL has
-    /// no number that is not finite.
+    /// Formats the shortest decimal that parses back to the same number. The suffix gives it the right type in both
+    /// languages. WGSL has no literals for non-finite numbers.
     #[expect(clippy::cast_possible_truncation, reason = "the emitted function may compute in 32 bits")]
     fn constant(&self, value: f64) -> String {
         match self.procedure.precision {
@@ -149,7 +149,7 @@ impl Dialect for Expressions<'_> {
         }
     }
 
-    /// The square root of the smallest normal number.
+    /// Square root of the smallest normal number.
     fn tiny(&self) -> String {
         match self.procedure.precision {
             Precision::Single => "1.0842022e-19f".to_owned(),
@@ -166,7 +166,7 @@ impl Dialect for Expressions<'_> {
     }
 
     fn call(&self, function: Mathematical, a: &str) -> String {
-        // The natural logarithm is `log` in both languages.
+        // The natural logarithm is called `log` in both languages.
         let name = if function == Mathematical::Ln { "log" } else { function.name() };
         format!("{name}{}({a})", self.suffix())
     }

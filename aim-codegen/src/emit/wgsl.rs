@@ -1,8 +1,9 @@
-//! WGSL: a function for each kernel and joint, or for what was differentiated, in `f32`, as a module of its own without an
-//! entry point.
+//! WGSL back end: a function for each kernel and joint, or for each differentiated function, in `f32`. The result is a
+//! module of its own, without an entry point.
 //!
-//! Inputs and results are arrays by value in the order of C's, so that what is packed for one serves the other. A step is
-//! a `let`, which WGSL never evaluates while compiling: there, an overflow that a guard takes out would be an error.
+//! Inputs and results are arrays by value, in the same order as in C, so that data packed for one serves the other.
+//! Each step is a `let` declaration, which WGSL does not evaluate at shader creation; there, an overflow that a guard
+//! discards would be an error.
 
 use std::fmt::Write;
 
@@ -11,7 +12,7 @@ use aim_symbolic::print::steps;
 use super::Rig;
 use super::text::{self, Expressions, Language, Procedure};
 
-/// The module of a rig's kernels.
+/// Emits the module of a rig's kernels.
 #[must_use]
 pub fn emit(rig: &Rig<'_>) -> String {
     let functions = rig.functions();
@@ -22,7 +23,7 @@ pub fn emit(rig: &Rig<'_>) -> String {
     module(&header, &procedures)
 }
 
-/// The module of these functions, which compute in single precision.
+/// Emits the module of these functions, which compute in single precision.
 #[must_use]
 pub fn emit_procedures(what: &str, procedures: &[Procedure<'_>]) -> String {
     module(&[text::written(what), "Inputs must be finite.".to_owned()], procedures)
@@ -66,7 +67,7 @@ const WGSL: Language = Language {
     target: "target_point",
     suffixes: ["", ""],
     select_less: |a, b, then, otherwise| format!("select({otherwise}, {then}, {a} < {b})"),
-    // Its own is exp2(b log2(a)), which has no value for whole powers of what is not positive.
+    // WGSL's `pow` is exp2(b log2(a)), which is undefined for a ≤ 0 even if b is a whole number.
     pow: |a, b, _| {
         if b.trim_end_matches('f').parse::<f64>().is_ok_and(|b| b.fract() != 0.0) {
             return format!("pow({a}, {b})");

@@ -1,6 +1,6 @@
-//! The paper's objective: the cosine between where the effector points and where the target is.
+//! The paper's objective: the cosine of the angle between the effector's direction and the direction to the target.
 //!
-//! Stated as the paper states it, effector side (equations 4 to 6):
+//! Stated on the effector side, as in the paper (equations 4 to 6):
 //!
 //! ```text
 //! P₀  = (0, 0, 0, 1) M R(p) R(h)                  the effector's origin
@@ -8,7 +8,7 @@
 //! aim = (P − P₀) / |P − P₀| · (P₁ − P₀)
 //! ```
 //!
-//! The small form, which turns the target back into the effector's frame, is found by rewriting.
+//! Rewriting finds the smaller form, which transforms the target into the effector's frame instead.
 
 use aim_symbolic::print::Formula;
 use aim_symbolic::{Graph, Scalar};
@@ -16,7 +16,7 @@ use aim_symbolic::{Graph, Scalar};
 use super::chain::Chain;
 use super::statement::{Objective, Scope};
 
-/// One joint's aim, everything nearer the effector held still.
+/// Aim of one joint and its gradient; joints nearer the effector are held still.
 pub const AIM_GRADIENT: Objective = Objective {
     name: "aim_gradient",
     title: "aim and gradient",
@@ -26,7 +26,7 @@ pub const AIM_GRADIENT: Objective = Objective {
     state,
 };
 
-/// The aim through all joints.
+/// Aim of the chain and its gradient with respect to the angles of all joints.
 pub const CHAIN_VALUE_GRADIENT: Objective = Objective {
     name: "chain_value_gradient",
     scope: Scope::Chain,

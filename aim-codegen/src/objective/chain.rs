@@ -1,27 +1,29 @@
-//! The geometry that objectives are stated over: joints from the effector inward, each a link and an added rotation.
+//! The geometry that objectives are stated over: joints from the effector inward, each with a link and an added
+//! rotation.
 
 use aim_symbolic::{Angle, Graph, Plane, Rigid, Rotation, Vector};
 
 use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
 
-/// The plane of heading, in the axes forward, left, up: forward turns towards left.
+/// Plane of heading, in the axes forward, left, up: turns forward towards left.
 pub const HEADING: Plane = Plane { from: 0, towards: 1 };
-/// The plane of pitch, in the same axes: forward turns towards up.
+/// Plane of pitch, in the axes forward, left, up: turns forward towards up.
 pub const PITCH: Plane = Plane { from: 0, towards: 2 };
 
-/// The inputs of a kernel, in the order in which emitted functions take them.
+/// Inputs of a kernel, in the order in which emitted functions take them.
 #[derive(Clone, Debug)]
 pub struct Inputs {
-    /// From effector space to the first joint's space before its added rotation, then from each joint to the next.
+    /// Transforms: from effector space to the first joint's space before its added rotation, then from each joint to
+    /// the next.
     pub links: Vec<Rigid>,
-    /// The target, in the last joint's space.
+    /// Target, in the last joint's space.
     pub target: Vector,
-    /// Each joint's pitch and heading.
+    /// Pitch and heading of each joint.
     pub angles: Vec<(Angle, Angle)>,
 }
 
 impl Inputs {
-    /// Declares those of one joint in `g`: link, target, sin p, cos p, sin h, cos h.
+    /// Declares the inputs of one joint in `g`: link, target, sin p, cos p, sin h, cos h.
     pub fn of_joint(g: &mut Graph) -> Self {
         Self {
             links: vec![g.rigid_input("m")],
@@ -30,7 +32,7 @@ impl Inputs {
         }
     }
 
-    /// Declares those of a chain in `g`: links, target, then sin p, cos p, sin h, cos h of each joint.
+    /// Declares the inputs of a chain in `g`: links, target, then sin p, cos p, sin h, cos h of each joint.
     pub fn of_chain(g: &mut Graph, joints: usize) -> Self {
         Self {
             links: (0..joints).map(|i| g.rigid_input(&format!("l{i}"))).collect(),
@@ -40,19 +42,19 @@ impl Inputs {
     }
 }
 
-/// The link from effector space to the first joint.
+/// Knowledge about the link from effector space to the first joint.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FirstLink {
     /// An input like the other links.
     #[default]
     Given,
-    /// Known to be the identity. The input stays, so that all others keep their places, and is not read.
+    /// Known to be the identity. The input is kept, so that the others keep their indices, but never read.
     Identity,
 }
 
 impl FirstLink {
-    /// What is known of a rig's first link in calls of the runtime. It leads from the effector to joint 0 as the animation
-    /// has it: without an origin of its own, and without a heading that is turned upright, the effector is joint 0.
+    /// Returns what the runtime guarantees about a rig's first link. It leads from the effector to the animated joint 0
+    /// and is the identity if the effector has no origin of its own and joint 0's heading is not turned upright.
     #[must_use]
     pub fn of(spec: &RigSpec) -> Self {
         let is_upright = |joint: &JointSpec| joint.upright.map_or(joint.role.is_upright(), |upright| upright > 0.0);
@@ -64,25 +66,25 @@ impl FirstLink {
 /// The joints that an objective is stated over, from the effector inward, and their inputs.
 #[derive(Clone, Debug)]
 pub struct Chain<'a> {
-    /// What is aimed.
+    /// The effector.
     pub effector: &'a EffectorSpec,
-    /// The joints; as many as there are links.
+    /// The joints, one for each link.
     pub joints: &'a [JointSpec],
-    /// What is known of the first link.
+    /// Knowledge about the first link.
     pub first_link: FirstLink,
-    /// The inputs.
+    /// The kernel's inputs.
     pub inputs: Inputs,
 }
 
 impl Chain<'_> {
-    /// The effector as seen from the last joint's space.
+    /// Returns the effector in the last joint's space.
     pub fn effector_at_end(&self, g: &mut Graph) -> Effector {
         let to_end = self.effector_to_end(g);
         let zero = g.constant_vector([0.0; 3]);
         Effector { to_end, origin: g.transform_point(to_end, zero) }
     }
 
-    /// From effector space through all links and added rotations to the last joint's space.
+    /// Composes all links and added rotations, from effector space to the last joint's space.
     fn effector_to_end(&self, g: &mut Graph) -> Rigid {
         let mut to_end: Option<Rigid> = None;
         let joints = self.joints.iter().zip(&self.inputs.links).zip(&self.inputs.angles);
@@ -105,16 +107,16 @@ impl Chain<'_> {
     }
 }
 
-/// The place and the image of a direction of the effector at the end of a chain.
+/// The effector in the space of a chain's last joint.
 #[derive(Clone, Copy, Debug)]
 pub struct Effector {
     to_end: Rigid,
-    /// The effector's origin.
+    /// Origin of the effector.
     pub origin: Vector,
 }
 
 impl Effector {
-    /// `direction` of effector space as a difference of two points: the paper's P₁ − P₀.
+    /// Transforms `direction` from effector space, as a difference of two points: the paper's P₁ − P₀.
     pub fn direction(&self, g: &mut Graph, direction: [f64; 3]) -> Vector {
         let tip = g.constant_vector(direction);
         let tip = g.transform_point(self.to_end, tip);
@@ -122,10 +124,10 @@ impl Effector {
     }
 }
 
-/// The joint's added rotation: pitch first, then heading, both in the joint's own axes.
+/// Returns the joint's added rotation: pitch first, then heading, both about the joint's own axes.
 ///
-/// In the axes forward, left, up, heading turns the first towards the second and pitch the first towards the third,
-/// whatever the bone's convention and handedness: those are in the change of basis alone.
+/// In the axes forward, left, up, heading turns the first towards the second, and pitch the first towards the third.
+/// The bone's convention and handedness only enter through the change of basis.
 fn added_rotation(g: &mut Graph, joint: &JointSpec, pitch: Angle, heading: Angle) -> Rotation {
     let Frame { up, forward, left } = joint.frame;
     let to_bone = g.basis([forward, left, up]);

@@ -1,4 +1,4 @@
-//! The objectives' [`Kernel`]s of a rig, and the functions that compute them.
+//! The [`Kernel`]s derived from the objectives for a rig, and the functions that compute them.
 
 use aim_symbolic::Program;
 
@@ -9,22 +9,22 @@ use super::statement::{Objective, Scope, Statement};
 use crate::RigSpec;
 use crate::names::snake_case;
 
-/// Every objective that is derived for rigs.
+/// All objectives that are derived for rigs.
 pub const OBJECTIVES: [&Objective; 3] = [&AIM_GRADIENT, &CHAIN_VALUE_GRADIENT, &CHAIN_RESIDUAL_JACOBIAN];
 
-/// What is derived of an objective for some joints of a rig.
+/// An objective's program for one or more joints of a rig.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernel {
-    /// What it computes.
+    /// Objective that the program computes.
     pub objective: &'static Objective,
-    /// The joints that it serves: those with equal kernels, or all of the chain.
+    /// Joints that the kernel serves: all with the same program, or the whole chain.
     pub joints: Vec<usize>,
-    /// How it computes it. Inputs and outputs are in the order of [`Inputs`](super::Inputs) and
+    /// The derived program. Inputs are in the order of [`Inputs`](super::Inputs), outputs in that of
     /// [`Statement::wanted`].
     pub program: Program,
 }
 
-/// The kernels of all [`OBJECTIVES`] for a rig.
+/// Derives the kernels of all [`OBJECTIVES`] for a rig.
 ///
 /// ```
 /// # #[cfg(feature = "toml")] {
@@ -42,7 +42,7 @@ pub fn kernels(spec: &RigSpec) -> Vec<Kernel> {
 }
 
 impl Objective {
-    /// Derives its distinct kernels for a rig, in the order of the first joints that they serve.
+    /// Derives the objective's distinct kernels for a rig, ordered by the first joint that each serves.
     #[must_use]
     pub fn kernels(&'static self, spec: &RigSpec, first_link: FirstLink) -> Vec<Kernel> {
         let kernel = |joints: Vec<usize>| {
@@ -54,23 +54,24 @@ impl Objective {
 }
 
 impl Kernel {
-    /// What it was derived from, where every link is given.
+    /// Returns the statement that the kernel was derived from, with [`FirstLink::Given`].
     #[must_use]
     pub fn statement(&self, spec: &RigSpec) -> Statement {
         self.objective.statement(spec, &self.joints, FirstLink::Given)
     }
 }
 
-/// A function of emitted code: a kernel, for the chain or for one of the joints that it serves.
+/// A function of emitted code: a kernel applied to the chain or to one of the joints that it serves.
 #[derive(Clone, Copy, Debug)]
 pub struct Function<'a> {
-    /// What it computes.
+    /// Kernel that the function computes.
     pub kernel: &'a Kernel,
-    /// The joint, where the objective is that of one.
+    /// Index of the joint; `None` for an objective of the chain.
     pub joint: Option<usize>,
 }
 
-/// The functions that compute `kernels`: one a joint for those of joints, joint by joint, and one for each of the chain's.
+/// Returns the functions that compute `kernels`: for joint objectives one for each joint, in joint order; for chain
+/// objectives one for each kernel.
 #[must_use]
 pub fn functions(kernels: &[Kernel]) -> Vec<Function<'_>> {
     let mut functions = Vec::new();
@@ -89,19 +90,20 @@ pub fn functions(kernels: &[Kernel]) -> Vec<Function<'_>> {
 }
 
 impl Function<'_> {
-    /// The joint's name, or `chain`.
+    /// Returns the joint's name, or `chain`.
     #[must_use]
     pub fn subject<'s>(&self, spec: &'s RigSpec) -> &'s str {
         self.joint.map_or("chain", |joint| &spec.joints[joint].name)
     }
 
-    /// The name in languages where all functions are global: `RIG_JOINT_aim_gradient`, `RIG_chain_value_gradient`.
+    /// Returns the name in languages where all functions are global: `RIG_JOINT_aim_gradient`,
+    /// `RIG_chain_value_gradient`.
     pub fn name(&self, spec: &RigSpec) -> String {
         let joint = self.joint.map_or_else(String::new, |joint| format!("{}_", snake_case(&spec.joints[joint].name)));
         format!("{}_{joint}{}", snake_case(&spec.name), self.kernel.objective.name)
     }
 
-    /// The sentence that tells its outputs.
+    /// Returns a sentence that describes the outputs.
     #[must_use]
     pub fn outputs(&self, spec: &RigSpec) -> String {
         (self.kernel.objective.outputs)(self.subject(spec), spec.angles())

@@ -1,11 +1,11 @@
-//! What is derived: objectives, each stated once in a file of its own, and the kernels that come of them.
+//! Objectives, each stated once in a file of its own, and the kernels derived from them.
 //!
-//! Read in this order: `chain` is the geometry that objectives are stated over, `statement` says what an [`Objective`]
-//! is and states it for a rig, [`aim`](AIM_GRADIENT) and [`residual`](CHAIN_RESIDUAL_JACOBIAN) are the objectives,
-//! `kernel` lists them and derives their [`Kernel`]s. `notation` holds the symbols of the inputs.
+//! Read in this order: `chain` is the geometry that objectives are stated over; `statement` defines [`Objective`] and
+//! states one for a rig; [`aim`](AIM_GRADIENT) and [`residual`](CHAIN_RESIDUAL_JACOBIAN) are the objectives; `kernel`
+//! lists them and derives their [`Kernel`]s. `notation` holds the symbols of the inputs.
 //!
-//! A new objective is a file with a constant [`Objective`] and its place in [`OBJECTIVES`]: every back end, the counts and
-//! the checks go by that list.
+//! A new objective is a file with a constant [`Objective`] and an entry in [`OBJECTIVES`]. Every back end, the
+//! operation counts and the checks iterate over that list.
 
 mod aim;
 mod chain;

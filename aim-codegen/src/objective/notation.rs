@@ -1,4 +1,4 @@
-//! What people call the inputs of the objectives: the paper's letters, as far as it has any.
+//! Symbols of the objectives' inputs: the paper's letters, where the paper has one.
 
 use aim_symbolic::print::{Formula, Notation};
 
@@ -6,10 +6,11 @@ use super::chain::{HEADING, PITCH};
 use super::statement::Scope;
 use crate::{Frame, RigSpec};
 
-/// The symbols of the formulas of objectives with this scope.
+/// Returns the symbols for the formulas of objectives with this scope.
 ///
-/// **P** is the target, M and **t** the effector's rotation and place in a joint's space, Lᵢ and **t**ᵢ those of link i, p and
-/// h (with i in a chain) pitch and heading, B the bones' axes, **f**, **l**, **u** the effector's; J turns by a quarter.
+/// **P** is the target; M and **t** are the effector's rotation and position in a joint's space, Lᵢ and **t**ᵢ those of
+/// link i; p and h (in a chain pᵢ and hᵢ) are pitch and heading; B is the basis of the bone's axes; **f**, **l**, **u**
+/// are the effector's axes; J is a quarter turn.
 #[must_use]
 pub fn notation(spec: &RigSpec, scope: Scope) -> Notation {
     let mut inputs = vec![("target".to_owned(), Formula::vector("P"))];
@@ -45,8 +46,8 @@ pub fn notation(spec: &RigSpec, scope: Scope) -> Notation {
     }
 }
 
-/// Each distinct frame of the joints with its symbol and the joints that have it: B where there is one, else with the
-/// number of the first of its joints.
+/// Returns each distinct frame with its symbol and the joints that have it. The symbol is B if there is only one frame,
+/// else B with the index of the frame's first joint.
 #[must_use]
 pub fn basis_symbols(spec: &RigSpec) -> Vec<(Frame, Formula, Vec<usize>)> {
     let mut frames: Vec<(Frame, Vec<usize>)> = Vec::new();

@@ -1,14 +1,15 @@
-//! The chain's residual: by how much the effector misses the target, left and up.
+//! The chain's residual: the effector's deviation from the target, left and up.
 //!
-//! With `v` the way from the effector to the target, `f`, `l`, `u` the effector's forward, left and up directions:
+//! With `v` the vector from the effector to the target, and `f`, `l`, `u` the effector's forward, left and up
+//! directions:
 //!
 //! ```text
 //! s = 2 (v · l, v · u) / (|v| + v · f)
 //! ```
 //!
-//! the stereographic projection of `v / |v|`, of length 2 tan(angle / 2). It is monotonous up to 180°, where it is
-//! singular; there, and with the target on the effector, it is 0 with a zero Jacobian, so success must be judged by
-//! the angle.
+//! This is the stereographic projection of `v / |v|`, of length 2 tan(angle / 2). It is monotonic up to 180°, where it
+//! is singular. There, and if the target coincides with the effector, it is 0 with a zero Jacobian, so success must be
+//! judged by the angle instead.
 
 use aim_symbolic::print::Formula;
 use aim_symbolic::{Graph, Scalar};
@@ -16,7 +17,7 @@ use aim_symbolic::{Graph, Scalar};
 use super::chain::Chain;
 use super::statement::{Objective, Scope};
 
-/// The residual, left and up, and its Jacobian.
+/// Residual (left, up) and its Jacobian.
 pub const CHAIN_RESIDUAL_JACOBIAN: Objective = Objective {
     name: "chain_residual_jacobian",
     title: "residual and Jacobian",

@@ -1,4 +1,4 @@
-//! An [`Objective`], and what it says of a rig: a [`Statement`].
+//! [`Objective`], and its [`Statement`] for a rig.
 
 use aim_symbolic::print::Formula;
 use aim_symbolic::{Angle, Derivation, Graph, Program, Scalar, Want};
@@ -6,45 +6,46 @@ use aim_symbolic::{Angle, Derivation, Graph, Program, Scalar, Want};
 use super::chain::{Chain, FirstLink, Inputs};
 use crate::{AngleRange, JointSpec, RigSpec};
 
-/// What a kernel computes, for any rig: some values and their derivatives by the joints' angles.
+/// An objective: the values that a kernel computes for any rig, with their derivatives with respect to the joints'
+/// angles.
 ///
-/// Everything that follows (programs, emitted functions in every language, counts, checks, explanations) comes of these
-/// few fields.
+/// Everything else (programs, emitted functions in every language, counts, checks, explanations) is derived from these
+/// fields.
 #[derive(Debug)]
 pub struct Objective {
-    /// What functions that compute it are called, in `snake_case`.
+    /// Name of the functions that compute it, in `snake_case`.
     pub name: &'static str,
-    /// The values and derivatives in few words, such as `residual and Jacobian`.
+    /// Short title of the values and derivatives, such as `residual and Jacobian`.
     pub title: &'static str,
-    /// The joints that it is stated over.
+    /// Joints that the objective is stated over.
     pub scope: Scope,
-    /// A sentence that tells the outputs in their order, given the joints' names and the number of declared angles.
+    /// Returns a sentence that lists the outputs in order, given the joints' names and the number of declared angles.
     pub outputs: fn(&str, usize) -> String,
-    /// The symbols of the values.
+    /// Returns the symbols of the values.
     pub symbols: fn() -> Vec<Formula>,
-    /// States the values.
+    /// States the values in a graph.
     pub state: fn(&mut Graph, &Chain<'_>) -> Vec<Scalar>,
 }
 
-/// By name: no two objectives share one.
+/// Compares by name: names are unique.
 impl PartialEq for Objective {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
     }
 }
 
-/// The joints that an objective is stated over.
+/// Joints that an objective is stated over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
-    /// One joint, everything nearer the effector held still. Derivatives are taken by its pitch and its heading; that by
-    /// an angle that it does not have is 0.
+    /// One joint; those nearer the effector are held still. Derivatives are with respect to its pitch and its heading;
+    /// the derivative with respect to an angle that the joint does not have is 0.
     Joint,
-    /// All joints. Derivatives are taken by the declared angles, pitch before heading, joint by joint.
+    /// All joints. Derivatives are with respect to the declared angles, pitch before heading, joint by joint.
     Chain,
 }
 
 impl Objective {
-    /// The joints of each kernel that a rig needs: those with equal kernels together.
+    /// Groups a rig's joints by equal kernels: one group for each kernel.
     #[must_use]
     pub fn groups(&self, spec: &RigSpec) -> Vec<Vec<usize>> {
         if self.scope == Scope::Chain {
@@ -64,7 +65,7 @@ impl Objective {
         groups
     }
 
-    /// What it says of a rig: of the chain, or of the first of `joints`.
+    /// States the objective for a rig: for the chain, or for the first of `joints`.
     #[must_use]
     pub fn statement(&self, spec: &RigSpec, joints: &[usize], first_link: FirstLink) -> Statement {
         let mut graph = Graph::new();
@@ -83,38 +84,39 @@ impl Objective {
     }
 }
 
-/// An objective as it is stated for a rig, nothing rewritten.
+/// An objective stated for a rig, before any rewriting.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// The graph that the values are stated in.
+    /// Graph that holds the values.
     pub graph: Graph,
-    /// The values.
+    /// The stated values.
     pub values: Vec<Scalar>,
-    /// What derivatives are taken by, with the declared ranges; the derivative by an undeclared angle is 0.
+    /// Angles of differentiation, each with its declared range. The derivative with respect to an undeclared angle is
+    /// 0.
     pub angles: Vec<(Angle, Option<AngleRange>)>,
 }
 
 impl Statement {
-    /// The values, then the derivatives of each by the angles.
+    /// Returns all outputs: the values, then the derivatives of each with respect to the angles.
     #[must_use]
     pub fn wanted(&self) -> Vec<Want> {
         let angles: Vec<Angle> = self.angles.iter().map(|&(angle, _)| angle).collect();
         Want::all(&self.values, &angles)
     }
 
-    /// The program of all outputs.
+    /// Derives the program of all outputs.
     #[must_use]
     pub fn program(&self) -> Program {
         Program::derive_wanted(&self.graph, &self.wanted())
     }
 
-    /// The program of the output with this number alone.
+    /// Derives the program of a single output, given its index.
     #[must_use]
     pub fn program_of(&self, output: usize) -> Program {
         Program::derive_wanted(&self.graph, &self.wanted()[output..=output])
     }
 
-    /// The derivation of all outputs, with everything on the way.
+    /// Derives all outputs and records every intermediate step.
     #[must_use]
     pub fn derivation(&self) -> Derivation {
         Derivation::new(&self.graph, &self.wanted())

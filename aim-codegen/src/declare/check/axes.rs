@@ -1,4 +1,4 @@
-//! Declared axes: unit, square, not contradictory, enough of them, and of the right handedness.
+//! Checks declared axes: unit length, orthogonal, free of contradictions, at least two, of the right handedness.
 
 use super::frame::{self, SQUARE_SIN, Vector};
 use super::keys::AXES_KEYS;
@@ -10,14 +10,14 @@ use crate::declare::report::Report;
 use crate::declare::report::messages::{self, Owner};
 use crate::declare::tree::{Kind, Notation};
 
-/// How far a vector's length may be from 1.
+/// Largest accepted deviation of a vector's length from 1.
 const UNIT_TOLERANCE: f64 = 1e-3;
 
 /// A declared direction.
 struct Direction<'t> {
-    /// The key as written, such as `down`.
+    /// Key as written, such as `down`.
     key: &'static str,
-    /// Of the key as written, unit length.
+    /// Direction of the key as written, unit length.
     vector: Vector,
     place: &'t Place,
 }
@@ -27,17 +27,17 @@ impl Direction<'_> {
         matches!(self.key, "down" | "back" | "right")
     }
 
-    /// The vector of `up`, `forward` or `left`.
+    /// Returns the vector of `up`, `forward` or `left`, negated if the opposite was declared.
     fn positive(&self) -> Vector {
         if self.is_opposite() { frame::scale(-1.0, self.vector) } else { self.vector }
     }
 }
 
-/// Declared axes: two or three, unit and square, of either handedness.
+/// Declared axes: two or three, unit and orthogonal, of either handedness.
 pub(super) struct Axes<'t> {
-    /// Up, forward and left, each under either of its two names.
+    /// Up, forward and left, each declared by either of its two names.
     directions: [Option<Direction<'t>>; 3],
-    /// Where they are declared.
+    /// Place of the declaration.
     pub(super) place: &'t Place,
 }
 
@@ -46,12 +46,12 @@ impl Axes<'_> {
         self.directions.each_ref().map(|direction| direction.as_ref().map(Direction::positive))
     }
 
-    /// Whether nothing is left for the handedness to decide.
+    /// Returns `true` if all three axes are declared, so that handedness does not determine one of them.
     pub(super) fn is_triple(&self) -> bool {
         self.directions.iter().all(Option::is_some)
     }
 
-    /// The frame whose triple has the sign `hand`; reports the axes if they have the other.
+    /// Returns the frame of handedness `hand`; reports the axes if they have the opposite one.
     pub(super) fn frame(&self, report: &mut Report, owner: Owner, hand: f64) -> Option<Frame> {
         let [up, forward, left] = self.vectors();
         let frame = frame::complete(up, forward, left, hand)?;
@@ -72,7 +72,7 @@ impl Axes<'_> {
     }
 }
 
-/// Reads `axes`. A triple that is skewed gets its handedness checked here, as there will be no frame to check.
+/// Reads `axes`. The handedness of a skewed triple is checked here, because no frame will be built from it.
 pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, declared: Setting<'t>) -> Option<Axes<'t>> {
     let Kind::Table(entries) = &declared.value.kind else { return read::mismatch(report, declared) };
     let settings = Settings::read(entries, &AXES_KEYS, Level::Table, report);
@@ -101,7 +101,7 @@ pub(super) fn read<'t>(report: &mut Report, owner: Owner, hand: f64, declared: S
     (complete && found.len() >= 2).then_some(axes)
 }
 
-/// Reports parallel and skewed pairs.
+/// Returns `true` if the axes are orthogonal; reports parallel and skewed pairs.
 fn are_square(report: &mut Report, axes: &Axes<'_>, owner: Owner, hand: f64) -> bool {
     let mut parallel = false;
     let mut worst: Option<(f64, &Direction<'_>, &Direction<'_>)> = None;
@@ -130,7 +130,7 @@ fn are_square(report: &mut Report, axes: &Axes<'_>, owner: Owner, hand: f64) -> 
     false
 }
 
-/// A signed axis or a unit vector.
+/// Reads a direction: a signed axis or a unit vector.
 pub(super) fn direction(report: &mut Report, setting: Setting<'_>) -> Option<Vector> {
     let notation = report.notation;
     let text = match &setting.value.kind {
@@ -149,7 +149,7 @@ pub(super) fn direction(report: &mut Report, setting: Setting<'_>) -> Option<Vec
             if (length - 1.0).abs() <= UNIT_TOLERANCE {
                 return Some(frame::unit(vector));
             }
-            // Divided by the largest component first: the length of what was written may be out of reach.
+            // Divide by the largest component first: the squared length may overflow or underflow.
             let largest = vector.iter().fold(0.0f64, |most, x| most.max(x.abs()));
             if largest > 0.0 {
                 let unit = frame::unit(vector.map(|x| x / largest));
@@ -162,7 +162,7 @@ pub(super) fn direction(report: &mut Report, setting: Setting<'_>) -> Option<Vec
     report.refuse(setting.place(), text)
 }
 
-/// A direction as it is declared, with four decimals at most: a frame shown so passes the checks.
+/// Formats a direction as a declaration would, with at most four decimals. The result passes the checks.
 fn show(vector: Vector, notation: Notation) -> String {
     if let Some(name) = frame::cardinal(vector) {
         return notation.pick(name.clone(), format!("\"{name}\""));

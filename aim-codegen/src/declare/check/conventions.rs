@@ -1,13 +1,13 @@
-//! [`Conventions`] of a rig.
+//! [`Conventions`]: the settings that joints inherit from their rig.
 
 use super::axes::Axes;
 use crate::Frame;
 
-/// What the joints inherit from the rig.
+/// Settings that joints inherit from the rig.
 pub(super) struct Conventions<'t> {
-    /// The sign of `up × forward · left` that unmirrored axes have: 1 in a right-handed rig.
+    /// Sign of `(up × forward) · left` for unmirrored axes: 1 in a right-handed rig, -1 in a left-handed one.
     pub(super) hand: f64,
     pub(super) axes: Option<Axes<'t>>,
-    /// The frame of the rig's axes.
+    /// Frame of the rig's axes.
     pub(super) frame: Option<Frame>,
 }

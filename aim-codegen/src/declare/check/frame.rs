@@ -1,10 +1,10 @@
-//! The geometry of bone axes: squaring, completing and the nearest proper frame. Knows no declaration.
+//! Geometry of bone axes: orthogonalisation, completion, and the nearest proper frame. Independent of declarations.
 
 use crate::Frame;
 
 pub(super) type Vector = [f64; 3];
 
-/// The sine of the largest deviation from square that is taken for rounding: half a degree.
+/// Sine of the largest deviation from a right angle that is accepted as rounding: half a degree.
 pub(super) const SQUARE_SIN: f64 = 0.008_726_535_498_373_935;
 
 pub(super) fn dot(a: Vector, b: Vector) -> f64 {
@@ -24,26 +24,26 @@ pub(super) fn length(a: Vector) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// The unit vector; the vector itself where it has no length.
+/// Normalises `a`; returns a zero vector unchanged.
 pub(super) fn unit(a: Vector) -> Vector {
     let length = length(a);
     if length > 0.0 { a.map(|x| x / length + 0.0) } else { a }
 }
 
-/// `a` without its part along the unit vector `b`, of unit length.
+/// Removes from `a` its component along the unit vector `b`, and normalises.
 fn squared_to(a: Vector, b: Vector) -> Vector {
     let along = dot(a, b);
     unit([a[0] - along * b[0], a[1] - along * b[1], a[2] - along * b[2]])
 }
 
-/// The frame with exactly this forward and with up as near as a square one can be; `hand` is 1 for a right-handed
-/// triple, -1 for a left-handed one.
+/// Returns the frame with exactly this forward and the nearest orthogonal up. `hand` is 1 for a right-handed triple, -1
+/// for a left-handed one.
 pub(super) fn square(up: Vector, forward: Vector, hand: f64) -> Frame {
     let up = squared_to(up, forward);
     Frame { up, forward, left: unit(scale(hand, cross(up, forward))) }
 }
 
-/// The frame of two or three directions. Two of them have to be there and not parallel.
+/// Completes two or three directions to a frame. `None` if fewer than two are given; they must not be parallel.
 pub(super) fn complete(up: Option<Vector>, forward: Option<Vector>, left: Option<Vector>, hand: f64) -> Option<Frame> {
     let third = |a, b| unit(scale(hand, cross(a, b)));
     match (up, forward, left) {
@@ -54,9 +54,10 @@ pub(super) fn complete(up: Option<Vector>, forward: Option<Vector>, left: Option
     }
 }
 
-/// The nearest square triple to a skewed one, all axes moved alike: the orthogonal factor of its polar decomposition.
+/// Returns the orthogonal frame nearest to a skewed one: the orthogonal factor of its polar decomposition, by Newton
+/// iteration.
 ///
-/// A triple of the other handedness has its left turned round first, so that what comes out is proper.
+/// A triple of the opposite handedness has its left negated first, so that the result is proper.
 pub(super) fn nearest(up: Option<Vector>, forward: Option<Vector>, left: Option<Vector>, hand: f64) -> Option<Frame> {
     let start = complete(up, forward, left, hand)?;
     let mut rows = [up.unwrap_or(start.up), forward.unwrap_or(start.forward), left.unwrap_or(start.left)];
@@ -67,7 +68,7 @@ pub(super) fn nearest(up: Option<Vector>, forward: Option<Vector>, left: Option<
         let [a, b, c] = rows;
         let volume = dot(cross(a, b), c);
         if volume.abs() < 1e-6 {
-            // Nearly flat: there is no nearest one to speak of; forward is kept.
+            // Nearly flat: the nearest frame is ill-conditioned. Keep forward instead.
             return Some(start);
         }
         let inverse = [cross(b, c), cross(c, a), cross(a, b)];
@@ -82,13 +83,13 @@ pub(super) fn nearest(up: Option<Vector>, forward: Option<Vector>, left: Option<
 
 const LETTERS: [&str; 3] = ["X", "Y", "Z"];
 
-/// `+X` … `-Z`, if the direction is one.
+/// Returns `+X` … `-Z` if the direction is a signed axis.
 pub(super) fn cardinal(a: Vector) -> Option<String> {
     let axis = a.iter().position(|x| x.abs() > 1.0 - 1e-9)?;
     Some(format!("{}{}", if a[axis] < 0.0 { '-' } else { '+' }, LETTERS[axis]))
 }
 
-/// The direction of a letter.
+/// Returns the direction of an axis letter.
 pub(super) fn axis(letter: &str, negative: bool) -> Option<Vector> {
     let axis = LETTERS.iter().position(|known| *known == letter)?;
     let mut direction = [0.0; 3];

@@ -1,4 +1,4 @@
-//! One joint's settings.
+//! Checks the settings of one joint.
 
 use aim_model::{LimitsFrom, Role};
 
@@ -10,11 +10,11 @@ use crate::declare::report::messages::{self, Owner};
 use crate::declare::tree::Joint;
 use crate::{AngleRange, Frame, JointSpec};
 
-/// The largest rate that is accepted, rad/s (5730°/s). Human eyes reach 700°/s and fast machines a few turns a second;
-/// beyond, degrees were written as radians.
+/// Largest accepted rate, rad/s (5730°/s). Human eyes reach 700°/s and fast machines a few turns per second; anything
+/// above is a number of degrees written as radians.
 const FASTEST_RAD_S: f64 = 100.0;
 
-/// Checks a joint. Settings that were reported count as left out: nothing comes of a rig with errors.
+/// Checks a joint. Settings that were reported are treated as absent, since a rig with errors is not emitted.
 pub(super) fn check(
     joint: &Joint,
     settings: &Settings<'_>,
@@ -81,7 +81,7 @@ pub(super) fn rate(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     report.refuse(setting.place(), messages::rate_beyond(&setting.value.describe(), rate, report.notation))
 }
 
-/// The joint's own axes, or the rig's.
+/// Returns the frame of the joint's own axes, or of the rig's.
 fn frame(settings: &Settings<'_>, conventions: &Conventions<'_>, report: &mut Report) -> Option<Frame> {
     let mirrored = match settings.get("mirrored") {
         Some(setting) => read::flag(report, setting)?.then_some(setting),
@@ -102,7 +102,7 @@ fn frame(settings: &Settings<'_>, conventions: &Conventions<'_>, report: &mut Re
             None
         }
         Some(_) => axes.frame(report, owner, hand),
-        // Checked, and reported if need be, once for the rig.
+        // Already checked, and reported if necessary, once for the rig.
         None => conventions.frame,
     }
 }

@@ -1,11 +1,11 @@
-//! The kernels that are wanted as functions of the rig: names of objectives, each once.
+//! Checks the kernels that are requested as functions of the rig: names of objectives, each at most once.
 
 use super::read;
 use super::settings::Setting;
 use crate::declare::report::{Report, messages};
 use crate::objective::OBJECTIVES;
 
-/// Checks `kernels`; what was reported is left out.
+/// Checks `kernels`; entries that were reported are left out.
 pub(super) fn check(report: &mut Report, setting: Setting<'_>) -> Vec<&'static str> {
     let known = OBJECTIVES.map(|objective| objective.name);
     let words = read::words(report, setting, "kernels");

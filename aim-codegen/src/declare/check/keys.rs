@@ -1,11 +1,11 @@
-//! The keys of each group of settings, with what the value of each has to be.
+//! Keys of each group of settings, with the expected form of each value.
 
 use crate::declare::report::expected::Expected;
 
-/// A known key and what its value has to be.
+/// A known key and the expected form of its value.
 pub(crate) type Key = (&'static str, Expected);
 
-/// What a rig may say; `crate` in a macro only, `joint` in TOML only.
+/// Keys of a rig; `crate` in the macro only, `joint` in TOML only.
 pub(super) const RIG_KEYS: &[Key] = &[
     ("axes", Expected::AXES),
     ("handedness", Expected::SIDE),
@@ -17,7 +17,7 @@ pub(super) const RIG_KEYS: &[Key] = &[
     ("joint", Expected::JOINTS),
 ];
 
-/// What a joint may say.
+/// Keys of a joint.
 pub(super) const JOINT_KEYS: &[Key] = &[
     ("role", Expected::ROLE),
     ("heading", Expected::HEADING_RANGE),
@@ -35,10 +35,10 @@ pub(super) const JOINT_KEYS: &[Key] = &[
     ("mirrored", Expected::FLAG),
 ];
 
-/// What `effector` may say.
+/// Keys of `effector`.
 pub(super) const EFFECTOR_KEYS: &[Key] = &[("forward", Expected::DIRECTION), ("origin", Expected::POINT)];
 
-/// What `natural` may say.
+/// Keys of `natural`.
 pub(super) const NATURAL_KEYS: &[Key] = &[
     ("eyes_only", Expected::ANGLE),
     ("head_share", Expected::NUMBER),
@@ -47,11 +47,11 @@ pub(super) const NATURAL_KEYS: &[Key] = &[
     ("delay", Expected::SECONDS),
 ];
 
-/// The settings of `region`.
+/// Keys of `region`.
 pub(super) const REGION_KEYS: &[Key] =
     &[("like", Expected::BODY), ("head", Expected::BUDGET), ("chest", Expected::BUDGET)];
 
-/// The settings of the budget of a part of the body.
+/// Keys of a region's budget.
 pub(super) const BUDGET_KEYS: &[Key] = &[
     ("heading", Expected::ANGLE_RANGE),
     ("pitch", Expected::ANGLE_RANGE),
@@ -59,7 +59,7 @@ pub(super) const BUDGET_KEYS: &[Key] = &[
     ("acceleration", Expected::ACCELERATION),
 ];
 
-/// What `axes` may say; each direction is followed by its opposite.
+/// Keys of `axes`; each direction is followed by its opposite.
 pub(super) const AXES_KEYS: [Key; 6] = [
     ("up", Expected::DIRECTION),
     ("down", Expected::DIRECTION),

@@ -1,4 +1,5 @@
-//! The neutral tree → a checked rig. The only source of user errors; finds them all.
+//! Checks the neutral tree and builds a [`RigSpec`]. The only source of errors in what users declare; reports all of
+//! them.
 
 mod axes;
 mod conventions;
@@ -27,7 +28,7 @@ use crate::{EffectorSpec, Frame, JointSpec, RigSpec};
 /// A checked declaration.
 pub(super) struct Checked {
     pub(super) spec: RigSpec,
-    /// The path of `crate = …`.
+    /// Path given by `crate = …`.
     pub(super) krate: Option<TokenStream>,
 }
 
@@ -93,12 +94,13 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
     Some(Checked { spec: RigSpec { name, joints: specs?, effector: effector?, natural, region, kernels }, krate })
 }
 
-/// The attribute that should hold them, or the struct's name; in TOML the file's beginning.
+/// Returns the place for a report of missing axes: the first attribute, or the struct's name; in TOML the start of the
+/// file.
 fn missing_axes_place(rig: &Rig) -> &super::place::Place {
     rig.section.attributes.first().map_or(&rig.section.place, |attribute| &attribute.place)
 }
 
-/// What can be wrong with the Rust item as such.
+/// Checks the Rust item itself.
 fn check_item(rig: &Rig, report: &mut Report) {
     let item = &rig.item;
     if let Some((what, place)) = &item.wrong_shape {
@@ -127,7 +129,7 @@ fn check_attributes(name: &str, section: &Section, report: &mut Report) {
     }
 }
 
-/// Whether the joint has settings to check.
+/// Returns `true` if the joint has settings to check; reports faulty attributes.
 fn check_joint_attributes(notation: Notation, joint: &Joint, report: &mut Report) -> bool {
     check_attributes("joint", &joint.section, report);
     if notation == Notation::Rust && joint.section.attributes.is_empty() {
@@ -137,7 +139,8 @@ fn check_joint_attributes(notation: Notation, joint: &Joint, report: &mut Report
     joint.section.attributes.iter().all(|attribute| attribute.has_list)
 }
 
-/// The effector in the first joint's bone space; its own forward, if it has one, keeps up as near as it can.
+/// Reads the effector, in the first joint's bone space. If it declares its own forward, up stays as near as possible to
+/// the joint's.
 fn effector(declared: Option<Setting<'_>>, first: Option<Frame>, report: &mut Report) -> Option<EffectorSpec> {
     let Some(declared) = declared else { return Some(EffectorSpec { frame: first?, origin: [0.0; 3] }) };
     let Kind::Table(entries) = &declared.value.kind else { return read::mismatch(report, declared) };
@@ -148,10 +151,10 @@ fn effector(declared: Option<Setting<'_>>, first: Option<Frame>, report: &mut Re
     Some(EffectorSpec { frame: forward.map_or(first, |forward| turned(first, forward)), origin })
 }
 
-/// The first joint's frame, turned to another forward by squaring its up to that.
+/// Returns the first joint's frame with another forward; up is orthogonalised against it.
 ///
-/// Where the new forward is along up, the character looks straight up or down: its up then points where the back of the
-/// head, or the face, was.
+/// If the new forward is parallel to up, the character looks straight up or down; up then points along the old back
+/// (when looking up) or the old forward (when looking down).
 fn turned(first: Frame, forward: frame::Vector) -> Frame {
     let along = frame::dot(first.up, forward);
     let is_parallel = frame::length(frame::cross(first.up, forward)) < frame::SQUARE_SIN;

@@ -1,4 +1,4 @@
-//! Names of rigs, joints and bones: usable in Rust, C and WGSL, and each used once.
+//! Checks names of rigs, joints and bones: usable in Rust, C and WGSL, and each used once.
 
 use super::read;
 use super::settings::{Setting, Settings};
@@ -51,7 +51,8 @@ fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
     } else if let Some(language) = keyword_of(&snake) {
         messages::keyword(name, &snake, language)
     } else if report.notation == Notation::Toml && is_rust_keyword(name) {
-        // In a macro rustc has seen to it: a keyword arrives as `r#…`, which the emitted Rust repeats.
+        // In a macro, rustc has already checked this: a keyword arrives as `r#…`, and the emitted Rust repeats that
+        // form.
         messages::rust_keyword(name)
     } else if name.starts_with("__") {
         messages::reserved_prefix(name)
@@ -61,7 +62,7 @@ fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
     report.refuse(&value.place, text)
 }
 
-/// Reports bones that are named twice: among all joints, their alternatives and their pairs, and among what is held.
+/// Reports bones that are named twice, among all joints (with their alternatives and other eyes) and held bones.
 pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report) {
     let turned = check_turned(joints, report);
     let mut held: Vec<(&str, &Place)> = Vec::new();
@@ -78,8 +79,8 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
     }
 }
 
-/// Reports bones of joints and other eyes that are named twice. Gives each bone with its place, and whether the joint's own
-/// name is what names it.
+/// Reports bones of joints and of other eyes that are named twice. Returns each bone with its place and `true` if the
+/// joint's own name is also the bone's name.
 fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -> Vec<(&'t str, &'t Place, bool)> {
     let mut seen: Vec<(&str, &Place, bool)> = Vec::new();
     for (joint, settings) in joints {
@@ -91,7 +92,7 @@ fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -
         }
         for (bone, place, by_name) in own {
             match seen.iter().find(|(first, ..)| *first == bone) {
-                // Two joints of one name have been reported as such.
+                // Two joints with the same name have already been reported.
                 Some((_, _, true)) if by_name => {}
                 Some((_, first, first_by_name)) => {
                     let note = if *first_by_name || by_name {
@@ -110,7 +111,7 @@ fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -
     seen
 }
 
-/// The strings of a value, alone or in a list; what is not a string has been reported.
+/// Returns the strings of a value, single or in a list. Values that are not strings have already been reported.
 fn texts(value: &Value) -> impl Iterator<Item = (&str, &Place)> {
     let values = match &value.kind {
         Kind::List(values) => values.as_slice(),

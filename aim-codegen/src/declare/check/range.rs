@@ -1,4 +1,4 @@
-//! Ranges of angles: both ends there, in order, around 0, within half a turn.
+//! Checks ranges of angles: both ends present, in order, around 0, within ±π.
 
 use core::f64::consts::PI;
 
@@ -9,10 +9,11 @@ use crate::declare::report::expected::Expected;
 use crate::declare::report::{Report, messages};
 use crate::declare::tree::{Kind, Notation, Value};
 
-/// How far beyond ±π a range's end may lie to mean ±π: radians are written with few digits.
+/// Largest excess over ±π at which the end of a range is read as ±π: radians are written with few digits.
 const ROUNDING_RAD: f64 = 1e-5;
 
-/// Less than this to both sides is no range of motion, radians (1°): radians were written as degrees.
+/// Smallest useful range end, radians (1°). If both ends are smaller, a number of radians was probably written as
+/// degrees.
 const SMALLEST_RAD: f64 = PI / 180.0;
 
 /// Reads the range of `heading` or `pitch`.
@@ -36,7 +37,7 @@ pub(super) fn range(report: &mut Report, setting: Setting<'_>) -> Option<AngleRa
             _ => report.refuse(setting.place(), messages::range_list(key, ends.len())),
         },
         (Kind::Number(number), _) => {
-            // A number that is itself wrong is reported as such first.
+            // If the number itself is faulty, report that first.
             read::angle(report, setting)?;
             let size = number.text.trim_start_matches(['-', '+', ' ']);
             report.refuse(setting.place(), messages::range_single(key, &setting.value.describe(), size, notation))

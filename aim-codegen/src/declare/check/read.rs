@@ -1,4 +1,4 @@
-//! Values of the tree → typed values; each either comes out whole or is reported.
+//! Converts values of the tree to typed values. Each function returns the complete value, or reports an error.
 
 use aim_model::{BoneName, Role};
 
@@ -12,14 +12,14 @@ use crate::declare::report::{Report, messages, text};
 use crate::declare::tree::{Entry, Item, Kind, Notation, Number, Value};
 use crate::names;
 
-/// Reports a value of the wrong kind, with the help that fits what was found.
+/// Reports a value of the wrong kind, with help chosen by the kind that was found.
 pub(crate) fn mismatch<T>(report: &mut Report, setting: Setting<'_>) -> Option<T> {
     let Setting { key, expected, value } = setting;
     let (found, notation) = (value.describe(), report.notation);
     let text = match &value.kind {
         Kind::Word(_) if expected.form == Form::Word => messages::expected(key, expected, &found, notation),
         Kind::Word(_) | Kind::Path(_) | Kind::Other(_) => messages::not_literal(key, expected, &found, notation),
-        // `-LIMIT`: it has the form of an axis, but a constant is what was meant.
+        // `-LIMIT` has the form of an axis, but was meant as a constant.
         Kind::Axis { letter, .. } if frame::axis(letter, false).is_none() => {
             messages::not_literal(key, expected, &found, notation)
         }
@@ -29,7 +29,7 @@ pub(crate) fn mismatch<T>(report: &mut Report, setting: Setting<'_>) -> Option<T
                 Kind::Word(_) if expected.form == Form::Other => messages::expected(key, expected, &found, notation),
                 Kind::Number(number) if expected.form == Form::Angle => match radians(key, &number, notation) {
                     Ok(_) => messages::quoted(key, expected, &found, text),
-                    // The quotes were put around what does not lex without, such as `35°`.
+                    // Quoted because it does not lex otherwise, such as `35°`.
                     Err(text) => text,
                 },
                 _ => messages::quoted(key, expected, &found, text),
@@ -40,14 +40,14 @@ pub(crate) fn mismatch<T>(report: &mut Report, setting: Setting<'_>) -> Option<T
     report.refuse(&value.place, text)
 }
 
-/// An angle in radians, finite or not.
+/// Reads an angle in radians; it may be infinite or NaN.
 pub(super) fn angle(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     let Kind::Number(number) = &setting.value.kind else { return mismatch(report, setting) };
     let angle = radians(setting.key, number, report.notation);
     report.accept(setting.place(), angle)
 }
 
-/// The number in radians, or what is wrong with its unit.
+/// Converts the number to radians, or returns the error about its unit.
 fn radians(key: &str, number: &Number, notation: Notation) -> Result<f64, Text> {
     Err(if let Some(radix) = number.radix {
         messages::radix(&number.text, radix)
@@ -65,11 +65,11 @@ fn radians(key: &str, number: &Number, notation: Notation) -> Result<f64, Text> 
     })
 }
 
-/// A positive, finite number: in radians where it is an angle, a rate or an acceleration, else without a unit.
+/// Reads a positive, finite number: in radians for an angle, a rate or an acceleration, otherwise without a unit.
 pub(super) fn positive(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     let found = if setting.expected.form == Form::Angle { angle } else { plain }(report, setting)?;
     let text = setting.value.number();
-    // The runtime holds single precision: beyond its largest number is infinite to it, below its smallest is zero.
+    // The runtime stores `f32`: larger numbers would become infinite there, smaller ones zero.
     if !fits(found) {
         report.refuse(setting.place(), messages::not_finite(setting.key, text))
     } else if found < f64::from(f32::MIN_POSITIVE) {
@@ -84,7 +84,7 @@ fn fits(value: f64) -> bool {
     value.abs() <= f64::from(f32::MAX)
 }
 
-/// A finite number without a unit.
+/// Reads a finite number without a unit.
 pub(super) fn plain(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     let Kind::Number(number) = &setting.value.kind else { return mismatch(report, setting) };
     let Number { text, unit, .. } = number;
@@ -100,7 +100,7 @@ pub(super) fn plain(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     report.refuse(setting.place(), text)
 }
 
-/// A number from 0 to 1.
+/// Reads a number from 0 to 1.
 pub(super) fn share(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     let share = plain(report, setting)?;
     if (0.0..=1.0).contains(&share) {
@@ -109,12 +109,12 @@ pub(super) fn share(report: &mut Report, setting: Setting<'_>) -> Option<f64> {
     report.refuse(setting.place(), messages::share_outside(setting.key, setting.value.number()))
 }
 
-/// `true` or `false`.
+/// Reads `true` or `false`.
 pub(super) fn flag(report: &mut Report, setting: Setting<'_>) -> Option<bool> {
     if let Kind::Bool(flag) = setting.value.kind { Some(flag) } else { mismatch(report, setting) }
 }
 
-/// One of two words: whether it is the first.
+/// Reads one of two words; returns `true` if it is the first.
 pub(crate) fn is_first_of(report: &mut Report, setting: Setting<'_>, words: [&str; 2]) -> Option<bool> {
     match &setting.value.kind {
         Kind::Word(word) if words.contains(&word.as_str()) => Some(word == words[0]),
@@ -126,7 +126,7 @@ pub(crate) fn is_first_of(report: &mut Report, setting: Setting<'_>, words: [&st
     }
 }
 
-/// A role.
+/// Reads a role.
 pub(super) fn role(report: &mut Report, setting: Setting<'_>) -> Option<Role> {
     let Kind::Word(word) = &setting.value.kind else { return mismatch(report, setting) };
     let named = |name: &str| Role::ALL.into_iter().find(|role| role.as_str() == name);
@@ -137,12 +137,12 @@ pub(super) fn role(report: &mut Report, setting: Setting<'_>) -> Option<Role> {
     })
 }
 
-/// A path, as tokens.
+/// Reads a path, as tokens.
 pub(crate) fn path(report: &mut Report, setting: Setting<'_>) -> Option<proc_macro2::TokenStream> {
     if let Kind::Path(path) = &setting.value.kind { Some(path.clone()) } else { mismatch(report, setting) }
 }
 
-/// A node's name.
+/// Reads a node's name.
 pub(super) fn node(report: &mut Report, setting: Setting<'_>) -> Option<String> {
     match &setting.value.kind {
         Kind::Text(text) if text.trim().is_empty() => report.refuse(setting.place(), messages::empty_bone(setting.key)),
@@ -151,7 +151,7 @@ pub(super) fn node(report: &mut Report, setting: Setting<'_>) -> Option<String> 
     }
 }
 
-/// A node's name, or a list of them that holds at least one.
+/// Reads a node's name, or a non-empty list of them.
 pub(super) fn nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<String>> {
     match &setting.value.kind {
         Kind::List(values) if values.is_empty() => report.refuse(setting.place(), messages::empty_bone(setting.key)),
@@ -159,7 +159,7 @@ pub(super) fn nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<Str
     }
 }
 
-/// A node's name, or a list of them that may be empty.
+/// Reads a node's name, or a list of them that may be empty.
 pub(super) fn any_nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec<String>> {
     match &setting.value.kind {
         Kind::List(values) => {
@@ -169,14 +169,15 @@ pub(super) fn any_nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec
     }
 }
 
-/// Bare words, `key(a, b)` or `key = ["a", "b"]`, each once; `things` is what they name.
+/// Reads bare words, `key(a, b)` or `key = ["a", "b"]`, each at most once. `things` is the messages' word for what they
+/// name.
 pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str) -> Vec<(&'t str, &'t Place)> {
     let mut words = Vec::new();
     add_words(report, setting, (things, None), &mut words);
     words.into_iter().map(|word| (word.text, word.place)).collect()
 }
 
-/// The same, some of them in `wrapper(…)`.
+/// Reads bare words like [`words`], some of which may stand in `wrapper(…)`.
 pub(crate) fn wrapped_words<'t>(
     report: &mut Report,
     setting: Setting<'t>,
@@ -188,11 +189,11 @@ pub(crate) fn wrapped_words<'t>(
     words
 }
 
-/// A bare word.
+/// A bare word that was read from a list.
 pub(crate) struct FoundWord<'t> {
     pub(crate) text: &'t str,
     pub(crate) place: &'t Place,
-    /// Whether it stands in a wrapper.
+    /// `true` if the word stands in a wrapper.
     pub(crate) wrapped: bool,
 }
 
@@ -251,7 +252,7 @@ fn add_words<'t>(
     }
 }
 
-/// Three finite numbers, in the notation's brackets.
+/// Reads three finite numbers, in the notation's brackets.
 pub(super) fn vector(report: &mut Report, setting: Setting<'_>) -> Option<[f64; 3]> {
     let ((Kind::Tuple(values), Notation::Rust) | (Kind::List(values), Notation::Toml)) =
         (&setting.value.kind, report.notation)
@@ -261,7 +262,7 @@ pub(super) fn vector(report: &mut Report, setting: Setting<'_>) -> Option<[f64; 
     let [x, y, z] = values.as_slice() else {
         return report.refuse(setting.place(), messages::vector_length(setting.key, values.len()));
     };
-    // All three are read before any is given up.
+    // Read all three before returning, so that each error is reported.
     let [x, y, z] = [x, y, z].map(|value| plain(report, setting.part(Expected::NUMBER, value)));
     Some([x?, y?, z?])
 }

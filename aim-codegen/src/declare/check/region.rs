@@ -1,4 +1,4 @@
-//! The budgets of the parts of the body in a natural gaze.
+//! Checks the budgets of the body's regions in a natural gaze.
 
 use super::joint::rate;
 use super::keys::{BUDGET_KEYS, REGION_KEYS};
@@ -8,7 +8,7 @@ use crate::declare::report::{Report, messages};
 use crate::declare::tree::Kind;
 use crate::{AngleRange, Budget, Budgets};
 
-/// Checks `region`; `None` if anything of it was reported.
+/// Checks `region`; `None` if any part of it was reported.
 pub(super) fn check(report: &mut Report, region: Setting<'_>) -> Option<Budgets> {
     let entries = match &region.value.kind {
         Kind::Table(entries) => entries,
@@ -25,7 +25,7 @@ pub(super) fn check(report: &mut Report, region: Setting<'_>) -> Option<Budgets>
     like.and(Some(Budgets { head: head?, chest: chest? }))
 }
 
-/// A body that is known by a word.
+/// Reads the budgets of a body that is named by a word.
 fn body(report: &mut Report, setting: Setting<'_>) -> Option<Budgets> {
     let Kind::Word(word) = &setting.value.kind else { return read::mismatch(report, setting) };
     match Budgets::NAMED.iter().find(|(name, _)| name == word) {
@@ -34,7 +34,7 @@ fn body(report: &mut Report, setting: Setting<'_>) -> Option<Budgets> {
     }
 }
 
-/// A part's budget; what is left out is as usual.
+/// Reads a region's budget; settings that are left out keep their value in `usual`.
 fn budget(report: &mut Report, part: Setting<'_>, usual: Budget) -> Option<Budget> {
     let Kind::Table(entries) = &part.value.kind else { return read::mismatch(report, part) };
     let settings = Settings::read(entries, BUDGET_KEYS, Level::Table, report);

@@ -1,4 +1,4 @@
-//! [`Settings`]: entries sorted by key; unknown, repeated and misplaced keys are reported here, once.
+//! [`Settings`]: entries by key. Reports unknown, repeated and misplaced keys, each once.
 
 use super::keys::{JOINT_KEYS, Key, RIG_KEYS};
 use crate::declare::place::Place;
@@ -8,17 +8,17 @@ use crate::declare::report::{messages, text};
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::names;
 
-/// Where settings stand: for keys that belong elsewhere, and for what they are called.
+/// Level at which settings stand; decides which keys belong there and how messages name the group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Level {
     Rig,
     Joint,
     Table,
-    /// In the attribute of `#[differentiate]`.
+    /// The attribute of `#[differentiate]`.
     Options,
 }
 
-/// A setting of a known key.
+/// A setting with a known key.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Setting<'t> {
     pub(crate) key: &'t str,
@@ -27,7 +27,7 @@ pub(crate) struct Setting<'t> {
 }
 
 impl<'t> Setting<'t> {
-    /// A part of the value, by itself.
+    /// Returns a part of the value as a setting of its own, with the same key.
     pub(super) fn part(self, expected: Expected, value: &'t Value) -> Self {
         Self { expected, value, ..self }
     }
@@ -40,11 +40,11 @@ impl<'t> Setting<'t> {
 /// The usable settings of a section.
 pub(crate) struct Settings<'t> {
     items: Vec<(&'t Item, Expected)>,
-    /// Keys that are there in some form, so that they are not reported as missing, too.
+    /// Keys that are present in any form, even faulty, so that they are not also reported as missing.
     present: Vec<&'t str>,
 }
 
-/// Words for settings that other programs use.
+/// Words that other programs use for these settings.
 const SYNONYMS: &[(&str, &str)] = &[
     ("yaw", "heading"),
     ("azimuth", "heading"),
@@ -60,7 +60,7 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("mirror", "mirrored"),
 ];
 
-/// Keys of earlier versions and what they are called now.
+/// Keys of earlier versions, with their present names.
 const RENAMED: &[(&str, &str)] = &[
     ("bones", "axes"),
     ("comfort", "stiffness"),
@@ -91,13 +91,13 @@ impl<'t> Settings<'t> {
         settings
     }
 
-    /// The setting of this key, if it has a value.
+    /// Returns the setting with this key, if it has a value.
     pub(crate) fn get(&self, key: &str) -> Option<Setting<'t>> {
         let &(item, expected) = self.items.iter().find(|(item, _)| item.key.text == key)?;
         Some(Setting { key: &item.key.text, expected, value: &item.value })
     }
 
-    /// The value of this key as `read` understands it; `None` if there is none, or if it was reported.
+    /// Returns the value of this key, converted by `read`; `None` if it is absent or was reported.
     pub(crate) fn read_value<T>(
         &self,
         key: &str,
@@ -107,7 +107,7 @@ impl<'t> Settings<'t> {
         self.get(key).and_then(|setting| read(report, setting))
     }
 
-    /// Whether the key was at least meant.
+    /// Returns `true` if the key is present, even with a faulty value or a misspelled name.
     pub(crate) fn has(&self, key: &str) -> bool {
         self.present.contains(&key)
     }
@@ -159,7 +159,7 @@ fn repeated(report: &mut Report, key: &str, place: &Place, first: Option<&Place>
     }
 }
 
-/// The known key that was probably meant.
+/// Returns the known key that was probably meant.
 fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
     let lower = key.to_lowercase();
     if let Some((_, meant)) = SYNONYMS.iter().find(|(other, meant)| *other == lower && known.contains(meant)) {

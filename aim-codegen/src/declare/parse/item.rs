@@ -1,4 +1,4 @@
-//! A derive macro's input → the neutral tree. Reports nothing.
+//! Parses a derive macro's input into the neutral tree. Reports nothing.
 
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -43,7 +43,7 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     }
 }
 
-/// The path of `crate = …`, whatever else is wrong.
+/// Returns the path of `crate = …`, even if the declaration has other errors.
 pub(crate) fn crate_override(input: &DeriveInput) -> Option<TokenStream> {
     let section = read_section(&input.attrs, "aim", input.ident.span());
     section.entries.into_iter().find_map(|entry| match entry {
@@ -65,7 +65,7 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
         item.misplaced.push(Word { text: "aim".into(), place: Place::of(attribute.path()) });
     }
     let name = field.ident.as_ref();
-    // Fields of a named struct have names; a call site span is only what keeps this total.
+    // Fields of a struct with named fields always have a name; the call-site span is an unreachable fallback.
     let section = read_section(&field.attrs, "joint", name.map_or_else(Span::call_site, syn::Ident::span));
     if let (Some(name), false) = (name, section.attributes.is_empty()) {
         if !may_be_joint(&field.ty) {
@@ -79,8 +79,8 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     Joint { name: name.map(name_of), section }
 }
 
-/// Whether a type may be `Joint`, as far as tokens tell: a path of any name may be an alias of it, but for those of
-/// numbers and the like, which nobody gives to another type.
+/// Returns `false` if the type certainly is not `Joint`, judged by its tokens. A path of any name may be an alias of
+/// `Joint`, except for the names of numbers and other common types, which nobody uses for a different type.
 fn may_be_joint(found: &syn::Type) -> bool {
     const OTHERS: &str = "bool char str String f32 f64 i8 i16 i32 i64 i128 isize u8 u16 u32 u64 u128 usize \
                           Vec2 Vec3 Vec3A Vec4 Quat Mat3 Mat4 Affine3A Transform Entity";

@@ -1,9 +1,10 @@
-//! Literals by their text alone: numbers with a unit, and the words of TOML strings.
+//! Parses literals from their text: numbers with a unit, and the words in TOML strings.
 
 use crate::declare::place::Place;
 use crate::declare::tree::{Kind, Number, Value};
 
-/// Reads a number with an optional sign and an optional unit behind it; `None` if it does not start like one.
+/// Parses a number with an optional sign before it and an optional unit after it; `None` if the text does not start
+/// like a number.
 pub(crate) fn number(text: &str) -> Option<Number> {
     let text = text.trim();
     let (negative, unsigned) = match text.strip_prefix('-') {
@@ -27,7 +28,7 @@ pub(crate) fn number(text: &str) -> Option<Number> {
     Some(Number { unit: unit.to_owned(), detached: unit.len() < rest.len(), ..Number::plain(text, value) })
 }
 
-/// Where the digits, the fraction and the exponent end and the unit starts.
+/// Returns the end of digits, fraction and exponent, where the unit starts.
 fn digits_end(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
     let run = |mut at: usize| {
@@ -52,7 +53,7 @@ fn digits_end(text: &str) -> Option<usize> {
     Some(end)
 }
 
-/// What a TOML string says where it is not a name: a number, an axis, a range or a word.
+/// Parses a TOML string that is not a name: a number, an axis, a range or a word.
 pub(crate) fn word(text: &str, place: &Place) -> Kind {
     let trimmed = text.trim();
     if let Some((low, high)) = trimmed.split_once("..") {
@@ -72,7 +73,7 @@ pub(crate) fn word(text: &str, place: &Place) -> Kind {
     if is_word(trimmed) { Kind::Word(trimmed.to_owned()) } else { Kind::Text(text.to_owned()) }
 }
 
-/// Whether it has the form of an identifier, in any script.
+/// Returns `true` if the text has the form of an identifier, in any script.
 pub(crate) fn is_word(text: &str) -> bool {
     text.starts_with(|c: char| c.is_alphabetic() || c == '_') && text.chars().all(|c| c.is_alphanumeric() || c == '_')
 }

@@ -1,7 +1,7 @@
-//! First pass: what the user wrote → the neutral [`tree`](super::tree), with the place of every part.
+//! First pass: parses the user's text into the neutral [`tree`](super::tree), with the place of every part.
 //!
-//! `item` reads a derive macro's input and `tokens` the settings in its attributes, `toml_file` a rig's file; `literal`
-//! holds what both write alike. Nothing is judged here but the syntax of TOML.
+//! `item` reads a derive macro's input and `tokens` the settings in its attributes; `toml_file` reads a rig's file;
+//! `literal` holds the syntax that both share. Only the syntax of TOML is checked here.
 
 pub(crate) mod item;
 pub(crate) mod literal;

@@ -1,4 +1,4 @@
-//! Attribute tokens → entries of the neutral tree. Reports nothing; what does not fit becomes a fact in the tree.
+//! Parses attribute tokens into entries of the neutral tree. Reports nothing; faulty tokens are recorded in the tree.
 
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 
@@ -6,7 +6,7 @@ use super::literal;
 use crate::declare::place::Place;
 use crate::declare::tree::{Entry, Item, Kind, Value, Word};
 
-/// The entries of `#[attribute(…)]`'s tokens.
+/// Returns the entries of `#[attribute(…)]`'s tokens.
 pub(crate) fn entries(tokens: TokenStream) -> Vec<Entry> {
     let tokens = flatten(tokens);
     let mut entries = Vec::new();
@@ -32,7 +32,7 @@ pub(crate) fn entries(tokens: TokenStream) -> Vec<Entry> {
     entries
 }
 
-/// Where this entry ends: at its comma, or before `key =` where a comma was forgotten.
+/// Returns the end of the first entry: its comma, or the next `key =` if a comma is missing.
 fn chunk_end(tokens: &[TokenTree]) -> usize {
     for (at, token) in tokens.iter().enumerate() {
         if is_punct(token, ',') {
@@ -77,7 +77,7 @@ fn read_item(key: &Ident, after: &[TokenTree], entries: &mut Vec<Entry>) {
     }
 }
 
-/// A path, bare or, as serde has it, in a string; anything else is left to the ordinary reader.
+/// Reads a path, bare or, as in serde, in a string; anything else goes through the ordinary reader.
 fn crate_path(tokens: &[TokenTree]) -> Value {
     let span = tokens.first().map_or_else(Span::call_site, TokenTree::span);
     let place = Place::tokens(tokens, span);
@@ -94,7 +94,7 @@ fn crate_path(tokens: &[TokenTree]) -> Value {
     }
 }
 
-/// Whether the tokens are a plain path: generic arguments would lead nowhere in front of `::AimRig`.
+/// Returns `true` if the tokens are a plain path. Generic arguments are excluded: `::AimRig` could not follow them.
 fn is_module_path(tokens: &TokenStream) -> bool {
     use syn::parse::Parser;
     syn::Path::parse_mod_style.parse2(tokens.clone()).is_ok_and(|path| !path.segments.is_empty())
@@ -106,7 +106,7 @@ fn read_value(tokens: &[TokenTree], before: Span) -> Value {
     Value { kind, place }
 }
 
-/// `low..=high`, `low..high` and their open forms; `None` if there is no `..`.
+/// Reads `low..=high`, `low..high` and their open forms; `None` if there is no `..`.
 fn range(tokens: &[TokenTree]) -> Option<Kind> {
     let dots = |pair: &[TokenTree]| is_punct(&pair[0], '.') && is_punct(&pair[1], '.');
     let at = tokens.windows(2).position(dots)?;
@@ -141,7 +141,7 @@ fn single(tokens: &[TokenTree]) -> Kind {
                 _ => Kind::Other("a literal of another kind"),
             }
         }
-        // `35 deg`: what was meant is plain, so that the message can say it.
+        // `35 deg`: the meaning is clear, so keep it for the message.
         [TokenTree::Literal(literal), TokenTree::Ident(unit)] => match literal::number(&literal.to_string()) {
             Some(plain) if plain.unit.is_empty() && plain.radix.is_none() => {
                 number(&format!("{}{literal} {unit}", sign.replace('+', "")))
@@ -175,10 +175,10 @@ fn values(group: &Group) -> Vec<Value> {
     values
 }
 
-/// Replaces invisible groups by what they hold: `macro_rules!` passes its fragments in them.
+/// Replaces invisible groups by their content: `macro_rules!` wraps its fragments in them.
 fn flatten(tokens: TokenStream) -> Vec<TokenTree> {
     let mut flat = Vec::new();
-    // A stack instead of recursion: nesting is as deep as the user's macros make it.
+    // An explicit stack instead of recursion: the user's macros may nest arbitrarily deep.
     let mut stack = vec![tokens.into_iter()];
     while let Some(top) = stack.last_mut() {
         match top.next() {
@@ -198,14 +198,14 @@ fn is_punct(token: &TokenTree, punct: char) -> bool {
     matches!(token, TokenTree::Punct(found) if found.as_char() == punct)
 }
 
-/// An identifier as a word, without `r#`.
+/// Returns an identifier as a word, without `r#`.
 pub(crate) fn word_of(ident: &Ident) -> Word {
     let text = ident.to_string();
     let text = text.strip_prefix("r#").map_or(text.clone(), str::to_owned);
     Word { text, place: Place::span(ident.span()) }
 }
 
-/// The tokens as text, cut where they are long.
+/// Returns the tokens as text, cut after 24 characters.
 fn shorten(tokens: &[TokenTree]) -> String {
     let text: String = tokens.iter().cloned().collect::<TokenStream>().to_string();
     match text.char_indices().nth(24) {

@@ -1,4 +1,4 @@
-//! A TOML file's text → the neutral tree, with byte ranges. Reports only what the TOML syntax itself forbids.
+//! Parses a TOML file into the neutral tree, with byte ranges. Reports only violations of the TOML syntax itself.
 
 use core::ops::Range;
 
@@ -11,7 +11,7 @@ use crate::declare::report::diagnostics::Diagnostic;
 use crate::declare::report::messages;
 use crate::declare::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
 
-/// Reads the text; the diagnostics are syntax errors.
+/// Parses the text; the diagnostics are syntax errors.
 pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
     let (document, errors) = DeTable::parse_recoverable(text);
     let mut table = entries(document.get_ref());
@@ -37,7 +37,7 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
         }
     }
     if let Some(place) = single {
-        // All else that is wrong with such a file follows from it.
+        // All other errors in such a file follow from this one.
         syntax = vec![Diagnostic::new(messages::single_joint(), place)];
     }
     let start = Place::Text(0..0);
@@ -52,7 +52,7 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
     (rig, syntax)
 }
 
-/// The joints of `[[joint]]`, taken out of the table where they have that form.
+/// Removes the joints of `[[joint]]` from the table and returns them; empty if `joint` has another form.
 fn joints(table: &mut Vec<Entry>) -> Vec<Joint> {
     let is_table = |value: &Value| matches!(value.kind, Kind::Table(_));
     let is_list = |value: &Value| matches!(&value.kind, Kind::List(all) if all.iter().all(is_table));
@@ -65,7 +65,7 @@ fn joints(table: &mut Vec<Entry>) -> Vec<Joint> {
     all.into_iter().filter_map(joint).collect()
 }
 
-/// The value of a key, taken out of the table if it is a fitting one.
+/// Removes the value of a key from the table and returns it, if it fits.
 fn take(entries: &mut Vec<Entry>, key: &str, fits: impl Fn(&Value) -> bool) -> Option<Value> {
     let is_it = |entry: &Entry| matches!(entry, Entry::Item(item) if item.key.text == key && fits(&item.value));
     let at = entries.iter().position(is_it)?;
@@ -91,12 +91,12 @@ fn word(key: &Spanned<DeString<'_>>) -> Word {
 fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
     let place = Place::Text(value.span());
     let number = |text: &str| {
-        // Infinities and what is no number have no digits.
+        // Infinities and NaN have no digits.
         let special = || text.parse().ok().map(|value| Number::plain(text, value));
         literal::number(text).or_else(special).map_or(Kind::Other("a number out of reach"), Kind::Number)
     };
     let kind = match value.get_ref() {
-        // Names are strings; everything else that stands in a string has a form of its own.
+        // Names are plain strings; any other string is parsed by its own syntax.
         DeValue::String(text) if matches!(key, "name" | "bone" | "other_eye" | "hold") => Kind::Text(text.to_string()),
         DeValue::String(text) => literal::word(text, &place),
         DeValue::Integer(integer) => number(&integer.to_string()),
@@ -109,7 +109,8 @@ fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
     Value { kind, place }
 }
 
-/// Where this key stood before: the nearest one above, as the parser does not say which table it fell into.
+/// Returns the place of the key's previous occurrence: the nearest one above `before`, because the parser does not say
+/// which table the repeated key fell into.
 fn nearest_before(entries: &[Entry], key: &str, before: usize) -> Option<Place> {
     let mut nearest: Option<Place> = None;
     let mut open: Vec<&Entry> = entries.iter().collect();

@@ -1,4 +1,4 @@
-//! [`Diagnostics`]: every error of one declaration, each with its place and what to do about it.
+//! [`Diagnostics`]: all errors of one declaration, each with its place and a help line.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -24,31 +24,31 @@ impl Diagnostic {
         self
     }
 
-    /// Says its places as those of the text that its tokens were read from.
+    /// Replaces token places by ranges of the text that the tokens were parsed from.
     pub(crate) fn place_in_text(&mut self) {
         self.place = self.place.in_text();
         self.note = self.note.take().map(|(note, place)| (note, place.in_text()));
     }
 
-    /// What is wrong.
+    /// Returns the error message: what is wrong.
     #[must_use]
     pub fn message(&self) -> &str {
         &self.text.message
     }
 
-    /// What to do about it.
+    /// Returns the help line: how to fix it.
     #[must_use]
     pub fn help(&self) -> &str {
         &self.text.help
     }
 
-    /// Where it is wrong.
+    /// Returns the place of the error.
     #[must_use]
     pub fn place(&self) -> &Place {
         &self.place
     }
 
-    /// The other place concerned, such as a key's first use, with what it is.
+    /// Returns the second place concerned, such as a key's first use, with a description of it.
     #[must_use]
     pub fn note(&self) -> Option<(&str, &Place)> {
         self.note.as_ref().map(|(note, place)| (note.as_str(), place))
@@ -62,7 +62,7 @@ pub struct Diagnostics {
     pub(super) source: Option<Source>,
 }
 
-/// The file that the places are in.
+/// The file that the places refer to.
 #[derive(Clone, Debug)]
 pub(crate) struct Source {
     pub(crate) name: String,
@@ -70,18 +70,18 @@ pub(crate) struct Source {
 }
 
 impl Diagnostics {
-    /// Errors in the order of their places.
+    /// Sorts the errors by place.
     pub(crate) fn new(mut list: Vec<Diagnostic>, source: Option<Source>) -> Self {
         list.sort_by_key(|diagnostic| diagnostic.place.offset());
         Self { list, source }
     }
 
-    /// The errors, in the order of the text.
+    /// Iterates over the errors, in the order of the text.
     pub fn iter(&self) -> core::slice::Iter<'_, Diagnostic> {
         self.list.iter()
     }
 
-    /// One `compile_error!` for each error at its place, and one for each second place.
+    /// Returns one `compile_error!` for each error, at its place, and one for each note.
     #[must_use]
     pub fn into_compile_error(self) -> TokenStream {
         let mut tokens = TokenStream::new();
@@ -104,7 +104,8 @@ impl<'a> IntoIterator for &'a Diagnostics {
     }
 }
 
-/// Rustc underlines from the macro's path to its arguments, so these carry the first and the last span.
+/// Emits one `compile_error!`. Rustc underlines from the macro's path to its arguments, so the path carries the first
+/// span and the arguments the last.
 fn compile_error(message: &str, place: &Place) -> TokenStream {
     let (first, last) = match place {
         Place::Tokens { first, last } => (*first, *last),

@@ -1,8 +1,8 @@
-//! [`Expected`]: what a setting's value has to be.
+//! [`Expected`]: the expected form of a setting's value.
 
 use crate::declare::tree::Notation;
 
-/// What a value has to be, in words, and an example of it.
+/// Expected form of a value, in words, and an example of it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Expected {
     pub(crate) form: Form,
@@ -11,7 +11,7 @@ pub(crate) struct Expected {
     examples: [&'static str; 2],
 }
 
-/// What may stand for a value of a wrong form.
+/// Form of an expected value; decides the help for a value of the wrong form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     /// A number with a unit, or two of them.
@@ -20,21 +20,21 @@ pub(crate) enum Form {
     Word,
     /// A string that is meant as a string.
     Text,
-    /// Nothing: the key stands alone.
+    /// No value: the key stands alone.
     Nothing,
     /// Anything else.
     Other,
 }
 
 impl Expected {
-    /// A setting with such a value, as it is written.
+    /// Returns an example of a whole setting, in this notation.
     pub(crate) fn example(self, key: &str, notation: Notation) -> String {
         let [rust, toml] = self.examples;
         notation.pick(rust, toml).replace("KEY", key)
     }
 }
 
-/// `NAME: form, words, [example in Rust, example in TOML];`
+/// Defines constants: `NAME: form, words, [example in Rust, example in TOML];`
 macro_rules! expected {
     ($($name:ident: $form:ident, $words:literal, $examples:expr;)*) => {
         impl Expected {
@@ -70,7 +70,7 @@ expected! {
     NAME: Text, "a name", ["KEY = \"left_eye\""; 2];
     PATH: Other, "a path", ["KEY = ::aim"; 2];
     JOINTS: Other, "a list of joints", ["[[KEY]]"; 2];
-    // Of `#[differentiate]`.
+    // Settings of `#[differentiate]`.
     ARGUMENTS: Word, "the names of arguments", ["KEY(p, h)"; 2];
     LENGTHS: Other, "the lengths of slices", ["KEY(values = 8)"; 2];
     OPERATIONS: Other, "a whole number of operations", ["KEY = 46"; 2];

@@ -1,6 +1,6 @@
-//! Every text that a user may read about a declaration: what was found, what was expected, what to do.
+//! All messages about declarations that a user may read: what was found, what was expected, how to fix it.
 //!
-//! Messages are the same in both front ends; help lines quote the declaration in the notation it was written in.
+//! Messages are the same in both front ends. Help lines quote the declaration in the notation in which it was written.
 
 use aim_model::Role;
 
@@ -8,12 +8,12 @@ use super::expected::Expected;
 use super::text::{did_you_mean, list, messages};
 use crate::declare::tree::{Kind, Notation, Value};
 
-/// A literal as it is written: TOML has no angles and axes of its own and keeps them in strings.
+/// Formats a literal as the user writes it: TOML has no syntax for angles and axes, so they are strings there.
 fn literal(text: impl core::fmt::Display, notation: Notation) -> String {
     notation.pick(format!("{text}"), format!("\"{text}\""))
 }
 
-/// The same angle in degrees and in radians.
+/// Formats the number as an angle in degrees and as one in radians.
 fn in_units(digits: &str, notation: Notation) -> [String; 2] {
     ["deg", "rad"].map(|unit| literal(format_args!("{digits}{unit}"), notation))
 }
@@ -22,12 +22,12 @@ fn range(low: &str, high: &str, notation: Notation) -> String {
     notation.pick(format!("{low}..={high}"), format!("[\"{low}\", \"{high}\"]"))
 }
 
-/// An example of a range of angles.
+/// Returns an example of a range of angles.
 fn a_range(key: &str, notation: Notation) -> String {
     Expected::ANGLE_RANGE.example(key, notation)
 }
 
-// Form: what stands where.
+// Form: keys, values, separators.
 
 messages! {
     expected(key: &str, expected: Expected, found: &str, notation: Notation)
@@ -117,7 +117,7 @@ messages! {
 
     duplicate_word(word: &str) => "`{word}` is named twice", "keep one of the two";
 
-    /// What the TOML parser says of `part` of the text.
+    /// Message of the TOML parser about `part` of the text.
     #[cfg(feature = "toml")]
     syntax(found: &str, part: &str)
         where help = if found.starts_with("string values must be quoted") {
@@ -364,7 +364,7 @@ messages! {
         "declare its own, as in `{example}`";
 }
 
-/// Whose axes they are, for the messages about handedness.
+/// Owner of the axes, for messages about handedness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
     Rig,
@@ -482,7 +482,7 @@ messages! {
         "put all settings into one `#[{attribute}(…)]`";
 }
 
-// Notes at another place.
+// Notes at a second place.
 
 pub(crate) fn first_use(what: &str) -> String {
     format!("`{what}` was first used here")

@@ -1,7 +1,7 @@
-//! Last pass: what is wrong, in words, and how it is shown.
+//! Last pass: words the errors and renders them.
 //!
-//! A [`Report`] collects; `messages` and `text` hold the words, `expected` those about values, `diagnostics` the errors
-//! with their places, and `render` shows them as a compiler does.
+//! A [`Report`] collects errors; `messages` and `text` hold the wording, `expected` that of expected values,
+//! `diagnostics` the errors with their places; `render` formats them like a compiler.
 
 pub(crate) mod diagnostics;
 pub(crate) mod expected;
@@ -17,7 +17,7 @@ use self::text::Text;
 use super::place::Place;
 use super::tree::Notation;
 
-/// Collects what is wrong; nothing stops at the first error.
+/// Collects errors; checking continues after each.
 pub(crate) struct Report {
     pub(crate) notation: Notation,
     found: Vec<Diagnostic>,
@@ -32,7 +32,7 @@ impl Report {
         self.found.push(Diagnostic::new(text, place.clone()));
     }
 
-    /// An error about these tokens.
+    /// Reports an error about these tokens.
     pub(crate) fn error_in(&mut self, tokens: &impl ToTokens, text: Text) {
         self.error(&Place::of(tokens), text);
     }
@@ -41,28 +41,28 @@ impl Report {
         self.found.push(Diagnostic::new(text, place.clone()).with_note(note, other.clone()));
     }
 
-    /// An error in place of a value.
+    /// Reports an error and returns `None` in place of a value.
     pub(crate) fn refuse<T>(&mut self, place: &Place, text: Text) -> Option<T> {
         self.error(place, text);
         None
     }
 
-    /// The value of what stands there, or the error about it.
+    /// Returns the value, or reports its error and returns `None`.
     pub(crate) fn accept<T>(&mut self, place: &Place, value: Result<T, Text>) -> Option<T> {
         value.map_err(|text| self.error(place, text)).ok()
     }
 
-    /// How many errors there are.
+    /// Returns the number of errors so far.
     pub(crate) fn count(&self) -> usize {
         self.found.len()
     }
 
-    /// Keeps only so many, the first ones. The others.
+    /// Truncates to the first `count` errors and returns the removed ones.
     pub(crate) fn forget(&mut self, count: usize) -> Vec<Diagnostic> {
         self.found.split_off(count)
     }
 
-    /// Puts back what was forgotten.
+    /// Appends errors that were removed by [`forget`](Self::forget).
     pub(crate) fn restore(&mut self, forgotten: Vec<Diagnostic>) {
         self.found.extend(forgotten);
     }

@@ -1,4 +1,4 @@
-//! Renders diagnostics for a terminal, in the shape compilers have made familiar. Plain text, no colours.
+//! Renders diagnostics for a terminal, in the usual format of compilers. Plain text, no colours.
 
 use core::fmt::{self, Write};
 use core::ops::Range;
@@ -6,11 +6,11 @@ use core::ops::Range;
 use super::diagnostics::{Diagnostics, Source};
 use crate::declare::place::Place;
 
-/// How much of a line is shown before a place, and from it on, characters.
+/// Maximum number of characters shown before a place, and from it on.
 const LONGEST: usize = 200;
 
 impl Diagnostics {
-    /// The errors as a compiler prints them, separated by empty lines: message, file, line and column, the line itself,
+    /// Formats the errors like a compiler, separated by empty lines: message, file, line and column, the line itself,
     /// help. Ends with a newline.
     #[must_use]
     pub fn render(&self) -> String {
@@ -54,10 +54,10 @@ fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
     let from = range.start.saturating_sub(start).min(text.len());
     let to = range.end.saturating_sub(start).clamp(from, text.len());
     let width = text.get(from..to).map_or(1, |part| part.chars().count()).clamp(1, LONGEST);
-    // Of a line longer than any screen what is around the place.
+    // Of an overlong line, show only the surroundings of the place.
     let skipped = (column - 1).saturating_sub(LONGEST);
     let indent = column - 1 - skipped;
-    // Tabs become one space each, so that the underline stands below its text whatever the terminal's tab width.
+    // Replace each tab by one space, so that the underline is aligned at any tab width of the terminal.
     let shown = text.chars().skip(skipped).take(indent + LONGEST).collect::<String>().replace('\t', " ");
     let _ = writeln!(out, "{:gutter$}--> {}:{line}:{column}", "", source.name);
     let _ = writeln!(out, "{:gutter$} |", "");
@@ -66,7 +66,7 @@ fn snippet(out: &mut String, source: &Source, range: &Range<usize>) -> usize {
     gutter
 }
 
-/// Where the line of this byte starts, and its text without its end.
+/// Returns the start of the line that contains this byte, and its text without the line ending.
 fn line_at(text: &str, offset: usize) -> (usize, &str) {
     let before = text.bytes().take(offset).rposition(|byte| byte == b'\n');
     let start = before.map_or(0, |at| at + 1);

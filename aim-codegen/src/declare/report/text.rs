@@ -1,10 +1,10 @@
-//! [`Text`] of an error, and what the messages of declarations and of `#[differentiate]` share.
+//! [`Text`] of an error, and helpers shared by the messages of declarations and of `#[differentiate]`.
 
 use core::fmt::Display;
 
 use crate::names::nearest;
 
-/// An error's message and what to do about it.
+/// Message and help line of an error.
 #[derive(Clone, Debug)]
 pub(crate) struct Text {
     pub(crate) message: String,
@@ -17,8 +17,8 @@ impl Text {
     }
 }
 
-/// Messages as functions of what they name:
-/// `name(argument: Type, …) where variable = expression, … => message, help;`, the last two as formats.
+/// Defines messages as functions: `name(argument: Type, …) where variable = expression, … => message, help;`, the last
+/// two as format strings.
 macro_rules! messages {
     ($(
         $(#[$attribute:meta])*
@@ -38,12 +38,12 @@ messages! {
     no_comma(key: &str, things: &str) => "expected `,` before `{key}`", "put a comma between two {things}";
 }
 
-/// Names in backquotes, with commas between them.
+/// Formats names in backquotes, separated by commas.
 pub(crate) fn list(names: &[&str]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
-/// The help for an unknown name: the known one that was probably meant, or else `otherwise`.
+/// Returns the help for an unknown name: the known one that was probably meant, otherwise `otherwise`.
 pub(crate) fn did_you_mean(name: &str, known: &[&str], otherwise: impl FnOnce() -> String) -> String {
     nearest(name, known).map_or_else(otherwise, |nearest| format!("did you mean `{nearest}`?"))
 }

@@ -5,11 +5,11 @@ use crate::declare::from_toml;
 
 /// One mistake, or several, in both notations.
 struct Case {
-    /// The settings of the rig: Rust, TOML.
+    /// Settings of the rig: Rust, TOML.
     rig: [&'static str; 2],
-    /// The settings of the first joint, `eye`; a second one, `neck`, is faultless.
+    /// Settings of the first joint, `eye`; the second joint, `neck`, is correct.
     joint: [&'static str; 2],
-    /// Message, then what is underlined in Rust and in TOML.
+    /// Message, then the underlined text in Rust and in TOML.
     errors: &'static [[&'static str; 3]],
 }
 
@@ -44,17 +44,17 @@ fn assert_case(Case { rig, joint, errors }: &Case) {
     assert_eq!(toml, expected(2), "{file}");
 }
 
-/// Cases that differ from a faultless declaration in the joint only.
+/// Asserts the errors of a declaration that is correct except for its joint.
 fn joint(rust: &'static str, toml: &'static str, errors: &'static [[&'static str; 3]]) {
     assert_case(&Case { rig: RIG, joint: [rust, toml], errors });
 }
 
-/// Cases that differ in the rig only.
+/// Asserts the errors of a declaration that is correct except for its rig settings.
 fn rig(rust: &'static str, toml: &'static str, errors: &'static [[&'static str; 3]]) {
     assert_case(&Case { rig: [rust, toml], joint: JOINT, errors });
 }
 
-/// A joint's heading in otherwise good order.
+/// Asserts the errors of a joint that is correct except for its heading.
 macro_rules! heading {
     ($rust:literal, $toml:literal, $($error:expr),+) => {
         joint(
@@ -65,7 +65,7 @@ macro_rules! heading {
     };
 }
 
-/// Another setting of a joint in otherwise good order.
+/// Asserts the errors of a correct joint with one more setting.
 macro_rules! setting {
     ($key:literal, $rust:literal, $toml:literal, $($error:expr),+) => {
         joint(
@@ -76,7 +76,7 @@ macro_rules! setting {
     };
 }
 
-/// A joint's rate in otherwise good order.
+/// Asserts the error of a joint that is correct except for its rate.
 macro_rules! for_rate {
     ($rate:literal, $message:literal) => {
         joint(
@@ -228,7 +228,7 @@ fn what_a_joint_needs() {
 
 #[test]
 fn keys() {
-    // The misspelled one counts as there: one mistake, one error.
+    // A misspelled key is not also missing: one mistake, one error.
     joint(
         "headng = -35deg..=35deg, speed = 450deg",
         "headng = [\"-35deg\", \"35deg\"]\nspeed = \"450deg\"",
@@ -260,7 +260,7 @@ fn keys() {
 
 #[test]
 fn keys_of_earlier_versions_name_the_new_ones() {
-    // The new key counts as there: one mistake, one error.
+    // The renamed key is not also missing: one mistake, one error.
     rig(
         "bones(up = +X, forward = +Y)",
         "bones = { up = \"+X\", forward = \"+Y\" }",
@@ -447,7 +447,7 @@ fn narrowing_needs_both_angles_and_ends() {
     );
 }
 
-/// A rig's `natural` in otherwise good order.
+/// Asserts the errors of a rig that is correct except for `natural`.
 macro_rules! natural {
     ($rust:literal, $toml:literal, $($error:expr),+) => {
         rig(
@@ -484,7 +484,7 @@ fn natural_gazes() {
         r#"engage = "10deg", release = "12deg""#,
         ["`release`, 12°, is above `engage`, 10°", "12deg", "\"12deg\""]
     );
-    // Against what is not set, too: it goes along with `eyes_only`.
+    // The default of `engage` follows `eyes_only`, and `release` is checked against it.
     natural!(
         "eyes_only = 5deg, release = 8deg",
         r#"eyes_only = "5deg", release = "8deg""#,
@@ -504,7 +504,7 @@ fn natural_gazes() {
     );
 }
 
-/// A rig's `region` in otherwise good order.
+/// Asserts the errors of a rig that is correct except for `region`.
 macro_rules! region {
     ($rust:literal, $toml:literal, $($error:expr),+) => {
         rig(

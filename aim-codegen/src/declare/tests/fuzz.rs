@@ -1,4 +1,4 @@
-//! Nothing that a user can write makes the front ends panic.
+//! Fuzz tests: no input makes the front ends panic.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use syn::DeriveInput;
@@ -7,7 +7,7 @@ use super::parse;
 use crate::declare::from_derive_input;
 use crate::emit::fallback;
 
-/// A small deterministic generator (xorshift), so that a failure can be repeated.
+/// A small deterministic generator (xorshift), so that failures are reproducible.
 struct Random(u64);
 
 impl Random {
@@ -45,7 +45,7 @@ fn token(random: &mut Random, depth: usize) -> TokenTree {
         }
         2 => {
             let spacing = if random.below(2) == 0 { Spacing::Alone } else { Spacing::Joint };
-            // A quote has to be joint, or it is no token.
+            // A quote must have joint spacing to be a valid token.
             match PUNCTS[random.below(PUNCTS.len())] {
                 '\'' => Punct::new('\'', Spacing::Joint).into(),
                 punct => Punct::new(punct, spacing).into(),
@@ -59,7 +59,7 @@ fn token(random: &mut Random, depth: usize) -> TokenTree {
     }
 }
 
-/// Drops, doubles, swaps, replaces or adds a few tokens, at any depth.
+/// Removes, duplicates, swaps, replaces or inserts a few tokens, at any depth.
 fn mutate(tokens: TokenStream, random: &mut Random) -> TokenStream {
     let mut tokens: Vec<TokenTree> = tokens.into_iter().collect();
     for _ in 0..=random.below(2) {
@@ -94,7 +94,7 @@ fn attributes(input: &mut DeriveInput) -> Vec<&mut syn::Attribute> {
     all
 }
 
-/// True where the tests take all their rounds, as in `.ci/run`; `cargo test` by itself takes a part.
+/// Returns `true` if the tests run all their rounds, as in `.ci/run`; plain `cargo test` runs a part of them.
 fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }

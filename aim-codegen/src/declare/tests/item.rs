@@ -2,7 +2,7 @@
 
 use super::{errors_of, listed};
 
-/// Wraps one joint's attribute.
+/// Wraps one joint's attribute in a rig.
 fn joint(settings: &str) -> String {
     format!("#[aim(axes(up = +X, forward = +Y))] struct Thug {{ #[joint({settings})] eye: Joint }}")
 }

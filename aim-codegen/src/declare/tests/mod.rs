@@ -1,4 +1,4 @@
-//! Declarations through their front ends.
+//! Tests of declarations through their front ends.
 
 #[cfg(feature = "toml")]
 mod both;
@@ -12,12 +12,12 @@ use syn::DeriveInput;
 
 use super::{Diagnostics, Place, from_derive_input};
 
-/// Parses an item; the tests' own text is Rust.
+/// Parses an item; the test's own text is always valid Rust.
 fn parse(item: &str) -> DeriveInput {
     syn::parse_str(item).unwrap_or_else(|error| panic!("{error}: {item}"))
 }
 
-/// The errors of an item.
+/// Returns the errors of an item.
 fn errors_of(item: &str) -> Diagnostics {
     match from_derive_input(&parse(item)) {
         Ok(declared) => panic!("no error in {item}: {declared:?}"),
@@ -25,7 +25,7 @@ fn errors_of(item: &str) -> Diagnostics {
     }
 }
 
-/// What stands at a place.
+/// Returns the text at a place.
 fn excerpt(text: &str, place: &Place) -> String {
     let range = match place {
         Place::Tokens { first, last } => first.byte_range().start..last.byte_range().end,
@@ -34,7 +34,7 @@ fn excerpt(text: &str, place: &Place) -> String {
     text[range].to_owned()
 }
 
-/// Each error's message and where it points; asserts that each has a help line.
+/// Returns each error's message and the text it points at; asserts that each has a help line.
 fn listed(text: &str, errors: &Diagnostics) -> Vec<(String, String)> {
     errors
         .iter()

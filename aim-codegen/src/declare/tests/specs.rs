@@ -1,4 +1,4 @@
-//! What faultless declarations come out as.
+//! Specs of correct declarations.
 
 use core::f64::consts::PI;
 
@@ -59,7 +59,7 @@ fn everything_at_once() {
     assert_eq!((neck.heading, neck.pitch), (Some(AngleRange::Free), None));
     assert_eq!((neck.stiffness, neck.upright, neck.pitch_taper), (1.0, None, None));
     assert_eq!((neck.acceleration, neck.limits_from), (None, LimitsFrom::Animation));
-    // What is not declared is none, whatever the names tell.
+    // An undeclared role is `None`, whatever the field's name suggests.
     assert_eq!((eye.role, neck.role), (Role::Eye, Role::None));
     let natural = found.spec.natural.expect("it is declared");
     assert_eq!((natural.eyes_only, natural.head_share, natural.engage), (10f64.to_radians(), 1.0, PI));
@@ -109,7 +109,7 @@ fn all_48_conventions_are_accepted_and_their_mirrors_refused() {
         );
         let errors = from_derive_input(&parse(&item)).expect_err("the other handedness");
         let help = errors.iter().next().expect("an error").help().to_owned();
-        // The help's flip is right: applied, it passes.
+        // The flip that the help suggests is correct: with it, the declaration passes.
         let flip = help.split('`').nth(1).expect("a suggestion");
         let flipped = format!("up = {up}, forward = {forward}, {flip}");
         assert_eq!(frame(&declare(&flipped, other)).handedness(), -wanted.handedness());
@@ -155,7 +155,7 @@ fn the_effector_keeps_its_forward_and_squares_up_to_it() {
     let minus = |v: [f64; 3]| v.map(|x| 0.0 - x);
     assert_eq!(effector("-Y"), Frame { up: x, forward: minus(y), left: minus(z) });
     assert_eq!(effector("+Z"), Frame { up: x, forward: z, left: minus(y) });
-    // Straight up, up goes where the back was; straight down, where the face was.
+    // Looking straight up, up points to the old back; looking straight down, to the old forward.
     assert_eq!(effector("+X"), Frame { up: minus(y), forward: x, left: z });
     assert_eq!(effector("-X"), Frame { up: y, forward: minus(x), left: z });
     let tilted = effector("(0.6, 0.8, 0.0)");
@@ -183,7 +183,7 @@ fn the_facade_path_may_be_a_string_as_in_serde() {
     }
 }
 
-/// Puts every token and every literal with its sign into invisible groups, twice, as nested macros do.
+/// Puts every token, and every literal with its sign, into invisible groups, twice, as nested macros do.
 fn hide(tokens: TokenStream) -> TokenStream {
     tokens
         .into_iter()

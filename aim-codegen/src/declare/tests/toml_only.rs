@@ -1,4 +1,4 @@
-//! What only a file has: syntax, lines and columns, names that are strings.
+//! Tests of TOML files only: syntax, lines and columns, names as strings.
 
 use super::{listed, parse};
 use crate::declare::{from_derive_input, from_toml};

@@ -1,4 +1,4 @@
-//! [`Algebra`]: the graph's constructors, with constants folded and angles brought to one form.
+//! [`Algebra`]: the graph's constructors, with constant folding and angles in a canonical form.
 
 use core::ops::{Deref, DerefMut};
 use std::collections::HashMap;
@@ -9,18 +9,18 @@ use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
 };
 
-/// The graph that a function's value is built in, its constants folded.
+/// Graph in which a function's value is built, with constant folding.
 pub(crate) struct Algebra {
     fold: Fold,
-    /// The inputs that derivatives are taken by.
+    /// Inputs that derivatives are taken with respect to.
     variables: Vec<Variable>,
-    /// The least and the most that inputs can be that are whole numbers.
+    /// Smallest and largest value of each input that is a whole number.
     extents: HashMap<Scalar, (f64, f64)>,
-    /// Inputs that are not the numbers of arguments, in the order in which they were declared.
+    /// Inputs that are not numbers of arguments, in the order of declaration.
     pub(crate) outside: Vec<(Outside, Scalar)>,
-    /// The loops that stay loops.
+    /// Kept loops.
     pub(crate) loops: Vec<KeptLoop>,
-    /// Names of mathematical constants that are imported elsewhere.
+    /// Names that are assumed to be mathematical constants, imported from elsewhere.
     pub(crate) taken_for_known: Vec<String>,
 }
 
@@ -38,11 +38,11 @@ impl DerefMut for Algebra {
     }
 }
 
-/// The planes of the right-handed turns about X, Y and Z.
+/// Planes of the right-handed rotations about X, Y and Z.
 const ABOUT: [Plane; 3] = [Plane::YZ, Plane { from: 2, towards: 0 }, Plane::XY];
 
 impl Algebra {
-    /// An empty graph. Signs and the order of operands stay as the user wrote them; lowering sees to both.
+    /// Creates an empty graph. Signs and operand order stay as written; lowering normalises them.
     pub(crate) fn new() -> Self {
         let rules = Rules { without: &[NEGATIONS, ORDER], turned: None };
         Self {
@@ -55,12 +55,12 @@ impl Algebra {
         }
     }
 
-    /// Derivatives will be taken by this input.
+    /// Registers an input that derivatives are taken with respect to.
     pub(crate) fn differentiate_by(&mut self, input: Scalar) {
         self.variables.push(input.into());
     }
 
-    /// The input that comes from there.
+    /// Returns the input with this source, declaring it on first use.
     pub(crate) fn outside(&mut self, which: Outside) -> Scalar {
         if let Some((_, input)) = self.outside.iter().find(|(known, _)| *known == which) {
             return *input;
@@ -74,17 +74,17 @@ impl Algebra {
         input
     }
 
-    /// This input is a whole number from here to there.
+    /// Declares that an input is a whole number from `least` to `most`.
     pub(crate) fn set_extent(&mut self, input: Scalar, least: f64, most: f64) {
         self.extents.insert(input, (least, most));
     }
 
-    /// The least and the most that an input can be; `None` of one that is no whole number.
+    /// Returns the smallest and the largest value of an input; `None` if it is not a whole number.
     pub(super) fn extent_of_input(&self, input: Scalar) -> Option<(f64, f64)> {
         self.extents.get(&input).copied()
     }
 
-    /// Whether the node depends on what derivatives are taken by.
+    /// Returns `true` if the node depends on a variable that derivatives are taken with respect to.
     pub(crate) fn varies(&self, node: Node) -> bool {
         self.g.depends_on(node, &self.variables)
     }
@@ -95,7 +95,7 @@ impl Algebra {
         self.g.constant(value)
     }
 
-    /// a b; a number times a reciprocal is a division.
+    /// Returns a b; a number times a reciprocal becomes a division.
     pub(crate) fn mul(&mut self, a: Scalar, b: Scalar) -> Scalar {
         for (factor, reciprocal) in [(a, b), (b, a)] {
             if let ScalarNode::Op(Op::Div(one, divisor)) = self.g.scalar_node(reciprocal) {
@@ -107,7 +107,7 @@ impl Algebra {
         self.fold.mul(a, b)
     }
 
-    /// The value of a constant, or of a quotient of constants, which the graph keeps.
+    /// Returns the value of a constant, or of a quotient of constants, which the graph does not fold.
     pub(crate) fn known(&self, x: Scalar) -> Option<f64> {
         match self.g.scalar_node(x) {
             ScalarNode::Op(Op::Div(a, b)) => Some(self.constant_of(a)? / self.constant_of(b)?),
@@ -115,7 +115,7 @@ impl Algebra {
         }
     }
 
-    /// A function of a number; of a constant, what jumps is known.
+    /// Applies a function to a number; the floor of a constant is folded.
     pub(crate) fn call(&mut self, function: Function, x: Scalar) -> Scalar {
         match (function, self.known(x)) {
             (Function::Floor, Some(known)) => self.number(known.floor()),
@@ -123,7 +123,7 @@ impl Algebra {
         }
     }
 
-    /// √a; that of a vector's square is its length.
+    /// Returns √a; the root of v · v becomes |v|.
     pub(crate) fn sqrt(&mut self, a: Scalar) -> Scalar {
         if let ScalarNode::Dot(v, w) = self.g.scalar_node(a) {
             if v == w {
@@ -138,7 +138,7 @@ impl Algebra {
         self.div(one, a)
     }
 
-    /// x to a whole power: squares and products, shared.
+    /// Returns x to a whole power, by shared squares and products.
     pub(crate) fn power(&mut self, x: Scalar, exponent: i32) -> Scalar {
         let power = self.unsigned_power(x, exponent.unsigned_abs());
         if exponent < 0 { self.recip(power) } else { power }
@@ -159,7 +159,7 @@ impl Algebra {
         }
     }
 
-    /// x to a power: by squares, products and roots where it is a known multiple of ½ that is not large.
+    /// Returns x to a power; by squares, products and roots if the exponent is a known multiple of ½ of at most 16.
     pub(crate) fn pow(&mut self, x: Scalar, exponent: Scalar) -> Scalar {
         let doubled = self.constant_of(exponent).map(|exponent| 2.0 * exponent);
         let Some(doubled) = doubled.filter(|doubled| doubled.fract() == 0.0 && doubled.abs() <= 32.0) else {
@@ -184,14 +184,15 @@ impl Algebra {
         }
     }
 
-    /// sin x and cos x, those of −x being the same but for a sign.
+    /// Returns sin x and cos x. The sign of x is split off, so that x and −x share their sine and cosine.
     pub(crate) fn sin_cos(&mut self, x: Scalar) -> (Scalar, Scalar) {
         let (negative, x) = self.unsigned_angle(x);
         let (sin, cos) = (self.call(Function::Sin, x), self.call(Function::Cos, x));
         (if negative { self.neg(sin) } else { sin }, cos)
     }
 
-    /// The angle without its sign and with one factor in front: whether it had a sign, and the rest.
+    /// Splits the sign off an angle and gathers constant factors in front. Returns `true` if there was a sign, and the
+    /// rest.
     fn unsigned_angle(&mut self, x: Scalar) -> (bool, Scalar) {
         let (mut factor, mut base) = (1.0, x);
         loop {
@@ -257,7 +258,7 @@ impl Algebra {
         self.number_vector(components)
     }
 
-    /// A vector of the graph, its components computed where all its parts are constants.
+    /// Returns the vector that `make` builds; folds its components if all its parts are constant.
     fn computed(&mut self, make: impl FnOnce(&mut Graph) -> Vector) -> Vector {
         let v = make(&mut self.g);
         let is_constant = |part| match part {
@@ -286,7 +287,7 @@ impl Algebra {
         [0, 1, 2].map(|axis| self.component(v, axis))
     }
 
-    /// Component by component of two.
+    /// Combines two vectors component by component.
     pub(crate) fn zip(&mut self, v: Vector, w: Vector, of: impl Fn(&mut Self, Scalar, Scalar) -> Scalar) -> Vector {
         let (v, w) = (self.parts(v), self.parts(w));
         let parts = [0, 1, 2].map(|k| of(self, v[k], w[k]));
@@ -302,7 +303,7 @@ impl Algebra {
         self.computed(|g| g.add_vectors(v, w))
     }
 
-    /// Sums begin with it.
+    /// Returns `true` for the constant zero vector, with which sums begin.
     fn is_zero(&self, v: Vector) -> bool {
         self.g.constant_vector_of(v) == Some([0.0; 3])
     }
@@ -351,13 +352,13 @@ impl Algebra {
 
     // Rotations.
 
-    /// The right-handed turn about X, Y or Z.
+    /// Returns the right-handed rotation about X, Y or Z.
     pub(crate) fn turn(&mut self, axis: usize, radians: Scalar) -> Rotation {
         let plane = ABOUT[axis];
         let (negative, radians) = self.unsigned_angle(radians);
         let rotation = match self.constant_of(radians) {
             Some(radians) => {
-                // A quarter turn is one, though its angle is no number that is stored exactly.
+                // Make quarter turns exact: their angle has no exact floating-point representation.
                 let exact = |x: f64| if (x - x.round()).abs() < 1e-15 { x.round() } else { x };
                 let (sin, cos) = (exact(radians.sin()), exact(radians.cos()));
                 let (from, towards) = (usize::from(plane.from), usize::from(plane.towards));
@@ -376,7 +377,7 @@ impl Algebra {
         if negative { self.g.transpose(rotation) } else { rotation }
     }
 
-    /// The right-handed turn about an axis of length 1 that no variable moves.
+    /// Returns the right-handed rotation about an axis of length 1 that does not depend on the variables.
     pub(crate) fn about(&mut self, axis: Vector, radians: Scalar) -> Rotation {
         let (negative, radians) = self.unsigned_angle(radians);
         let angle = self.g.angle_of(radians);

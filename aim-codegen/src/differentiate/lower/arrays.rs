@@ -1,4 +1,4 @@
-//! Methods of arrays, slices and lists that leave them as they are.
+//! Non-mutating methods of arrays, slices and lists.
 
 use syn::{Expr, ExprMethodCall};
 
@@ -29,13 +29,13 @@ const METHODS: &[&str] = &[
     "swap",
 ];
 
-/// The names of all methods of arrays, slices and lists.
+/// Returns the names of all methods of arrays, slices and lists.
 pub(super) fn names() -> Vec<&'static str> {
     METHODS.iter().copied().chain(lists::methods()).chain(lending::LENDING).collect()
 }
 
 impl Translation<'_> {
-    /// A method of an array or an iterator; `None` if it is none of theirs.
+    /// Evaluates a method of an array or an iterator; `None` if it is not one of theirs.
     pub(super) fn sequence_method(
         &mut self,
         receiver: &Value,
@@ -65,7 +65,7 @@ impl Translation<'_> {
             return Some(Value::Unknown);
         }
         let name = call.method.to_string();
-        // Of an array these can only be methods of a trait.
+        // On an array, these can only be methods of a trait.
         Some(if iterators::has_method(&call.method) && !names().contains(&&*name) {
             self.refuse(&call.method, messages::trait_method(&name))
         } else {
@@ -73,7 +73,7 @@ impl Translation<'_> {
         })
     }
 
-    /// A method of an array or a list; `None` if it is another one, or after an error.
+    /// Evaluates a method of an array or a list; `None` if it is another one, or after an error.
     fn list_query(&mut self, receiver: &Value, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
@@ -120,7 +120,7 @@ impl Translation<'_> {
         })
     }
 
-    /// A method of an array of these elements; `None` if it is another one, or after an error.
+    /// Evaluates a method of an array with these elements; `None` if it is another one, or after an error.
     fn array_method(&mut self, values: &[Value], call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
@@ -131,7 +131,7 @@ impl Translation<'_> {
                 let mapped = self.mapped(call, function, values.iter().cloned().map(Element::new).collect())?;
                 Value::Array(mapped.into_iter().map(|item| item.value).collect())
             }
-            // How many there are is the same.
+            // The number of elements does not change.
             ("try_into", []) => Value::some(Value::Array(values.to_vec())),
             ("windows" | "chunks" | "chunks_exact", [count]) => match (self.known_count(count)?, name.as_str()) {
                 (0, _) => self.refuse(*count, messages::index_outside("a loop")),
@@ -160,7 +160,7 @@ impl Translation<'_> {
                     None => self.refuse(&call.method, messages::not_iterable("an element of it")),
                 }
             }
-            // Of what is partitioned so, as many as fulfil it.
+            // In a partitioned array, the partition point is the number of elements that satisfy the predicate.
             ("partition_point", [function]) => {
                 let items: Vec<Element> = values.iter().cloned().map(Element::new).collect();
                 let items = self.kept(call, function, &items)?;

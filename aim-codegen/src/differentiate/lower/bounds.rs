@@ -1,11 +1,11 @@
-//! [`Bound`]: a condition on one number, which may decide another one: where x < 0, −x < 0 does not hold.
+//! [`Bound`]: a condition on one number, which may decide another condition: if x < 0, then −x < 0 is false.
 
 use aim_symbolic::{Op, Scalar, ScalarNode};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
 
-/// `x < at`, or with `above` `x > at`; or equal, unless that is `strict`.
+/// The condition `x < at`, or `x > at` if `above`. Equality also satisfies it, unless `strict`.
 #[derive(Clone, Copy)]
 pub(super) struct Bound {
     pub(super) x: Scalar,
@@ -14,7 +14,7 @@ pub(super) struct Bound {
     pub(super) strict: bool,
 }
 
-/// `k x + c`
+/// The number `k x + c`.
 #[derive(Clone, Copy)]
 pub(super) struct Linear {
     pub(super) x: Option<Scalar>,
@@ -66,7 +66,7 @@ impl Linear {
 }
 
 impl Bound {
-    /// The bound that a comparison sets to one number; `None` if it compares several, or is a combination.
+    /// Returns the bound that a comparison sets to one number; `None` if it compares several, or is a combination.
     pub(super) fn of(a: &Algebra, condition: &Condition) -> Option<Self> {
         match condition {
             Condition::Less(one, other) => {
@@ -87,7 +87,8 @@ impl Bound {
         }
     }
 
-    /// True or false of another one that holds, or does not, wherever this one does; `None` where that depends.
+    /// Returns `true` if `other` holds wherever this bound does, `false` if it holds nowhere there, `None` if that
+    /// depends.
     pub(super) fn decides(self, other: Self) -> Option<bool> {
         let (here, there) = if self.above { (-self.at, -other.at) } else { (self.at, other.at) };
         if self.x != other.x {

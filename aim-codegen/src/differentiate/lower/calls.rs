@@ -1,4 +1,4 @@
-//! Calls: methods, functions of a type, glam's short constructors, and what their names lead to.
+//! Calls: methods, associated functions, glam's short constructors, and resolution of their names.
 
 use std::rc::Rc;
 
@@ -19,7 +19,7 @@ use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
 
-/// glam's functions in lower case, with the types that they make and the functions that they are short for.
+/// glam's lower-case functions, with the type that each constructs and the function that it abbreviates.
 const SHORT: &[(&str, &str, &str)] = &[
     ("vec2", "Vec2", "new"),
     ("dvec2", "DVec2", "new"),
@@ -39,14 +39,14 @@ const SHORT: &[(&str, &str, &str)] = &[
     ("dmat3", "DMat3", "from_cols"),
 ];
 
-/// What is called.
+/// A called function.
 struct Callee<'a> {
-    /// As it is written.
+    /// Name as written.
     name: &'a Ident,
-    /// The entry of the tables.
+    /// Name of the entry in the tables.
     function: String,
     tables: &'static [&'static [Function]],
-    /// What it is a function of, in words.
+    /// The type that it is a function of, in words.
     kind: String,
 }
 
@@ -60,7 +60,7 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         let is_drained = core::mem::take(&mut self.is_drained);
-        // The first `None` ends what becomes an option.
+        // Collecting into an option ends at the first `None`.
         let may_end = call.method == "collect" && matches!(self.expected_of_call(call, expected), Expected::Optional);
         self.is_drained = matches!(strip(&call.receiver), Expr::MethodCall(_))
             && iterators::drains(&call.method, is_drained)
@@ -71,7 +71,7 @@ impl Translation<'_> {
             call.args.iter().for_each(|argument| _ = self.expression(argument));
             return receiver;
         }
-        // What the method before it lends.
+        // A reference that the previous method returned.
         let lent = matches!(receiver, Value::Reference(_)).then(|| receiver.clone());
         let receiver = self.referenced(receiver);
         if let (Some(ty), true) = (expected.name(), call.method == "into" && call.args.is_empty()) {
@@ -115,7 +115,7 @@ impl Translation<'_> {
         self.apply(&Callee { name: &call.method, function, tables, kind }, Some(receiver), &call.args)
     }
 
-    /// `v.xz()` and the like: components in another order.
+    /// Evaluates `v.xz()` and the like: components in another order.
     fn swizzle(&mut self, v: &Value, letters: &str) -> Option<Value> {
         let count = match v {
             Value::Planar(_) => 2,
@@ -139,7 +139,7 @@ impl Translation<'_> {
         }
     }
 
-    /// `m.col(k)` and `m.row(k)` of a matrix of two or four; `None` for any other call.
+    /// Evaluates `m.col(k)` or `m.row(k)` of a 2×2 or 4×4 matrix; `None` for any other call.
     fn column_or_row(&mut self, receiver: &Value, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let (Value::Square(_) | Value::Homogeneous(_), "col" | "row", Some(index), 1) =
@@ -161,7 +161,8 @@ impl Translation<'_> {
         })
     }
 
-    /// A method that the module has for a struct of its own, or by a trait for numbers; `None` if there is none.
+    /// Evaluates a method that the module defines for a struct of its own, or by a trait for numbers; `None` if there
+    /// is none.
     fn own_method(
         &mut self,
         receiver: &Value,
@@ -173,7 +174,7 @@ impl Translation<'_> {
         let receiver = match several.as_slice() {
             [] => return None,
             [function] if function.changed.first() == Some(&true) && lent.is_some() => lent?,
-            // It would happen twice.
+            // Evaluating the receiver again would repeat its side effects.
             [function] if function.changed.first() == Some(&true) && has_effect => {
                 return Some(self.refuse(&call.receiver, messages::receiver_effect()));
             }
@@ -183,8 +184,8 @@ impl Translation<'_> {
         Some(self.one_of(&call.method, &several, Some(receiver), &call.args))
     }
 
-    /// The functions of this name that the module has for a type. What a type has by itself comes before that, which is not
-    /// known of all types outside of the module.
+    /// Returns the functions of this name that the module defines for a type. Empty if an inherent function has
+    /// precedence, or might have: the inherent functions of types outside the module are not all known.
     fn own_functions(&self, ty: &str, name: &str) -> Vec<Rc<Callable>> {
         let is_own = self.items.defines(ty);
         let may_be = is_own || types::named(ty).is_some_and(|(shape, _)| !methods::is_of_type(&shape, name));
@@ -230,7 +231,7 @@ impl Translation<'_> {
         }
     }
 
-    /// `Type::function(…)`
+    /// Evaluates `Type::function(…)`.
     fn call_of_type(
         &mut self,
         call: &ExprCall,
@@ -239,13 +240,13 @@ impl Translation<'_> {
         expected: &Expected,
     ) -> Value {
         let text = name.to_string();
-        // `<Type as Trait>::function` is of the trait; else what is no trait's comes first.
+        // `<Type as Trait>::function` belongs to the trait; otherwise inherent functions have precedence.
         let of_trait = path
             .qself
             .as_ref()
             .filter(|qself| qself.position > 0)
             .map(|qself| path.path.segments[qself.position - 1].ident.to_string());
-        // `T::function` of a generic parameter is of one of its traits.
+        // `T::function` of a generic parameter belongs to one of its traits.
         let is_generic = path.path.segments.first().is_some_and(|first| {
             path.path.segments.len() == 2 && self.frame.scope.generics.iter().any(|known| first.ident == known)
         });
@@ -258,7 +259,7 @@ impl Translation<'_> {
         } else if of_trait.is_some() || several.iter().any(|function| function.of_trait.is_none()) {
             several.retain(|function| function.of_trait == of_trait);
         }
-        // Beside those of the module, types that are not its own have others.
+        // Types outside the module have other functions besides those that the module defines.
         if !several.is_empty() && !self.items.defines(ty) {
             let arguments: Vec<Value> = call.args.iter().map(|argument| self.expression(argument)).collect();
             if arguments.iter().any(Value::is_unknown) {
@@ -288,13 +289,13 @@ impl Translation<'_> {
                 Value::Integer(number) => Value::Integer(number),
                 other => self.refuse_known(&other, &path.path, messages::unknown_function(&path_text(path))),
             },
-            // It is where it is.
+            // Smart pointers are transparent.
             ("Box" | "Rc" | "Arc", "new") if call.args.len() == 1 => self.expression(&call.args[0]),
             _ => self.call_of_glam(call, path, name, (ty, text)),
         }
     }
 
-    /// The generic type that a path to a function begins with; `None` where that has no arguments.
+    /// Returns the generic type at the start of a function's path; `None` if it has no arguments.
     fn type_called(&mut self, path: &syn::ExprPath) -> Option<Expected> {
         let mut ty = path.path.clone();
         ty.segments.pop();
@@ -303,7 +304,7 @@ impl Translation<'_> {
         matches!(&ty, Expected::Generic(_, known) if !known.is_empty()).then_some(ty)
     }
 
-    /// A function of the module, or a struct without names of its fields.
+    /// Evaluates a call of one of the module's functions, or of a tuple struct's constructor.
     fn call_of_item(&mut self, call: &ExprCall, path: &syn::ExprPath, own: &str) -> Value {
         let several = self.functions(None, own);
         if !several.is_empty() {
@@ -325,7 +326,7 @@ impl Translation<'_> {
         Value::Struct(Rc::new(Struct { fields: values.collect(), name }))
     }
 
-    /// A function that stands by itself outside of the module.
+    /// Evaluates a call of a free function outside the module.
     fn call_of_outside(
         &mut self,
         call: &ExprCall,
@@ -349,7 +350,7 @@ impl Translation<'_> {
                 }
                 return self.refuse(&call.func, messages::from_fn_unknown());
             }
-            // Of an error nothing is known but that it is one.
+            // The error's value is not tracked.
             ("Err", [error], _) => return self.without_error_effect(error, Value::none()),
             ("Some" | "Ok", [value], _) => {
                 let value = self.moved(value, &Expected::Any);
@@ -384,7 +385,8 @@ impl Translation<'_> {
         }
     }
 
-    /// A function of a type of glam, or of numbers, that is passed on; `None` if there is none of this name.
+    /// Returns a function of a glam type, or of numbers, as a closure that can be passed on; `None` if there is none of
+    /// this name.
     pub(super) fn passed(&mut self, path: &syn::ExprPath, ty: &str, name: &str) -> Option<Value> {
         let (shape, _) = types::named(ty)?;
         let mut entries = methods::functions_of(&shape).iter().copied().flatten();
@@ -393,7 +395,7 @@ impl Translation<'_> {
         Some(self.closure(&syn::parse_quote!(|#(#names),*| #path(#(#names),*))))
     }
 
-    /// A function of a type of glam, or of numbers.
+    /// Evaluates a function of a glam type, or of numbers.
     fn call_of_glam(
         &mut self,
         call: &ExprCall,
@@ -421,12 +423,12 @@ impl Translation<'_> {
         })
     }
 
-    /// The length in `from_fn::<f64, 4, _>`.
+    /// Returns the length in `from_fn::<f64, 4, _>`.
     fn written_length(&mut self, path: &syn::ExprPath) -> Option<usize> {
         let syn::PathArguments::AngleBracketed(written) = &path.path.segments.last()?.arguments else { return None };
         let length: Expr = match written.args.iter().nth(1)? {
             syn::GenericArgument::Const(length) => length.clone(),
-            // So is the name of a constant read.
+            // The parser reads the name of a constant as a type.
             syn::GenericArgument::Type(syn::Type::Path(name)) => syn::parse_quote!(#name),
             _ => return None,
         };
@@ -434,7 +436,7 @@ impl Translation<'_> {
         self.algebra.known_index(&length)
     }
 
-    /// `array::from_fn` of a length that is known.
+    /// Evaluates `array::from_fn` with a known length.
     fn array_of(&mut self, call: &ExprCall, length: usize, function: &Expr, element: &Expected) -> Value {
         let Some(function) = self.function_argument(function, 1) else { return Value::Unknown };
         let values: Vec<Value> = (0..length)
@@ -446,7 +448,7 @@ impl Translation<'_> {
         if values.iter().any(Value::is_unknown) { Value::Unknown } else { Value::Array(values) }
     }
 
-    /// `Type { field: value, … }`
+    /// Evaluates `Type { field: value, … }`.
     pub(super) fn structure(&mut self, of: &ExprStruct) -> Value {
         if let Some((ty, tag)) = self.variant(&segments(&of.path)) {
             let known = self.expected_fields(&ty, tag);
@@ -484,7 +486,7 @@ impl Translation<'_> {
             return Value::Unknown;
         }
         if structure.is_some() {
-            // In the order of the declaration, so that two values have their fields at the same places.
+            // Use the order of the declaration, so that two values have their fields at the same positions.
             let place = |(name, _): &(String, Value)| declared.iter().position(|(member, _)| name_of(member) == *name);
             fields.sort_by_key(place);
             return Value::Struct(Rc::new(Struct { name, fields }));
@@ -492,7 +494,7 @@ impl Translation<'_> {
         self.structure_of_glam(of, &name, fields)
     }
 
-    /// One of glam's own structs, by its constructor.
+    /// Evaluates a struct expression of a glam type, by its constructor.
     fn structure_of_glam(&mut self, of: &ExprStruct, name: &str, mut fields: Vec<(String, Value)>) -> Value {
         let constructor = match types::named(name) {
             Some((Shape::Planar | Shape::Vector | Shape::Four, _)) => "new",
@@ -503,7 +505,7 @@ impl Translation<'_> {
                 return self.refuse(&of.path, text);
             }
         };
-        // `x_axis` and the like, and `matrix3` before `translation`, stand in the order of the alphabet; `w` does not.
+        // `x_axis` and the like, and `matrix3` before `translation`, are in alphabetical order; only `w` comes last.
         fields.sort_by_key(|(name, _)| (name == "w", name.clone()));
         let values: Vec<Value> = fields.into_iter().map(|(_, value)| value).collect();
         let tables = types::named(name).map_or(&[][..], |(shape, _)| methods::functions_of(&shape));
@@ -513,14 +515,14 @@ impl Translation<'_> {
         }
     }
 
-    /// The value of a call; a method has its receiver before the arguments as written.
+    /// Evaluates a call; a method's receiver precedes the written arguments.
     fn apply(&mut self, callee: &Callee<'_>, receiver: Option<Value>, written: &Punctuated<Expr, Comma>) -> Value {
         let of_a_method = receiver.is_some();
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         let Callee { name, function, tables, kind } = callee;
         let known = tables.iter().copied().flatten().map(|function| function.name);
         let unknown = || messages::unknown_method(function, kind, &known.clone().collect::<Vec<_>>());
-        // What is passed to it may be understood by no other function.
+        // Report an unknown function without evaluating its arguments, which may be valid for that function only.
         if known.clone().all(|known| known != function) && Value::without(&arguments).is_none() {
             return self.refuse(*name, unknown());
         }
@@ -541,7 +543,8 @@ impl Translation<'_> {
         self.refuse(*name, text)
     }
 
-    /// `from_euler(EulerRot::YXZ, a, b, c)`: the turns about those axes, the first outermost; with `Ex`, innermost.
+    /// Evaluates `from_euler(EulerRot::YXZ, a, b, c)`: rotations about those axes, the first outermost; innermost with
+    /// `Ex`.
     fn euler(&mut self, shape: &Shape, name: &Ident, call: &ExprCall) -> Value {
         let mut arguments = call.args.iter();
         let order = arguments.next();
@@ -576,7 +579,7 @@ impl Translation<'_> {
     }
 }
 
-/// The axes of an `EulerRot`, and whether it is an extrinsic one.
+/// Returns the axes of an `EulerRot`, and `true` if it is extrinsic.
 fn euler_axes(name: &str) -> Option<([usize; 3], bool)> {
     let (letters, extrinsic) = match name.strip_suffix("Ex") {
         Some(letters) => (letters, true),

@@ -1,4 +1,4 @@
-//! Casts, and the whole numbers that are rounded here, as they are computed in a number type.
+//! Casts, and whole numbers that are rounded because they are represented by floating-point numbers.
 
 use aim_symbolic::{Op, Scalar, ScalarNode};
 use quote::ToTokens;
@@ -12,13 +12,14 @@ use crate::differentiate::{messages, types};
 use crate::emit::Precision;
 
 impl Translation<'_> {
-    /// True of a known whole number that is rounded here.
+    /// Returns `true` for a known whole number of at least 2⁵³, where not all whole numbers are representable.
     pub(super) fn is_too_large_to_count(&self, value: &Value) -> bool {
         let Value::Integer(x) = value else { return false };
         self.algebra.constant_of(*x).is_some_and(|x| x.abs() >= LARGEST_WHOLE)
     }
 
-    /// True of a whole number that is made of one which 64 bits may have wrapped round: it compares as it should, but is rounded.
+    /// Returns `true` for a whole number computed from one that 64-bit arithmetic may have wrapped. It compares
+    /// correctly, but is rounded.
     pub(super) fn may_have_wrapped(&self, value: &Value) -> bool {
         let Value::Integer(x) = value else { return false };
         let (mut parts, mut next) = (vec![*x], 0);
@@ -27,7 +28,7 @@ impl Translation<'_> {
             let ScalarNode::Op(op) = self.algebra.g.scalar_node(part) else { continue };
             let made_of = match op {
                 Op::Constant(constant) if constant.value() >= 0.5 * WRAPPED => return true,
-                // What is cut off was a number before, which is rounded as everywhere.
+                // A truncated number was a floating-point number before; its rounding is the usual one.
                 Op::Call(..) => Vec::new(),
                 Op::SelectLess(_, _, then, otherwise) => vec![then, otherwise],
                 op => op.operands().collect(),
@@ -41,20 +42,20 @@ impl Translation<'_> {
         false
     }
 
-    /// True of a known number of which single precision may make one on the other side of a whole number.
+    /// Returns `true` for a known number that single precision may round to the other side of a whole number.
     fn is_nearly_whole(&self, x: Scalar) -> bool {
         let known = self.algebra.known(x).filter(|_| self.precision == Some(Precision::Single));
         known.is_some_and(|x| x.fract() != 0.0 && (x - x.round()).abs() <= NEAR * x.abs())
     }
 
-    /// True of a whole number that is certainly one of this type.
+    /// Returns `true` if a whole number certainly fits this type.
     fn fits(&self, x: Scalar, ty: &str) -> bool {
         let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
         let (least, most) = types::ends(ty);
         extent.least >= least && extent.most <= most
     }
 
-    /// `value as type`
+    /// Evaluates `value as type`.
     pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {
         let value = self.expression(&cast.expr);
         let ty = match &*cast.ty {
@@ -69,7 +70,7 @@ impl Translation<'_> {
             (Value::Integer(_), "f32", Some(whole)) => Value::Scalar(self.algebra.number(in_single(whole))),
             (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
             (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
-            // A constant that is cut off may be another one in single precision.
+            // Truncating this constant may give another result in single precision.
             (Value::Scalar(x), ty, _) if is_integer(ty) && self.is_nearly_whole(*x) => {
                 self.refuse(&cast.as_token, messages::rounded_constants())
             }
@@ -79,7 +80,7 @@ impl Translation<'_> {
                 self.algebra.integer(wrapped(whole, ty))
             }
             (Value::Integer(x), ty, _) if is_integer(ty) && self.fits(*x, ty) => value,
-            // No number that counts is beyond their ends.
+            // No count is beyond the ends of these types.
             (Value::Integer(_), "i32" | "i64" | "isize", None) => value,
             (Value::Integer(x), "u32" | "usize" | "u64", _) => {
                 let (x, turn) = (*x, if ty == "u32" { f64::from(u32::MAX) + 1.0 } else { WRAPPED });
@@ -106,19 +107,19 @@ impl Translation<'_> {
     }
 }
 
-/// Beyond this, numbers are rounded to whole ones.
+/// 2⁵³: up to here, `f64` represents all whole numbers exactly.
 const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
 
-/// The number that 64 bits add to a negative one without a sign.
+/// 2⁶⁴, which a cast to an unsigned 64-bit type adds to a negative number.
 const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
 
-/// A whole number as `f32` rounds it.
+/// Rounds a whole number to `f32`.
 #[expect(clippy::cast_precision_loss, reason = "as `as` does")]
 fn in_single(whole: i64) -> f64 {
     f64::from(whole as f32)
 }
 
-/// A whole number in an integer type; it wraps round.
+/// Converts a whole number to an integer type, wrapping.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "as `as` does")]
 fn wrapped(whole: i64, ty: &str) -> i64 {
     match ty {
@@ -128,7 +129,7 @@ fn wrapped(whole: i64, ty: &str) -> i64 {
         "i8" => (whole as i8).into(),
         "i16" => (whole as i16).into(),
         "i32" => (whole as i32).into(),
-        // Of what is wider i64 has no more.
+        // Wider types hold every `i64`, up to the sign.
         _ => whole,
     }
 }

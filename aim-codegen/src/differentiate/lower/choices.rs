@@ -1,4 +1,4 @@
-//! `if` and `match`: both branches are run, and what differs where they meet is selected.
+//! `if` and `match`: runs both branches, and selects between values that differ.
 
 use quote::ToTokens;
 use syn::{Arm, BinOp, Expr, ExprIf, ExprMatch, Local, Pat};
@@ -27,7 +27,7 @@ impl Translation<'_> {
         value
     }
 
-    /// `let pattern = value else { otherwise };`
+    /// Runs `let pattern = value else { otherwise };`.
     pub(super) fn let_else(
         &mut self,
         local: &Local,
@@ -60,7 +60,7 @@ impl Translation<'_> {
         )
     }
 
-    /// A condition, with the names that its patterns bind; `None` after an error.
+    /// Evaluates a condition and binds the names in its patterns; `None` after an error.
     pub(super) fn condition(&mut self, expression: &Expr) -> Option<Condition> {
         match expression {
             Expr::Paren(paren) => self.condition(&paren.expr),
@@ -69,7 +69,7 @@ impl Translation<'_> {
                 self.pattern(&e.pat, &value)
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
-                // Where a pattern does not fit, its names have no values.
+                // If the pattern does not match, its names have no values.
                 match self.condition(&both.left)? {
                     Condition::Known(false) => Some(Condition::Known(false)),
                     left => {
@@ -88,7 +88,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Does something, and tells whether it assigns to variables.
+    /// Runs `act`; also returns `true` if it assigned to variables.
     pub(super) fn tracked<T>(&mut self, act: impl FnOnce(&mut Self) -> T) -> (T, bool) {
         self.frame.begin_branch(Condition::Known(true));
         let made = act(self);
@@ -98,7 +98,7 @@ impl Translation<'_> {
         (made, assigns)
     }
 
-    /// Does something only where a condition holds: what that makes of variables counts there alone.
+    /// Runs `act` under a condition: its assignments take effect only where the condition holds.
     pub(super) fn under<T>(
         &mut self,
         place: &impl ToTokens,
@@ -117,8 +117,8 @@ impl Translation<'_> {
         made
     }
 
-    /// Runs two branches and joins what they make of the variables. Where it is known which one is taken, the other is not
-    /// run: it may index what does not exist.
+    /// Runs two branches and merges their assignments. If the condition is known, only the branch that is taken is run:
+    /// the other may index out of bounds.
     pub(super) fn branch(
         &mut self,
         place: &impl ToTokens,
@@ -131,7 +131,7 @@ impl Translation<'_> {
             Some(Condition::Known(true)) => return then(self),
             Some(Condition::Known(false)) => return otherwise(self),
             Some(condition) => (true, condition),
-            // Run for what else is wrong.
+            // After an error, run both branches to find further errors.
             None => (false, Condition::Known(true)),
         };
         self.frame.begin_branch(condition.clone());
@@ -175,7 +175,8 @@ impl Translation<'_> {
         let Some((arm, rest)) = arms.split_first() else { return Value::Never };
         let depth = self.frame.depth();
         let mut condition = self.pattern(&arm.pat, value);
-        // The last arm is taken where no other is; by none at all if no branch has made what it takes apart.
+        // A `match` is exhaustive, so the last arm is taken unconditionally. If its pattern never matches, no branch
+        // has constructed a value for it.
         if rest.is_empty() && condition.is_some() {
             if matches!(condition, Some(Condition::Known(false))) {
                 return self.left(&choice.match_token, depth, Value::Never);
@@ -195,7 +196,7 @@ impl Translation<'_> {
     }
 }
 
-/// Whether a pattern stands in a condition.
+/// Returns `true` if a condition contains a `let`.
 fn has_let(condition: &Expr) -> bool {
     match condition {
         Expr::Let(_) => true,

@@ -1,4 +1,4 @@
-//! [`Condition`]: what a value may depend on.
+//! [`Condition`]: a condition that values are selected by.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -7,26 +7,26 @@ use aim_symbolic::{Scalar, Vector};
 
 use super::algebra::Algebra;
 
-/// How deep combinations are looked into.
+/// Maximum depth to which combinations are examined.
 pub(super) const DEEPEST: usize = 8;
 
 /// A comparison, or a combination of comparisons.
 #[derive(Clone, Debug)]
 pub(crate) enum Condition {
     Known(bool),
-    /// a < b
+    /// a < b.
     Less(Scalar, Scalar),
     Not(Rc<Self>),
     And(Rc<Both>),
     Or(Rc<Both>),
 }
 
-/// The parts of a combination.
+/// The operands of a combination.
 #[derive(Debug)]
 pub(crate) struct Both {
     one: Condition,
     other: Condition,
-    /// 1 where the combination holds, else 0, once that is needed.
+    /// Cached number: 1 where the combination holds, else 0.
     flag: Cell<Option<Scalar>>,
 }
 
@@ -37,7 +37,7 @@ impl Both {
 }
 
 impl Condition {
-    /// x < y, known of constants.
+    /// Returns the condition x < y; decided if both are constant.
     pub(crate) fn less(a: &Algebra, x: Scalar, y: Scalar) -> Self {
         match (a.known(x), a.known(y)) {
             (Some(x), Some(y)) => Self::Known(x < y),
@@ -45,13 +45,13 @@ impl Condition {
         }
     }
 
-    /// A whole number is an index of so many elements.
+    /// Returns the condition that a whole number is a valid index into `count` elements.
     pub(super) fn is_index(a: &mut Algebra, index: Scalar, count: Scalar) -> Self {
         let zero = a.number(0.0);
         Self::less(a, index, zero).not().and(Self::less(a, index, count))
     }
 
-    /// x ≤ y: nothing is smaller than that.
+    /// Returns the condition x ≤ y, as ¬(y < x).
     pub(crate) fn at_most(a: &Algebra, x: Scalar, y: Scalar) -> Self {
         Self::less(a, y, x).not()
     }
@@ -84,7 +84,7 @@ impl Condition {
         }
     }
 
-    /// `then` where the condition holds, else `otherwise`.
+    /// Returns the condition that is `then` where `condition` holds, else `otherwise`.
     pub(crate) fn either(condition: &Self, then: &Self, otherwise: &Self) -> Self {
         if let (Self::Known(x), Self::Known(y)) = (then, otherwise)
             && x == y
@@ -94,7 +94,7 @@ impl Condition {
         condition.clone().and(then.clone()).or(condition.clone().not().and(otherwise.clone()))
     }
 
-    /// What it combines.
+    /// Returns the operands of a combination.
     pub(super) fn parts(&self) -> Option<(Self, Self)> {
         match self {
             Self::And(both) | Self::Or(both) => Some((both.one.clone(), both.other.clone())),
@@ -102,7 +102,7 @@ impl Condition {
         }
     }
 
-    /// The conditions that all have to hold for it, of combinations that are no deeper than this.
+    /// Returns the conditions whose conjunction this is, splitting combinations down to `depth`.
     pub(super) fn conjuncts(self, depth: usize) -> Vec<Self> {
         let parts = match &self {
             _ if depth == 0 => None,
@@ -134,7 +134,7 @@ impl Condition {
         }
     }
 
-    /// 1 where the condition holds, else 0: a combination is evaluated once, however often it is used.
+    /// Returns 1 where the condition holds, else 0. A combination is evaluated once, however often it is used.
     fn flag(&self, a: &mut Algebra) -> Scalar {
         let (zero, one) = (a.number(0.0), a.number(1.0));
         let (Self::And(both) | Self::Or(both)) = self else { return self.select(a, one, zero) };

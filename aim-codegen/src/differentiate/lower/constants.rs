@@ -1,4 +1,4 @@
-//! Constants that may be named: those of the numbers and of the types.
+//! Associated constants of number types and of glam types.
 
 use super::algebra::Algebra;
 use super::map::{Affine, Map, Quaternion};
@@ -6,7 +6,7 @@ use super::square;
 use super::value::Value;
 use crate::differentiate::types::{self, Precision, Shape};
 
-/// An associated constant, such as `Vec3::X`.
+/// Returns an associated constant, such as `Vec3::X`.
 pub(super) fn associated(a: &mut Algebra, ty: &str, name: &str) -> Option<Value> {
     let (shape, precision) = types::named(ty)?;
     Some(match shape {

@@ -1,4 +1,4 @@
-//! `Default::default()` of the types that are understood.
+//! `Default::default()` of supported types.
 
 use std::rc::Rc;
 
@@ -13,7 +13,7 @@ use super::value::{Struct, Value};
 use crate::differentiate::types;
 
 impl Translation<'_> {
-    /// What a type has by default; of a struct what its own `Default` says, or what is derived. `None` where neither is seen.
+    /// Returns the default value of a type; for a struct by its own or its derived `Default`. `None` if it has neither.
     pub(super) fn default_of(&mut self, place: &impl ToTokens, of: &Expected) -> Option<Value> {
         match of {
             Expected::Named(name) | Expected::Generic(name, _) => {

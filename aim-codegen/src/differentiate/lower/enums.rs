@@ -1,5 +1,5 @@
-//! Enums: a value is a number that tells the variant, and the fields of all variants, of which those of the others are never
-//! there. It is a [`Struct`] of these, so that it is selected, stored and passed on as one.
+//! Enums. A value is a [`Struct`] of the variant's index and the fields of all variants, of which only its own
+//! variant's are present. As a struct, it can be selected, stored and passed on like one.
 
 use std::rc::Rc;
 
@@ -16,20 +16,20 @@ use super::{Translation, operators};
 use crate::differentiate::items::Enumeration;
 use crate::differentiate::messages;
 
-/// The field that tells the variant. No field of a user is called so.
+/// Name of the field that holds the variant's index. It is not an identifier, so no user's field has this name.
 pub(in crate::differentiate) const TAG: &str = "#";
 
-/// The field that has a variant's.
+/// Returns the name of the field that holds this field of a variant.
 pub(in crate::differentiate) fn field_of(variant: &str, member: &Member) -> String {
     format!("{variant}.{}", name_of(member))
 }
 
 impl Translation<'_> {
-    /// The enum and the number of the variant that a path means; `None` if it means something else.
+    /// Resolves a path to an enum and the index of a variant; `None` if it is something else.
     pub(super) fn variant(&self, path: &[String]) -> Option<(String, usize)> {
         let (variant, ty) = path.split_last()?;
         let (ty, variant) = if ty.is_empty() {
-            // Its name alone, where it is imported.
+            // The variant's name alone, if it is imported.
             let full = self.resolved(path);
             let (ty, variant) = full.rsplit_once("::")?;
             (ty.to_owned(), variant.to_owned())
@@ -40,7 +40,7 @@ impl Translation<'_> {
         Some((ty, place))
     }
 
-    /// A value of this variant, of which these are the fields.
+    /// Builds a value of the variant with index `tag` and these fields.
     pub(super) fn of_variant(&mut self, ty: &str, tag: usize, mut fields: Vec<(String, Value)>) -> Value {
         let Some(Enumeration { variants, .. }) = self.items.enumeration(ty) else { return Value::Unknown };
         if fields.iter().any(|(_, value)| value.is_unknown()) {
@@ -57,7 +57,7 @@ impl Translation<'_> {
         Value::Struct(Rc::new(Struct { name: ty.to_owned(), fields: all }))
     }
 
-    /// The number that stands for a variant in `value as u32`.
+    /// Returns the discriminant of a variant, as in `value as u32`.
     pub(super) fn discriminant(&mut self, cast: &syn::ExprCast, of: &Struct) -> Value {
         let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(&of.name) else { return Value::Unknown };
         let Some(Value::Integer(tag)) = of.field(TAG) else { return Value::Unknown };
@@ -76,7 +76,7 @@ impl Translation<'_> {
         Value::Array(numbers).chosen(self.algebra, *tag).unwrap_or(Value::Unknown)
     }
 
-    /// The types of a variant's fields, as far as they are known.
+    /// Returns the types of a variant's fields, as far as they are known.
     pub(super) fn expected_fields(&mut self, ty: &str, tag: usize) -> Vec<(String, Expected)> {
         let Some(Enumeration { scope, variants, .. }) = self.items.enumeration(ty) else { return Vec::new() };
         let fields = variants.get(tag).map_or(&[][..], |variant| &variant.fields);
@@ -85,7 +85,8 @@ impl Translation<'_> {
         })
     }
 
-    /// The condition that a value is of this variant, and its fields match the patterns in it; `None` after an error.
+    /// Returns the condition that a value is of this variant and that its fields match the patterns; `None` after an
+    /// error.
     pub(super) fn matches_variant(
         &mut self,
         pattern: &Pat,
@@ -96,12 +97,12 @@ impl Translation<'_> {
             self.refuse_known(value, pattern, messages::pattern_of(&value.describe()));
             return None;
         };
-        // Of a value of another type the compiler speaks.
+        // If the value is of another type, the compiler reports it.
         let Some(Value::Integer(found)) = of.field(TAG).filter(|_| of.name == ty) else { return None };
         let variant = self.items.enumeration(ty)?.variants.get(tag)?;
         let tag = self.algebra.count(tag);
         let is_it = Condition::equal(self.algebra, *found, tag);
-        // What has no fields was made in no branch.
+        // Without its fields, the variant was constructed on no branch.
         let is_made =
             |(member, _): &(Member, _)| !of.field(&field_of(&variant.name, member)).is_some_and(Value::is_never);
         if matches!(is_it, Condition::Known(false)) || !variant.fields.iter().all(is_made) {
@@ -120,7 +121,7 @@ impl Translation<'_> {
         Some(is_it.and(inner))
     }
 
-    /// `==` or `!=` of what has parts: as its own `eq` has it, or as is derived. `None` of anything else.
+    /// Evaluates `==` or `!=` of composite values, by their own `eq` or as derived. `None` for anything else.
     pub(super) fn equality(&mut self, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
         let is_equal = matches!(operator, BinOp::Eq(_));
         if !is_equal && !matches!(operator, BinOp::Ne(_)) {
@@ -132,7 +133,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The condition that two values are equal; `None` where they cannot be compared.
+    /// Returns the condition that two values are equal; `None` if they cannot be compared.
     pub(super) fn equal(&mut self, operator: &impl ToTokens, left: &Value, right: &Value) -> Option<Value> {
         if let Value::Struct(of) = left {
             let several = self.functions(Some(&of.name), "eq");
@@ -145,7 +146,7 @@ impl Translation<'_> {
                 if self.items.enumeration(&x.name).is_some() {
                     return self.equal_variants(operator, x, y);
                 }
-                // Of fields that are not read nothing is known.
+                // Fields that are not read cannot be compared.
                 if self.items.structure(&x.name)?.fields.len() != x.fields.len() {
                     return None;
                 }
@@ -187,7 +188,7 @@ impl Translation<'_> {
         Some(Value::Truth(all))
     }
 
-    /// The variants are the same, and what that has.
+    /// Returns the condition that the variants are the same and that their fields are equal.
     fn equal_variants(&mut self, operator: &impl ToTokens, x: &Struct, y: &Struct) -> Option<Value> {
         let variants = &self.items.enumeration(&x.name)?.variants;
         let (Value::Integer(tag), Value::Integer(other)) = (x.field(TAG)?, y.field(TAG)?) else { return None };
@@ -198,7 +199,7 @@ impl Translation<'_> {
             for (member, _) in &variant.fields {
                 let name = field_of(&variant.name, member);
                 let (one, two) = (x.field(&name)?, y.field(&name)?);
-                // It is of one of them at most, and the variants differ where it is.
+                // At most one of the values has this field; where it has, the variants differ.
                 if one.is_never() || two.is_never() {
                     continue;
                 }
@@ -211,7 +212,7 @@ impl Translation<'_> {
         Some(Value::Truth(all))
     }
 
-    /// `matches!(value, pattern if condition)`
+    /// Evaluates `matches!(value, pattern if condition)`.
     pub(super) fn matches_macro(&mut self, call: &syn::Macro) -> Value {
         let parse = |input: ParseStream<'_>| {
             let value: Expr = input.parse()?;

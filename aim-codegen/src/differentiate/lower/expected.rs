@@ -1,28 +1,28 @@
-//! [`Expected`]: what the type of a place says of the value that comes to stand there. Expressions whose meaning depends on
-//! it are few: `Default::default()`, sums of nothing, `array::from_fn`.
+//! [`Expected`]: the type that the context expects of a value. Only a few expressions depend on it:
+//! `Default::default()`, empty sums, `array::from_fn`.
 
 use super::value::Value;
 
-/// A type, as far as it is known.
+/// An expected type, as far as it is known.
 #[derive(Clone, Debug, Default)]
 pub(super) enum Expected {
-    /// The full name of a struct, or the name of another type.
+    /// Full name of a struct, or name of another type.
     Named(String),
-    /// The full name of a generic struct or enum, and what is known of its arguments: lengths and types.
+    /// Full name of a generic struct or enum, and its arguments as far as they are known: lengths and types.
     Generic(String, Vec<Value>),
-    /// Elements, and how many.
+    /// Element type and length.
     Array(Box<Self>, Option<usize>),
     Tuple(Vec<Self>),
     Optional,
-    /// A type that is not understood, with parameters.
+    /// A type with parameters that is not supported.
     Other,
-    /// It is not known.
+    /// Unknown.
     #[default]
     Any,
 }
 
 impl Expected {
-    /// The type of a part of it.
+    /// Returns the expected type of a part.
     pub(super) fn part(&self, index: usize) -> &Self {
         match self {
             Self::Array(element, _) => element,
@@ -31,7 +31,7 @@ impl Expected {
         }
     }
 
-    /// The name, where it has one.
+    /// Returns the type's name, if it has one.
     pub(super) fn name(&self) -> Option<&str> {
         match self {
             Self::Named(name) | Self::Generic(name, _) => Some(name),

@@ -1,5 +1,5 @@
-//! Conditions that those on the way to a branch decide, so that functions that call themselves for what is on the other side of a
-//! number end; and [`Extents`]: between which numbers a whole number is, so that loops to it do.
+//! Decides conditions by those that hold on the current branch, and by [`Extents`], the ranges of whole numbers. This
+//! ends the unrolling of loops and of functions that call themselves until a number passes a bound.
 
 use std::collections::HashMap;
 
@@ -9,19 +9,19 @@ use super::algebra::Algebra;
 use super::bounds::Bound;
 use super::condition::{Condition, DEEPEST};
 
-/// The least and the most that a number can be.
+/// Smallest and largest possible value of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
     pub(super) least: f64,
     pub(super) most: f64,
-    /// Whether it is certainly whole.
+    /// `true` if it is certainly whole.
     pub(super) is_whole: bool,
 }
 
 impl Extent {
     const UNKNOWN: Self = Self { least: f64::NEG_INFINITY, most: f64::INFINITY, is_whole: false };
 
-    /// Sums and products of whole numbers, which are not rounded.
+    /// Returns the extent of a sum or product of whole numbers, which are not rounded; unknown for other numbers.
     fn made(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
         if !self.is_whole || !other.is_whole {
             return Self::UNKNOWN;
@@ -29,7 +29,7 @@ impl Extent {
         let pairs =
             [(self.least, other.least), (self.least, other.most), (self.most, other.least), (self.most, other.most)];
         let ends = pairs.map(|(x, y)| ends(x, y));
-        // 0 times what has no end.
+        // 0 · ∞.
         if ends.iter().any(|end| end.is_nan()) {
             return Self { is_whole: true, ..Self::UNKNOWN };
         }
@@ -37,7 +37,7 @@ impl Extent {
         Self { least, most, is_whole: true }
     }
 
-    /// A sum or a product, which is not negative where neither part is, however it is rounded.
+    /// Returns the extent of a sum or a product. It is not negative if neither operand is, however it is rounded.
     fn sum_or_product(self, other: Self, ends: impl Fn(f64, f64) -> f64) -> Self {
         let made = self.made(other, ends);
         if self.least >= 0.0 && other.least >= 0.0 { made.at_least(0.0) } else { made }
@@ -51,7 +51,7 @@ impl Extent {
         Self { least: self.least.max(least), ..self }
     }
 
-    /// What is left of it within a bound.
+    /// Narrows the extent to a bound.
     fn within(self, bound: Bound) -> Self {
         let Bound { above, at, strict, .. } = bound;
         match (above, strict && self.is_whole) {
@@ -63,14 +63,14 @@ impl Extent {
     }
 }
 
-/// The extents of numbers where conditions hold.
+/// Extents of numbers where the given conditions hold.
 pub(super) struct Extents<'a> {
     a: &'a Algebra,
     bounds: Vec<Bound>,
     known: HashMap<Scalar, Extent>,
 }
 
-/// How many parts of a number are looked at.
+/// Maximum number of parts of a number that are examined.
 const MOST_PARTS: usize = 256;
 
 impl<'a> Extents<'a> {
@@ -79,7 +79,7 @@ impl<'a> Extents<'a> {
         Self { a, bounds, known: HashMap::new() }
     }
 
-    /// True or false of a comparison that holds, or does not, whatever its sides are.
+    /// Decides a comparison that has the same result for all values of its sides.
     pub(super) fn decide(&mut self, condition: &Condition) -> Option<bool> {
         match condition {
             Condition::Less(x, y) => {
@@ -166,7 +166,7 @@ impl<'a> Extents<'a> {
     }
 }
 
-/// The condition, known where one of these, which hold, decides it; without what of a combination is known.
+/// Simplifies a condition by `facts`, conditions that hold: decides it, or removes the decided parts of a combination.
 pub(super) fn decided<'a>(
     a: &Algebra,
     condition: Condition,

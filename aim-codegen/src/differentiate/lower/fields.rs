@@ -11,7 +11,7 @@ use super::value::Value;
 use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
 
-/// A field as written.
+/// Returns a field's name as written.
 pub(super) fn name_of(member: &Member) -> String {
     match member {
         Member::Named(name) => name.to_string(),
@@ -19,13 +19,13 @@ pub(super) fn name_of(member: &Member) -> String {
     }
 }
 
-/// The number of a matrix's column by its name.
+/// Returns the index of a matrix's column, by its name.
 pub(super) fn column(name: &str) -> Option<usize> {
     ["x_axis", "y_axis", "z_axis", "w_axis"].iter().position(|known| *known == name)
 }
 
 impl Value {
-    /// A field of it.
+    /// Returns a field of the value.
     pub(super) fn field(&self, a: &mut Algebra, name: &str) -> Option<Self> {
         let letter = |letters: &str| if name.len() == 1 { letters.find(name) } else { None };
         match self {
@@ -52,7 +52,7 @@ impl Value {
         }
     }
 
-    /// The components of a vector; `None` of anything else.
+    /// Returns the components of a vector; `None` for any other value.
     pub(super) fn components(&self, a: &mut Algebra) -> Option<Vec<Self>> {
         let count = match self {
             Self::Planar(_) => 2,
@@ -63,7 +63,7 @@ impl Value {
         (0..count).map(|place| self.element(a, place)).collect()
     }
 
-    /// An element of it.
+    /// Returns an element of the value.
     pub(super) fn element(&self, a: &mut Algebra, place: usize) -> Option<Self> {
         match self {
             Self::Array(values) => values.get(place).cloned(),
@@ -78,13 +78,13 @@ impl Value {
         }
     }
 
-    /// All of its elements.
+    /// Returns all elements of the value.
     pub(super) fn elements(&self, a: &mut Algebra) -> Vec<Self> {
         (0..).map_while(|place| self.element(a, place)).collect()
     }
 
-    /// The element at a place that arguments choose; `None` if there are none, or of several kinds. Where there is no such place,
-    /// and the function panics, it is the first or the last.
+    /// Returns the element at a computed index; `None` if there are no elements, or elements of several kinds. If the
+    /// index is out of bounds, where the function panics, returns the first or the last element.
     pub(super) fn chosen(&self, a: &mut Algebra, place: Scalar) -> Option<Self> {
         if let Self::List(items) = self {
             return lists::ranked(a, items, place);
@@ -105,13 +105,13 @@ impl Translation<'_> {
         self.part(&base, &field.member)
     }
 
-    /// A field of a value, or an error about it.
+    /// Returns a field of a value; reports an error if it has no such field.
     fn part(&mut self, base: &Value, member: &Member) -> Value {
         let part = self.moved_part(base, member);
         self.referenced(part)
     }
 
-    /// The same, also if it is a reference.
+    /// Like [`part`](Self::part), but returns a reference unresolved.
     pub(super) fn moved_part(&mut self, base: &Value, member: &Member) -> Value {
         if base.is_unknown() {
             return Value::Unknown;
@@ -137,7 +137,7 @@ impl Translation<'_> {
         }
         let (place, has_effect) = self.tracked(|this| this.expression(&index.index));
         if has_effect && is_place(&index.expr) {
-            // A place is read when its index is known.
+            // A place is read after its index has been evaluated.
             let read = self.still_place(&index.expr);
             base = read.map_or(Value::Unknown, |place| self.read(&place));
         }
@@ -166,7 +166,8 @@ impl Translation<'_> {
         value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
     }
 
-    /// `array[start..end]`. Where there is no such place, and the function panics, it is what there is of it.
+    /// Evaluates `array[start..end]`. If the range is out of bounds, where the function panics, returns the existing
+    /// elements.
     fn slice(&mut self, base: &Value, range: &syn::ExprRange) -> Value {
         if let Value::Slice(slice) = base {
             return self.part_of_slice(slice, range).unwrap_or(Value::Unknown);

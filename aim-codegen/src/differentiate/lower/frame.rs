@@ -1,8 +1,9 @@
-//! [`Frame`]: the variables of a function that is being interpreted, and the ways that control takes through it.
+//! [`Frame`]: the variables of a function that is being interpreted, and its control flow.
 //!
-//! A branch is run with its condition on the path and its assignments in a journal; where branches meet again, each
-//! variable that one of them assigned is a select. A way out (`return`, `break`, `continue`) keeps its condition and the
-//! variables as they are there; what it leads to selects among the ways that end there, the first that was met first.
+//! A branch is run with its condition on the path and its assignments in a journal. Where two branches meet, each
+//! variable that one of them assigned becomes a select. An exit (`return`, `break`, `continue`) records its condition
+//! and the variables' values at that point. Its target selects among all exits that lead to it; the earliest exit has
+//! precedence.
 
 use std::rc::Rc;
 
@@ -11,22 +12,22 @@ use super::condition::{Condition, DEEPEST};
 use super::expected::Expected;
 use super::value::{FrameId, Scope, Value};
 
-/// Assigned variables, each once: its place and a value.
+/// Assigned variables, each once: its index and a value.
 pub(super) type Assigned = Vec<(usize, Value)>;
 
-/// What a way out leads to.
+/// Target of an exit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Target {
     /// The end of the function.
     Function,
-    /// The end of the loop, or of the block with a label, at this depth, from 0.
+    /// The end of the loop, or of the labelled block, at this depth, from 0.
     Loop(usize),
-    /// The end of its body.
+    /// The end of the body of the loop at this depth.
     Round(usize),
 }
 
 impl Target {
-    /// How far inside the function its end is.
+    /// Returns the nesting depth of the target inside the function.
     fn depth(self) -> usize {
         match self {
             Self::Function => 0,
@@ -40,65 +41,65 @@ impl Target {
 pub(super) struct Exit {
     pub(super) target: Target,
     pub(super) condition: Condition,
-    /// The variables that were assigned since the target began; of a function those that are lent.
+    /// Variables that were assigned since the target began; for a function, the lent ones.
     pub(super) assigned: Assigned,
-    /// What a function returns, or a loop.
+    /// Value that a function returns, or that a loop breaks with.
     pub(super) value: Value,
 }
 
-/// Something that control can be led to the end of, as it was when it began.
+/// A region of code that is the target of exits, with the frame's state at its beginning.
 #[derive(Clone, Debug)]
 struct Region {
     target: Target,
     label: Option<String>,
-    /// True of a block, to whose end a `break` without a label does not lead.
+    /// `true` for a block: a `break` without a label does not lead to its end.
     is_block: bool,
-    /// How many variables, branches on the path, and journals there were.
+    /// Numbers of variables, of branches on the path, and of journals.
     variables: usize,
     path: usize,
     journals: usize,
 }
 
-/// A function under interpretation.
+/// A function that is being interpreted.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Frame {
     pub(super) id: FrameId,
-    /// The names in scope, the innermost last.
+    /// Variables in scope, innermost last.
     variables: Vec<(String, Value)>,
     captured: usize,
-    /// Those that are declared `mut`, or have no name.
+    /// Variables that are declared `mut`, or have no name.
     changeable: Vec<usize>,
-    /// Those that are constants of a block.
+    /// Variables that are constants of a block.
     constants: Vec<usize>,
-    /// The values before they were assigned, of the variables assigned in each branch and region under way.
+    /// For each open branch and region, its assigned variables with their values before.
     journals: Vec<Assigned>,
-    /// Where control has gone to other ends before the function was called.
+    /// Conditions of the exits that were taken before the function was called.
     gone: Vec<Condition>,
-    /// The conditions of the branches under way.
+    /// Conditions of the open branches.
     path: Vec<Condition>,
-    /// What else holds where control is: the branches and regions under way when that became known, and a condition.
+    /// Further conditions that hold here, each with the numbers of open branches and regions when it became known.
     assumed: Vec<(usize, usize, Condition)>,
     regions: Vec<Region>,
     exits: Vec<Exit>,
-    /// The parameters and the captured variables that the caller lends to be changed.
+    /// Parameters and captured variables that the caller lends to be changed.
     lent: Vec<usize>,
-    /// Those of them that have been assigned.
+    /// Lent variables that have been assigned.
     returned: Vec<usize>,
-    /// Where the function is written.
+    /// Scope in which the function is written.
     pub(super) scope: Rc<Scope>,
-    /// What the type of its result says.
+    /// Expected type of the result.
     pub(super) result_type: Expected,
 }
 
 impl Frame {
-    /// A frame whose first variables are of the place that it is called from.
+    /// Creates a frame whose first variables are those captured from the caller.
     pub(super) fn new(variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
         let function =
             Region { target: Target::Function, label: None, is_block: false, variables: 0, path: 0, journals: 0 };
         Self { captured: variables.len(), variables, regions: vec![function], scope, ..Self::default() }
     }
 
-    /// The same of a function that is called where control is in this one.
+    /// Creates the frame of a function that is called at this point.
     pub(super) fn called(&self, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
         let facts = self.facts().map(|condition| (0, 0, condition.clone())).collect();
         let gone = self.gone.iter().cloned().chain(self.exits.iter().map(|exit| exit.condition.clone())).collect();
@@ -111,32 +112,34 @@ impl Frame {
         self.variables.push((name, value));
     }
 
-    /// The variable that was declared last may be changed in part.
+    /// Allows parts of the last declared variable to be changed.
     pub(super) fn allow_changes(&mut self) {
         self.changeable.push(self.variables.len() - 1);
     }
 
-    /// The variable that was declared last is a constant.
+    /// Marks the last declared variable as a constant.
     pub(super) fn make_constant(&mut self) {
         self.constants.push(self.variables.len() - 1);
     }
 
-    /// True of a constant of a block; of what comes from outside of a closure nothing else is known than its name.
+    /// Returns `true` for a constant of a block. Of a closure's captured variables only the names are known, so they
+    /// are included.
     pub(super) fn is_constant(&self, place: usize) -> bool {
         self.constants.contains(&place) || place < self.captured
     }
 
-    /// True of a variable of which parts may be changed. Of another one they are behind a reference that it was copied from.
+    /// Returns `true` if parts of the variable may be changed. Otherwise they are behind a reference that it was copied
+    /// from.
     pub(super) fn is_changeable(&self, place: usize) -> bool {
         self.changeable.contains(&place) || self.is_lent(place)
     }
 
-    /// How many variables there are; see [`leave`](Self::leave).
+    /// Returns the number of variables; see [`leave`](Self::leave).
     pub(super) fn depth(&self) -> usize {
         self.variables.len()
     }
 
-    /// Forgets the variables of a scope that was entered when there were so many.
+    /// Forgets the variables of a scope; `depth` is the number of variables when it was entered.
     pub(super) fn leave(&mut self, depth: usize) {
         self.variables.truncate(depth);
         self.changeable.retain(|&place| place < depth);
@@ -146,32 +149,32 @@ impl Frame {
         }
     }
 
-    /// No name means the variables from this one on any more; their names.
+    /// Hides the names of the variables from `depth` on, and returns them.
     pub(super) fn hide(&mut self, depth: usize) -> Vec<String> {
         self.variables[depth..].iter_mut().map(|(name, _)| core::mem::take(name)).collect()
     }
 
-    /// Gives the variables from this one on their names again.
+    /// Restores the names of the variables from `depth` on.
     pub(super) fn show(&mut self, depth: usize, names: Vec<String>) {
         self.variables[depth..].iter_mut().zip(names).for_each(|((hidden, _), name)| *hidden = name);
     }
 
-    /// Whether the variable of this place is one that a closure has captured and must not change here.
+    /// Returns `true` for a variable that a closure has captured and must not change here.
     pub(super) fn is_fixed(&self, place: usize) -> bool {
         place < self.captured && !self.is_lent(place)
     }
 
-    /// The variable of this place is lent by the caller.
+    /// Marks a variable as lent by the caller.
     pub(super) fn lend(&mut self, place: usize) {
         self.lent.push(place);
     }
 
-    /// Whether the variable of this place, which is lent, has been assigned.
+    /// Returns `true` if a lent variable has been assigned.
     pub(super) fn has_changed(&self, place: usize) -> bool {
         self.returned.contains(&place)
     }
 
-    /// Whether it is that of a parameter, which is a `&mut` to whoever reads the function.
+    /// Returns `true` for a lent parameter, which is a `&mut` in the source.
     pub(super) fn is_lent_parameter(&self, place: usize) -> bool {
         place >= self.captured && self.is_lent(place)
     }
@@ -181,16 +184,16 @@ impl Frame {
     }
 
     pub(super) fn names(&self) -> Vec<&str> {
-        // Hidden ones have none.
+        // Hidden variables have no name.
         self.variables.iter().map(|(name, _)| name.as_str()).filter(|name| !name.is_empty()).collect()
     }
 
-    /// All variables, for a closure.
+    /// Returns all variables, for a closure to capture.
     pub(super) fn variables(&self) -> &[(String, Value)] {
         &self.variables
     }
 
-    /// The place of the variable that this name means.
+    /// Returns the index of the variable with this name.
     pub(super) fn find(&self, name: &str) -> Option<usize> {
         self.variables.iter().rposition(|(known, _)| known == name)
     }
@@ -213,12 +216,12 @@ impl Frame {
 
     // Branches.
 
-    /// The conditions that hold where control is, also those that the function is called under.
+    /// Iterates over the conditions that hold here, including those that the function is called under.
     pub(super) fn facts(&self) -> impl Iterator<Item = &Condition> + Clone {
         self.assumed.iter().map(|(_, _, condition)| condition)
     }
 
-    /// Where control is: where all facts hold, and it has gone nowhere else.
+    /// Returns the condition under which control reaches this point: all facts hold, and no exit was taken.
     pub(super) fn reached(&self, a: &mut Algebra) -> Condition {
         let gone = self.gone.iter().chain(self.exits.iter().map(|exit| &exit.condition));
         let mut known = Vec::new();
@@ -233,21 +236,21 @@ impl Frame {
         })
     }
 
-    /// From here on, as long as the branch and the region last, control is only where this holds.
+    /// Assumes that the condition holds, until the current branch or region ends.
     pub(super) fn assume(&mut self, condition: Condition) {
         for condition in condition.conjuncts(DEEPEST) {
             self.assumed.push((self.path.len(), self.regions.len(), condition));
         }
     }
 
-    /// Begins a branch that is taken where the condition holds.
+    /// Begins a branch that is taken if the condition holds.
     pub(super) fn begin_branch(&mut self, condition: Condition) {
         self.path.push(condition.clone());
         self.assume(condition);
         self.journals.push(Vec::new());
     }
 
-    /// Ends it: the variables are as before, and what the branch made of them is returned.
+    /// Ends the branch: restores the variables and returns the branch's assignments.
     pub(super) fn end_branch(&mut self) -> Assigned {
         self.path.pop();
         self.assumed.retain(|(path, ..)| *path <= self.path.len());
@@ -259,14 +262,15 @@ impl Frame {
         restored.collect()
     }
 
-    /// Gives variables the values that the only branch that goes on has given them.
+    /// Assigns the variables as the only branch that continues has done.
     pub(super) fn take(&mut self, assigned: Assigned) {
         for (place, value) in assigned {
             self.assign(place, value);
         }
     }
 
-    /// Gives variables their values where two branches meet; the place of one that has two kinds of values.
+    /// Assigns the variables where two branches meet. Returns the index of a variable whose two values are of different
+    /// kinds.
     pub(super) fn merge(
         &mut self,
         a: &mut Algebra,
@@ -287,9 +291,9 @@ impl Frame {
         Ok(())
     }
 
-    // Ways out.
+    // Exits.
 
-    /// Begins a loop, or the round of one.
+    /// Begins a loop, or one of its iterations.
     pub(super) fn begin(&mut self, target: Target, label: Option<String>) {
         let Self { variables, path, journals, .. } = self;
         let (variables, path, journals) = (variables.len(), path.len(), journals.len());
@@ -297,7 +301,7 @@ impl Frame {
         self.journals.push(Vec::new());
     }
 
-    /// The same of a block with a label: its target.
+    /// Begins a labelled block and returns its target.
     pub(super) fn begin_block(&mut self, label: String) -> Target {
         let whole = Target::Loop(self.loops());
         self.begin(whole, Some(label));
@@ -307,12 +311,12 @@ impl Frame {
         whole
     }
 
-    /// The number of loops, and of blocks with a label, that are under way.
+    /// Returns the number of open loops and labelled blocks.
     pub(super) fn loops(&self) -> usize {
         self.regions.iter().filter(|region| matches!(region.target, Target::Loop(_))).count()
     }
 
-    /// The depth of the innermost loop, or of the loop or block with this label.
+    /// Returns the depth of the innermost loop, or of the loop or block with this label.
     pub(super) fn find_loop(&self, label: Option<&str>) -> Option<usize> {
         self.regions.iter().rev().find_map(|region| match region.target {
             Target::Loop(_) if label.is_none() && region.is_block => None,
@@ -321,7 +325,7 @@ impl Frame {
         })
     }
 
-    /// Control goes to the end of the target, with the value that is returned.
+    /// Records an exit to the target, with the returned value.
     pub(super) fn exit(&mut self, target: Target, value: Value) {
         let Some(region) = self.regions.iter().find(|region| region.target == target) else { return };
         let mut assigned = Assigned::new();
@@ -334,7 +338,7 @@ impl Frame {
                 }
             }
         }
-        // Where control has gone to an end further inside, it does not come here.
+        // An exit to an inner target has already led elsewhere.
         let left = self.exits.iter().filter(|exit| exit.target.depth() > target.depth());
         let left = left.map(|exit| exit.condition.clone().not());
         let condition =
@@ -344,51 +348,53 @@ impl Frame {
         }
     }
 
-    /// The number of ways out so far.
+    /// Returns the number of exits so far.
     pub(super) fn exits(&self) -> usize {
         self.exits.len()
     }
 
-    /// Where control has been led to this end.
+    /// Returns the condition under which an exit to this target was taken.
     pub(super) fn exit_condition(&self, target: Target) -> Condition {
         let exits = self.exits.iter().filter(|exit| exit.target == target);
         exits.map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or)
     }
 
-    /// Takes the value that control brings to this end; `None` where there are two kinds.
+    /// Takes the value that exits bring to this target; `None` if there are two kinds of values.
     pub(super) fn take_brought(&mut self, a: &mut Algebra, target: Target) -> Option<Value> {
         let exits = self.exits.iter_mut().filter(|exit| exit.target == target);
         let brought = exits.map(|exit| (exit.condition.clone(), core::mem::replace(&mut exit.value, Value::nothing())));
-        // The first that was met counts.
+        // The earliest exit has precedence.
         let brought: Vec<(Condition, Value)> = brought.collect();
         let last = Value::Never;
         brought.into_iter().rev().try_fold(last, |other, (condition, value)| value.select(a, &condition, &other))
     }
 
-    /// Takes the ways out that there are beyond so many; `None` where one may return, and variables are lent.
+    /// Removes and returns the exits after the first `count`; `None` if one of them may return while variables are
+    /// lent.
     pub(super) fn take_exits_beyond(&mut self, count: usize) -> Option<Vec<Exit>> {
         let exits = self.exits.split_off(count);
         let returns = exits.iter().any(|exit| exit.target == Target::Function);
         (!returns || self.lent.is_empty()).then_some(exits)
     }
 
-    /// Takes the ways out back that there are beyond so many.
+    /// Forgets the exits after the first `count`.
     pub(super) fn forget_exits(&mut self, count: usize) {
         self.exits.truncate(count);
     }
 
-    /// Whether control may have been led to this end.
+    /// Returns `true` if an exit to this target may have been taken.
     pub(super) fn has_exits(&self, target: Target) -> bool {
         self.exits.iter().any(|exit| exit.target == target)
     }
 
-    /// Whether it certainly was.
+    /// Returns `true` if an exit to this target was certainly taken.
     pub(super) fn certainly_exits(&self, target: Target) -> bool {
         self.exits.iter().any(|exit| exit.target == target && matches!(exit.condition, Condition::Known(true)))
     }
 
-    /// Ends a loop or a round: the variables are what they are at the ways out, and where there was none (`ends`), what
-    /// they are now. The value that a `break` brings there; `None` where that or a variable has two kinds of values.
+    /// Ends a loop or an iteration. Variables get their values at the exits, and their present values if no exit was
+    /// taken (possible only if `ends`). Returns the value that a `break` brings; `None` if that or a variable has two
+    /// kinds of values.
     pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Option<Value> {
         let Some(region) = self.regions.pop() else { return Some(Value::nothing()) };
         self.assumed.retain(|(_, regions, _)| *regions <= self.regions.len());
@@ -396,7 +402,7 @@ impl Frame {
         let exits = self.take_exits(region.target);
         let mut goes_on = ends;
         let mut brought = if ends { Value::nothing() } else { Value::Never };
-        // Of what a branch has assigned that ends in a way out, the journal does not know.
+        // The journal does not contain the assignments of a branch that ends in an exit.
         let mut now = Assigned::new();
         for &(place, _) in journal.iter().chain(exits.iter().flat_map(|exit| &exit.assigned)) {
             if place < region.variables && assigned_to(&now, place).is_none() {
@@ -412,7 +418,7 @@ impl Frame {
             brought = exit.value.select(a, &exit.condition, &brought)?;
             goes_on = true;
         }
-        // The enclosing journal has to know the values before.
+        // The enclosing journal needs the values before.
         for (place, before) in journal.into_iter().filter(|(place, _)| *place < region.variables) {
             self.variables[place].1 = before;
         }
@@ -426,8 +432,8 @@ impl Frame {
         taken
     }
 
-    /// The function's value, of those that were returned and the one at its end, and those of the variables that were lent;
-    /// `None` where some are of two kinds.
+    /// Returns the function's value, selected among those returned and the one at its end, and the values of lent
+    /// variables; `None` if some are of two kinds.
     pub(super) fn result(&mut self, a: &mut Algebra, end: Value) -> Option<(Value, Vec<Value>)> {
         let ends = !end.is_never();
         let lent = self.lent.iter().map(|&place| if ends { self.value(place).clone() } else { Value::Never }).collect();

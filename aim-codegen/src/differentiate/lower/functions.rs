@@ -1,4 +1,4 @@
-//! Functions of the module, functions inside of functions, and closures: a call runs the body in a frame of its own.
+//! Functions of the module, inner functions, and closures. A call runs the body in a frame of its own.
 
 use std::rc::Rc;
 
@@ -15,10 +15,10 @@ use super::value::{Callable, Home, Place, Value};
 use super::{Translation, strip};
 use crate::differentiate::{items, messages};
 
-/// The most calls of a function inside of each other.
+/// Maximum recursion depth.
 const DEEPEST: usize = 16;
 
-/// A function inside of a function: it sees the items of its block and the functions outside of that, and no variables.
+/// Returns an inner function. It sees the items of its block and the functions outside, but no variables.
 pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> {
     let (outside, items) = frame.variables().split_at(depth);
     let functions = outside.iter().filter(|(_, value)| matches!(value, Value::Function(_)));
@@ -26,13 +26,13 @@ pub(super) fn inner(item: &ItemFn, frame: &Frame, depth: usize) -> Rc<Callable> 
     Rc::new(Callable { captured, ..items::callable(&item.sig, &item.block, frame.scope.clone(), None) })
 }
 
-/// True of a closure's parameter that is `&mut`.
+/// Returns `true` for a closure's parameter that is `&mut`.
 fn is_lent(pattern: &Pat) -> bool {
     let Pat::Type(typed) = pattern else { return false };
     matches!(&*typed.ty, syn::Type::Reference(reference) if reference.mutability.is_some())
 }
 
-/// True of a parameter of whose type nothing is written.
+/// Returns `true` for a parameter without a written type.
 fn is_untyped((pattern, ty): &(Pat, Option<syn::Type>)) -> bool {
     ty.is_none() && !matches!(pattern, Pat::Type(_))
 }
@@ -56,7 +56,7 @@ impl Translation<'_> {
         }))
     }
 
-    /// Where a closure is made that does not take what it captures with it.
+    /// Returns the frame in which a closure is created that captures by reference.
     fn home(&self, closure: &ExprClosure) -> Home {
         let mut named = Vec::new();
         each_word(closure.body.to_token_stream(), &mut |word| {
@@ -68,7 +68,7 @@ impl Translation<'_> {
         Home { frame: self.frame.id.clone(), named, changes }
     }
 
-    /// The value of a function's body, its parameters being the arguments.
+    /// Runs a function's body with its parameters bound to the arguments.
     fn body(
         &mut self,
         place: &impl ToTokens,
@@ -77,12 +77,12 @@ impl Translation<'_> {
         expected: &Expected,
     ) -> Value {
         let mut frame = self.frame.called(function.captured.clone(), function.scope.clone());
-        // Where a closure was made it sees the variables as they are now, and may change them.
+        // In the frame where it was created, a closure sees the variables' present values and may change them.
         if function.home.as_ref().is_some_and(|home| home.frame != self.frame.id && home.changes) {
             return self.refuse(place, messages::captured());
         }
         let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
-        // Of those that are left by now it has what it had.
+        // Variables that are out of scope keep their captured values.
         let is_there = |variable: &usize| {
             let [then, now] =
                 [&function.captured, self.frame.variables()].map(|all| all.get(*variable).map(|(name, _)| name));
@@ -93,7 +93,7 @@ impl Translation<'_> {
             frame.assign(variable, self.frame.value(variable).clone());
             frame.lend(variable);
         }
-        // What is lent is copied in, and back when the function is left: nobody else sees it meanwhile.
+        // Lent values are copied in, and copied back on return: nothing else can access them in between.
         let mut lent = Vec::new();
         let mut values = Vec::new();
         for ((argument, &changed), parameter) in arguments.into_iter().zip(&function.changed).zip(&function.parameters)
@@ -108,7 +108,7 @@ impl Translation<'_> {
                 _ => {}
             }
             let value = self.referenced(argument);
-            // A reference inside of it would be to a variable of another function.
+            // A reference inside it would point to a variable of another function.
             if home.is_none() && value.with_references(&|_| None).is_none() {
                 return self.refuse(place, messages::mutable_borrow());
             }
@@ -139,7 +139,7 @@ impl Translation<'_> {
         let value = self.frame.result(self.algebra, end);
         let inner = core::mem::replace(&mut self.frame, outer);
         match value {
-            // Nothing comes out of it.
+            // The call does not return.
             Some((Value::Never, _)) => Value::Never,
             Some((value, changed)) => {
                 let mut changed = changed.into_iter();
@@ -151,7 +151,7 @@ impl Translation<'_> {
                 for (reference, changed) in lent.iter().zip(changed) {
                     self.write(place, reference, changed);
                 }
-                // What it returns refers to what was lent, by the caller's names.
+                // A returned reference points to a lent parameter; translate it to the caller's variable.
                 let lender = |inside: &Rc<Place>| {
                     if let Some(index) = parameters.iter().position(|&variable| variable == inside.variable) {
                         return Some(lent.get(index)?.lent_along(&inside.steps));
@@ -165,7 +165,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Calls a function with arguments as written; a method has its receiver before them.
+    /// Calls a function with arguments as written; a method's receiver precedes them.
     pub(super) fn inline_written(
         &mut self,
         place: &impl ToTokens,
@@ -180,7 +180,7 @@ impl Translation<'_> {
             let lent = function.changed.get(first + index) == Some(&true) || is_untyped && self.is_reference(argument);
             let expected = self.parameter(function, first + index);
             arguments.push(match strip(argument) {
-                // A reference that is passed on.
+                // Passes a reference on.
                 place @ Expr::Path(_) if lent => self.reference(place),
                 argument => self.expression_as(argument, &expected),
             });
@@ -188,7 +188,7 @@ impl Translation<'_> {
         self.inline(place, function, arguments)
     }
 
-    /// Calls that of several functions that takes the arguments as written.
+    /// Calls the one of several functions that accepts the arguments as written.
     pub(super) fn one_of(
         &mut self,
         place: &impl ToTokens,
@@ -213,12 +213,12 @@ impl Translation<'_> {
         }
     }
 
-    /// The value of a call.
+    /// Evaluates a call.
     pub(super) fn inline(&mut self, place: &impl ToTokens, function: &Rc<Callable>, arguments: Vec<Value>) -> Value {
         self.inline_as(place, function, arguments, &Expected::Any)
     }
 
-    /// The value of a call, of whose place the type is known.
+    /// Evaluates a call whose result has an expected type.
     pub(super) fn inline_as(
         &mut self,
         place: &impl ToTokens,
@@ -232,7 +232,7 @@ impl Translation<'_> {
         if self.items.is_faulty(function) {
             return Value::Unknown;
         }
-        // What is known decides how deep it goes.
+        // Known values decide the depth of the recursion.
         let is_it = |known: &&Rc<Callable>| {
             Rc::ptr_eq(known, function) || function.name.is_some() && known.name == function.name
         };
@@ -242,7 +242,7 @@ impl Translation<'_> {
             let name = function.name.as_deref().unwrap_or("a closure");
             return self.refuse(place, messages::recursion(name));
         }
-        // Of another number of arguments the compiler speaks.
+        // The compiler reports a wrong number of arguments.
         if function.parameters.len() != arguments.len() {
             return Value::Unknown;
         }
@@ -257,7 +257,7 @@ impl Translation<'_> {
         if self.is_too_large() { self.refuse_too_large(place) } else { value }
     }
 
-    /// The function that an argument stands for, to be called with so many arguments itself.
+    /// Returns the function that an argument stands for; it will be called with `count` arguments.
     pub(super) fn function_argument(&mut self, argument: &Expr, count: usize) -> Option<Rc<Callable>> {
         let closure: ExprClosure = match argument {
             Expr::Closure(closure) => closure.clone(),
@@ -287,7 +287,7 @@ impl Translation<'_> {
     }
 }
 
-/// Calls with each word among these tokens.
+/// Calls `call` with each word in these tokens.
 pub(super) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
     for token in tokens {
         match token {
@@ -298,7 +298,7 @@ pub(super) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
     }
 }
 
-/// Whether there is an assignment to one of these names, or to a part of it.
+/// Returns `true` if the tokens contain an assignment to one of these names, or to a part of one.
 fn assigns(tokens: TokenStream, names: &[&str]) -> bool {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     tokens.iter().enumerate().any(|(start, token)| match token {

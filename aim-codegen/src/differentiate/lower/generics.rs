@@ -1,5 +1,5 @@
-//! Generic parameters: lengths and types that are known where a function is run. They are variables of its frame, of their own
-//! names, which the values of its arguments decide, or the type that it is called as a function of.
+//! Generic parameters: lengths and types that are known when a function is run. They are variables of its frame, under
+//! their own names. Their values come from the arguments, or from the type whose associated function is called.
 
 use std::rc::Rc;
 
@@ -14,11 +14,11 @@ use crate::differentiate::given;
 use crate::differentiate::items::{Enumeration, Structure};
 use crate::differentiate::names::{self, Meaning, segments};
 
-/// Generic parameters and what they stand for: a length, a type, or a value of the type.
+/// Generic parameters with their values: a length, a type, or a value of the type.
 type Found = Vec<(String, Value)>;
 
 impl Translation<'_> {
-    /// The name of the type that a generic parameter stands for.
+    /// Returns the name of the type that a generic parameter stands for.
     pub(super) fn generic(&self, name: &str) -> Option<String> {
         match self.frame.find(name).map(|place| self.frame.value(place)) {
             Some(Value::Type(ty)) => Some(ty.clone()),
@@ -26,7 +26,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Declares the generic parameters that the type of a parameter names, by its argument.
+    /// Declares the generic parameters in a parameter's type, by its argument.
     pub(super) fn bind_generics(&mut self, ty: &Type, value: &Value) {
         let scope = self.frame.scope.clone();
         if scope.lengths.is_empty() && scope.generics.is_empty() {
@@ -51,7 +51,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Finds these parameters in a type as written, by a value of it.
+    /// Finds these parameters in a written type, by a value of that type.
     fn match_generics(&mut self, names: &[&String], scope: &Scope, ty: &Type, value: &Value, found: &mut Found) {
         match (ty, value) {
             (Type::Reference(reference), _) => self.match_generics(names, scope, &reference.elem, value, found),
@@ -106,7 +106,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The parameters of a struct or an enum, in their order, by a value of it.
+    /// Returns the generic arguments of a struct or an enum, in order, by a value of it.
     fn arguments_of(&mut self, of: &Struct) -> Vec<Value> {
         let (scope, parameters, fields): (_, _, Vec<(String, &Type)>) =
             if let Some(Structure { scope, parameters, fields, .. }) = self.items.structure(&of.name) {
@@ -130,7 +130,7 @@ impl Translation<'_> {
         names.iter().map(|name| of_name(name).unwrap_or(Value::Unknown)).collect()
     }
 
-    /// Finds parameters that are arguments themselves, or parts of these, by the arguments.
+    /// Finds parameters in written generic arguments, by the known arguments.
     fn match_arguments(
         &mut self,
         names: &[&String],
@@ -150,7 +150,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The meaning of a type with arguments.
+    /// Returns the meaning of a type with generic arguments.
     pub(super) fn expected_generic(&mut self, path: &syn::Path, last: &syn::PathSegment) -> Expected {
         let scope = self.frame.scope.clone();
         if let Meaning::Own(name) = self.items.meaning(&scope, &segments(path))
@@ -171,7 +171,7 @@ impl Translation<'_> {
         for (argument, parameter) in arguments.into_iter().zip(parameters) {
             known.push(match argument {
                 GenericArgument::Const(length) if parameter.is_length => self.length_of(length),
-                // So is the name of a constant read.
+                // The parser reads the name of a constant as a type.
                 GenericArgument::Type(Type::Path(name)) if parameter.is_length => {
                     self.length_of(&syn::parse_quote!(#name))
                 }
@@ -191,7 +191,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Declares the parameters of a struct by what is known of them.
+    /// Declares the parameters of a struct, as far as its arguments are known.
     pub(super) fn declare_arguments(&mut self, structure: &Structure, of: &Expected) {
         let Expected::Generic(_, known) = of else { return };
         for (parameter, value) in structure.parameters.iter().zip(known).filter(|(_, value)| !value.is_unknown()) {
@@ -199,8 +199,8 @@ impl Translation<'_> {
         }
     }
 
-    /// A function of a generic type with the type's arguments, as they are written before its name, or else as the expected type
-    /// of its result tells them.
+    /// Returns a function of a generic type, specialised to the type's arguments: those written before its name, or
+    /// else those of its expected result.
     pub(super) fn specialised(
         &mut self,
         function: &Rc<Callable>,
@@ -222,7 +222,7 @@ impl Translation<'_> {
         Rc::new(Callable { captured, ..(**function).clone() })
     }
 
-    /// A function with the generic arguments that are written behind its name.
+    /// Returns a function, specialised to the generic arguments written after its name.
     pub(super) fn with_arguments(&mut self, function: &Rc<Callable>, path: &syn::Path) -> Rc<Callable> {
         let (lengths, types) = (&function.scope.lengths, &function.scope.generics);
         let arguments = names::arguments(path);
@@ -234,7 +234,7 @@ impl Translation<'_> {
         for argument in arguments {
             let length = match argument {
                 GenericArgument::Const(length) => self.length_of(length),
-                // So is the name of a constant read.
+                // The parser reads the name of a constant as a type.
                 GenericArgument::Type(Type::Path(name)) if lengths.len() > 0 => {
                     self.length_of(&syn::parse_quote!(#name))
                 }

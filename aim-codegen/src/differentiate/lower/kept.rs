@@ -1,5 +1,6 @@
-//! Loops that stay loops: over slices, and to whole numbers of which no bound is known. One round is run, which stands for all: the
-//! variables that it changes are inputs of it, and what they are after it is what the next round finds.
+//! Kept loops: loops over slices, and up to whole numbers without a known bound. A single iteration is run and stands
+//! for all of them: the variables that it changes are inputs, and their values at its end are those that the next
+//! iteration begins with.
 
 use std::rc::Rc;
 
@@ -17,16 +18,16 @@ use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
 use super::{Translation, columns};
 use crate::differentiate::messages;
 
-/// How a round ends the loop.
+/// The ways in which an iteration ends the loop.
 struct Ends {
-    /// Where it leaves it, and the value that it leaves it with.
+    /// Condition of leaving the loop, and the value that it is left with.
     leaves: Condition,
     brought: Value,
-    /// Where it leaves more than the loop.
+    /// Exits to targets outside the loop.
     exits: Vec<Exit>,
 }
 
-/// What a number is.
+/// Kind of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -35,7 +36,7 @@ enum Kind {
 }
 
 impl Value {
-    /// The numbers that it is made of; `None` of what is made of something else.
+    /// Returns the numbers of a value; `None` if it contains anything else.
     fn numbers(&self, a: &mut Algebra) -> Option<Vec<(Scalar, Kind)>> {
         let each = |values: &[&Self], a: &mut Algebra| {
             let numbers: Option<Vec<_>> = values.iter().map(|value| value.numbers(a)).collect();
@@ -71,7 +72,7 @@ impl Value {
                 each(&parts.iter().collect::<Vec<_>>(), a)
             }
             Self::Slice(slice) => Some(vec![(slice.first, Kind::Whole), (slice.len, Kind::Whole)]),
-            // Nothing was put into it: it is `None` all the time.
+            // Never assigned: the option is always `None`.
             Self::Optional(optional) if optional.value.is_never() => Some(Vec::new()),
             Self::Optional(optional) => each(&[&Self::Truth(optional.is_some.clone()), &optional.value], a),
             Self::Never => Some(Vec::new()),
@@ -79,7 +80,7 @@ impl Value {
         }
     }
 
-    /// The same value, with what another one has where it has nothing, inside of options and enums: of numbers that are 0.
+    /// Fills absent parts of options and enums with the shape of `other`, made of zeros.
     fn shaped_like(&self, a: &mut Algebra, other: &Self) -> Self {
         match (self, other) {
             (Self::Never, Self::Never) => Self::Never,
@@ -117,7 +118,7 @@ impl Value {
         }
     }
 
-    /// The same value of other numbers.
+    /// Rebuilds the value from other numbers.
     fn of_numbers(&self, a: &mut Algebra, from: &mut impl Iterator<Item = Scalar>) -> Option<Self> {
         fn take<const N: usize>(from: &mut impl Iterator<Item = Scalar>) -> Option<[Scalar; N]> {
             let taken: Vec<Scalar> = from.take(N).collect();
@@ -184,7 +185,8 @@ impl Value {
     }
 }
 
-/// Adds a state to a loop: what it is before the first round, and what a round makes of it. What is left of it.
+/// Adds a state to a loop, from its value before the first iteration and its value after an iteration. Returns its
+/// final value.
 fn add_state(a: &mut Algebra, number: usize, first: Scalar, next: Scalar, kind: Kind) -> Scalar {
     let k = a.loops[number].states.len();
     let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
@@ -193,7 +195,7 @@ fn add_state(a: &mut Algebra, number: usize, first: Scalar, next: Scalar, kind: 
 }
 
 impl Translation<'_> {
-    /// A `for` loop over rounds that are not written out.
+    /// Runs a `for` loop that is not unrolled.
     pub(super) fn kept_for(&mut self, e: &ExprForLoop, rounds: &Rounds) -> Value {
         self.kept_loop(&e.for_token, e.label.as_ref(), rounds, |this, item| {
             this.bind(&e.pat, item);
@@ -201,7 +203,7 @@ impl Translation<'_> {
         })
     }
 
-    /// `while`, as long as it takes.
+    /// Runs a `while` loop without a known bound.
     pub(super) fn kept_while(&mut self, e: &ExprWhile) -> Value {
         let rounds = Rounds::without_end(self.algebra);
         self.kept_loop(&e.while_token, e.label.as_ref(), &rounds, |this, _| {
@@ -218,13 +220,13 @@ impl Translation<'_> {
         })
     }
 
-    /// `loop`, as long as it takes.
+    /// Runs a `loop` without a known bound.
     pub(super) fn kept_endless(&mut self, e: &ExprLoop) -> Value {
         let rounds = Rounds::without_end(self.algebra);
         self.kept_loop(&e.loop_token, e.label.as_ref(), &rounds, |this, _| this.block(&e.body))
     }
 
-    /// Runs one round of a loop, for all of them.
+    /// Runs one iteration of a loop, which stands for all of them.
     pub(super) fn kept_loop(
         &mut self,
         place: &impl ToTokens,
@@ -238,10 +240,11 @@ impl Translation<'_> {
         self.kept.pop();
         let Some(ends) = ran else { return Value::Unknown };
         let Ends { mut leaves, brought, exits } = ends;
-        // Control comes out of it by a way out alone.
+        // Without a bound, the loop can only end by an exit.
         let goes_on =
             self.algebra.constant_of(rounds.count) != Some(f64::INFINITY) || !matches!(leaves, Condition::Known(false));
-        // What is returned, say, and whether, are states, too: after the loop control goes on to where it is led.
+        // The value of each outer exit, and the condition that it was taken, are states as well: after the loop,
+        // control continues at the exit's target.
         let mut left = Vec::new();
         for (place_of_first, Exit { target, .. }) in exits.iter().enumerate() {
             if exits[..place_of_first].iter().any(|exit| exit.target == *target) {
@@ -250,7 +253,7 @@ impl Translation<'_> {
             let same = exits.iter().filter(|exit| exit.target == *target).rev();
             let is_left = same.clone().map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or);
             leaves = leaves.or(is_left.clone());
-            // The first that was met counts.
+            // The earliest exit has precedence.
             let value = same
                 .map(|exit| (&exit.condition, &exit.value))
                 .try_fold(Value::Never, |other, (condition, value)| value.select(self.algebra, condition, &other));
@@ -270,7 +273,7 @@ impl Translation<'_> {
         };
         let a = &mut *self.algebra;
         let leaves = (!matches!(leaves, Condition::Known(false))).then(|| a.number_of(&leaves));
-        // Not where control does not come: it might not end there.
+        // Run no iteration where control does not reach the loop: it might not terminate there.
         let reached = self.frame.reached(a);
         let zero = a.number(0.0);
         let count = reached.select(a, rounds.count, zero);
@@ -288,7 +291,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The number of a loop that is run from here on.
+    /// Begins a kept loop and returns its index.
     pub(super) fn begin_kept_loop(&mut self, count: Scalar) -> usize {
         let (number, within) = (self.algebra.loops.len(), self.kept.last().copied());
         self.algebra.loops.push(KeptLoop { within, count, states: Vec::new(), leaves: None });
@@ -296,8 +299,9 @@ impl Translation<'_> {
         number
     }
 
-    /// A value of numbers that are 0 where they are not there: where this does not hold, in an option that is `None`, and in the
-    /// variants that an enum is not. From what would not be a number, rounds would make slopes that are none, either.
+    /// Replaces numbers that are absent by 0: where `holds` is false, in an option that is `None`, and in an enum's
+    /// other variants. Otherwise an undefined number could become NaN, and so would the derivatives that iterations
+    /// compute from it.
     fn there(&mut self, value: &Value, holds: &Condition) -> Value {
         match value {
             Value::Optional(of) if !of.value.is_never() => {
@@ -338,8 +342,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The value of which a round makes this, after the last one, where it leaves the loop with it; `None` if it is none that may be a
-    /// state.
+    /// Returns the final value of something that an iteration leaves the loop with; `None` if it cannot be a state.
     fn left_state(&mut self, number: usize, leaves: &Condition, value: &Value) -> Option<Value> {
         let value = &self.there(value, leaves);
         let a = &mut *self.algebra;
@@ -350,7 +353,8 @@ impl Translation<'_> {
         value.of_numbers(a, &mut left.into_iter())
     }
 
-    /// Finds the numbers that a round changes; their variables are what they are after the last one. `None` after an error.
+    /// Finds the variables that an iteration changes, and sets them to their values after the loop. `None` after an
+    /// error.
     fn states(
         &mut self,
         place: &impl ToTokens,
@@ -359,7 +363,8 @@ impl Translation<'_> {
         rounds: &Rounds,
         round: &mut impl FnMut(&mut Self, Value) -> Value,
     ) -> Option<Ends> {
-        // What a round changes, and what it puts into an option or an enum that had nothing, may lead it to change more.
+        // Iterate to a fixed point: a changed variable, or a value assigned to an empty option or enum, may lead to
+        // further changes.
         let mut changed: Vec<(usize, Value)> = Vec::new();
         let (after, ends, inputs) = loop {
             let mut inputs = 0_usize..;
@@ -400,7 +405,7 @@ impl Translation<'_> {
             if !grows {
                 break (after, ends?, inputs.start);
             }
-            // What is wrong with a round that finds less than there is says nothing.
+            // Errors of an iteration with incomplete states are meaningless.
             self.unsay(said);
             self.take_back(mark);
         };
@@ -433,14 +438,15 @@ impl Translation<'_> {
             self.frame.assign(variable, value);
         }
         if self.algebra.loops[number].states.len() != inputs {
-            // Else a state would be taken for another.
+            // Otherwise states would be mixed up.
             self.refuse(place, messages::state_of_kept_loop("what changes its kind"));
             return None;
         }
         Some(ends)
     }
 
-    /// Runs a round with these variables: the values that it leaves variables with, and its end; `None` after an error.
+    /// Runs an iteration with these variables. Returns the variables' values afterwards, and the ways in which it ends;
+    /// `None` after an error.
     fn one_round(
         &mut self,
         place: &impl ToTokens,
@@ -481,7 +487,7 @@ impl Translation<'_> {
             self.refuse(place, messages::exit_of_kept_loop());
             return (after, None);
         };
-        // What variables are where control goes to the end of another loop.
+        // Values of the variables where control exits to an outer loop.
         let to_loops = exits.iter().rev().filter(|exit| exit.target != Target::Function);
         let assigned = to_loops.flat_map(|exit| exit.assigned.iter().map(|assigned| (&exit.condition, assigned)));
         let joined = assigned.into_iter().try_for_each(|(condition, (variable, value))| {

@@ -1,4 +1,4 @@
-//! Elements and parts lent to be changed, by methods of arrays and lists, and by patterns of `&mut`.
+//! Mutable references to elements and parts, by methods of arrays and lists and by patterns on `&mut`.
 
 use std::rc::Rc;
 
@@ -11,7 +11,7 @@ use super::iterators::ranks;
 use super::value::{Element, Place, Step, Struct, Value};
 use crate::differentiate::messages;
 
-/// The methods of an array that lend its elements or parts to be changed.
+/// Methods of an array that lend its elements or parts mutably.
 pub(super) const LENDING: [&str; 9] = [
     "iter_mut",
     "first_mut",
@@ -25,7 +25,7 @@ pub(super) const LENDING: [&str; 9] = [
 ];
 
 impl Translation<'_> {
-    /// An iterator over references to the elements of an array or a list that is changed; `None` if it is none.
+    /// Returns an iterator over mutable references to the elements of an array or a list; `None` for any other value.
     pub(super) fn references(&mut self, target: &Place) -> Option<Value> {
         match self.read(target) {
             Value::Array(values) => {
@@ -42,7 +42,8 @@ impl Translation<'_> {
         }
     }
 
-    /// A method that lends elements or parts of an array to be changed; `None` if it is another one, or after an error.
+    /// Evaluates a method that lends elements or parts of an array mutably; `None` if it is another one, or after an
+    /// error.
     pub(super) fn lending_method(&mut self, call: &ExprMethodCall, array: &Place) -> Option<Value> {
         let Value::Array(values) = self.read(array) else { return None };
         let (count, name) = (values.len(), call.method.to_string());
@@ -86,7 +87,8 @@ impl Translation<'_> {
         })
     }
 
-    /// Elements of a list whose length arguments decide, lent to be changed; `None` if it is another method, or after an error.
+    /// Evaluates a method that lends elements of a list mutably, whose length depends on arguments; `None` if it is
+    /// another method, or after an error.
     pub(super) fn lent_by_list(&mut self, call: &ExprMethodCall, list: &Place) -> Option<Value> {
         let Value::List(items) = self.read(list) else { return None };
         let Value::Integer(count) = self.counted(&items)? else { return None };
@@ -104,7 +106,7 @@ impl Translation<'_> {
         Some(Value::some_if(is_some, list.lent(Step::Chosen(index))))
     }
 
-    /// The parts that a pattern takes a value to: of a `&mut` those to its parts.
+    /// Returns the value that a pattern takes apart; for a `&mut`, a value made of references to its parts.
     pub(super) fn lent_parts(&mut self, value: Value) -> Value {
         let Value::Reference(place) = &value else { return value };
         match self.read(place) {
@@ -116,7 +118,7 @@ impl Translation<'_> {
             }
             Value::Struct(of) => {
                 let fields = of.fields.iter().map(|(name, value)| {
-                    // Which variant it is can only be changed with all of it, and those that it is not have no fields.
+                    // The variant can only be changed as a whole, and other variants have no fields.
                     let part = if name == TAG || value.is_never() {
                         value.clone()
                     } else {

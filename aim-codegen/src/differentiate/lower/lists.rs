@@ -1,5 +1,5 @@
-//! `Vec`: whoever reads a function sees the elements that there may be, each with the condition that it is there. What makes a
-//! list, makes it longer or shorter, and sorts it.
+//! `Vec`: a list of all elements that may be present, each with the condition of its presence. Construction, methods
+//! that change the length, and sorting.
 
 use std::rc::Rc;
 
@@ -14,7 +14,7 @@ use super::value::{Callable, Element, Value};
 use super::{Translation, is_place};
 use crate::differentiate::messages;
 
-/// The methods that change all of an array or a list, with the number of their arguments.
+/// Methods that change an array or a list as a whole, with the number of their arguments.
 const CHANGING: &[(&str, usize)] = &[
     ("push", 1),
     ("pop", 0),
@@ -37,19 +37,19 @@ const CHANGING: &[(&str, usize)] = &[
     ("sort_unstable_by", 1),
 ];
 
-/// The longest array that is sorted by conditions alone: every two elements are compared.
+/// Longest array that is sorted. Sorting compares every pair of elements, because the order is not known.
 const LONGEST_SORTED: usize = 16;
 
-/// The names of these methods.
+/// Returns the names of these methods.
 pub(super) fn methods() -> impl Iterator<Item = &'static str> {
     CHANGING.iter().map(|(name, _)| *name)
 }
 
 impl Element {
-    /// `self` where the condition holds, else `otherwise`; `None` where they are of two kinds.
+    /// Returns `self` where the condition holds, else `otherwise`; `None` if their values are of different kinds.
     pub(super) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Option<Self> {
         let is_there = Condition::either(condition, &self.is_there, &otherwise.is_there);
-        // Of what is not there nothing is selected.
+        // Absent values need no select.
         let value = match (&self.is_there, &otherwise.is_there) {
             (Condition::Known(false), _) => otherwise.value.clone(),
             (_, Condition::Known(false)) => self.value.clone(),
@@ -60,7 +60,7 @@ impl Element {
 }
 
 impl Value {
-    /// A list of those that are there.
+    /// Creates a list of the elements that may be present.
     pub(super) fn list(items: impl IntoIterator<Item = Element>) -> Self {
         let is_there = |item: &Element| !matches!(item.is_there, Condition::Known(false));
         let items: Vec<Element> = items.into_iter().filter(is_there).collect();
@@ -71,7 +71,7 @@ impl Value {
     }
 }
 
-/// One of two lists, by a condition; `None` where some of their elements are of two kinds.
+/// Selects between two lists; `None` if some of their elements are of different kinds.
 pub(super) fn select(
     a: &mut Algebra,
     condition: &Condition,
@@ -86,7 +86,7 @@ pub(super) fn select(
     items.collect()
 }
 
-/// The element that so many others come before; `None` if there are none, or of several kinds.
+/// Returns the element that `index` present elements precede; `None` if there are none, or of several kinds.
 pub(super) fn ranked(a: &mut Algebra, items: &[Element], index: Scalar) -> Option<Value> {
     let ranks = ranks(a, items);
     items.iter().zip(ranks).rev().try_fold(Value::Never, |found, (item, rank)| {
@@ -95,7 +95,7 @@ pub(super) fn ranked(a: &mut Algebra, items: &[Element], index: Scalar) -> Optio
     })
 }
 
-/// The list with another value where so many others come before.
+/// Replaces the element that `index` present elements precede.
 pub(super) fn with_ranked(a: &mut Algebra, items: &[Element], index: Scalar, value: &Value) -> Option<Value> {
     let ranks = ranks(a, items);
     let items = items.iter().zip(ranks).map(|(item, rank)| {
@@ -106,7 +106,7 @@ pub(super) fn with_ranked(a: &mut Algebra, items: &[Element], index: Scalar, val
 }
 
 impl Translation<'_> {
-    /// `vec![…]`
+    /// Evaluates `vec![…]`.
     pub(super) fn list(&mut self, list: &syn::Macro) -> Value {
         let elements = &list.tokens;
         match syn::parse2::<Expr>(quote!([#elements])) {
@@ -115,7 +115,7 @@ impl Translation<'_> {
         }
     }
 
-    /// A method that changes an array or a list as a whole; `None` if it is another one.
+    /// Evaluates a method that changes an array or a list as a whole; `None` if it is another one.
     pub(super) fn list_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         if !CHANGING.contains(&(&name, call.args.len())) || !is_place(&call.receiver) {
@@ -124,7 +124,7 @@ impl Translation<'_> {
         let place = self.still_place(&call.receiver)?;
         let list @ (Value::Array(_) | Value::List(_)) = self.read(&place) else { return None };
         let mut items = list.items()?;
-        // What is missing was reported.
+        // The error has been reported.
         let Some(result) = self.changed(call, &name, &mut items).filter(|result| !result.is_unknown()) else {
             return Some(Value::Unknown);
         };
@@ -132,7 +132,7 @@ impl Translation<'_> {
         Some(if written.is_unknown() { written } else { result })
     }
 
-    /// What a method returns that changes these; `None` after an error.
+    /// Changes `items` by a method and returns the method's value; `None` after an error.
     fn changed(&mut self, call: &ExprMethodCall, name: &str, items: &mut Vec<Element>) -> Option<Value> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         match (name, arguments.as_slice()) {
@@ -167,13 +167,13 @@ impl Translation<'_> {
                 }
             }
             ("extend" | "extend_from_slice", [others]) => items.extend(self.iterated(others)?),
-            // Of another length it panics.
+            // With another length it panics.
             ("copy_from_slice" | "clone_from_slice", [others]) => *items = self.iterated(others)?,
             ("insert", [place, value]) => {
                 let (place, value) = (self.count(place)?, self.expression(value));
                 let mut ranks = ranks(self.algebra, items).into_iter();
                 let mut inserted = Vec::with_capacity(2 * items.len() + 1);
-                // It stands before the one that so many come before, or behind all.
+                // Insert before the element that `place` present elements precede, or at the end.
                 let mut here = |a: &mut Algebra, is_there: Condition| {
                     let is_there = is_there.and(Condition::equal(a, ranks.next()?, place));
                     Some(Element { is_there, value: value.clone() })
@@ -220,8 +220,8 @@ impl Translation<'_> {
         Some(Value::nothing())
     }
 
-    /// Brings elements in order: neighbours that are not are exchanged, so that equal ones stay as they are. Those that are not
-    /// there come last, as they may be no numbers, which have no order. `None` after an error.
+    /// Bubble sort: exchanges neighbours that are out of order, so it is stable. Absent elements go last, because their
+    /// values may be NaN, which has no order. `None` after an error.
     fn sorted(&mut self, call: &ExprMethodCall, compare: &Rc<Callable>, items: &mut [Element]) -> Option<Value> {
         if items.len() > LONGEST_SORTED {
             return Some(self.refuse(&call.method, messages::sorted_too_long(LONGEST_SORTED)));

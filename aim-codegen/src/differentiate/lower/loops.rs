@@ -1,4 +1,4 @@
-//! Loops that are written out round by round, as far as that comes to an end; the others are [kept](super::kept).
+//! Loops that are unrolled iteration by iteration, as long as that ends; all others are [kept](super::kept).
 
 use std::rc::Rc;
 
@@ -13,14 +13,14 @@ use super::value::{Element, Rounds, Value};
 use super::{Translation, strip};
 use crate::differentiate::messages;
 
-/// The most nodes of a function's graph. What is derived of more takes minutes to compile.
+/// Maximum number of nodes in a function's graph. Code derived from more takes minutes to compile.
 const MOST_NODES: usize = 20_000;
 
-/// A round of a loop.
+/// An iteration of a loop.
 enum Round {
-    /// There is none.
+    /// No further iteration.
     Over,
-    /// Its value.
+    /// Value of the iteration.
     Of(Value),
 }
 
@@ -47,7 +47,7 @@ impl Translation<'_> {
         };
         let label = e.label.as_ref().map(|label| &label.name);
         let (kept, exits) = (self.range_to_keep(e, &items), self.frame.exits());
-        // Numbers that nobody asks for count how often something is tried.
+        // A counter that the body ignores counts attempts.
         let is_counter = kept.is_some() && matches!(*e.pat, Pat::Wild(_));
         let written = |this: &mut Self| {
             let mut rounds = 0;
@@ -70,7 +70,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The rounds of a loop over a range that may stay a loop, where all of its numbers are known to be there.
+    /// Returns the iterations of a loop over a range that may be kept, if all of its numbers are certainly present.
     fn range_to_keep(&mut self, e: &ExprForLoop, items: &[Element]) -> Option<Rounds> {
         let is_there = |item: &Element| matches!(item.is_there, Condition::Known(true));
         let is_range = matches!(strip(&e.expr), Expr::Range(_)) && items.iter().all(is_there);
@@ -80,7 +80,7 @@ impl Translation<'_> {
         Some(Rounds::numbers(self.algebra, first, count))
     }
 
-    /// Runs a round with each of the elements that are there.
+    /// Runs an iteration with each element that is present.
     pub(super) fn each(
         &mut self,
         token: &impl ToTokens,
@@ -107,8 +107,8 @@ impl Translation<'_> {
         self.written_or_kept(core::ptr::from_ref(e).cast(), &written, &|this| this.kept_endless(e))
     }
 
-    /// Writes a loop out, round by round; or, if no end of it comes in sight, keeps it. One of many rounds that may be left before its
-    /// end is kept where it can be.
+    /// Unrolls a loop; keeps it if unrolling does not end. A loop of many iterations that may end early is kept if
+    /// possible.
     fn written_or_kept(
         &mut self,
         place: *const (),
@@ -144,7 +144,7 @@ impl Translation<'_> {
             self.most_open = many;
             return value;
         }
-        // Where a round is wrong by itself, that was said.
+        // If an iteration is faulty in itself, the error has already been reported.
         if !is_endless && self.report.count() > before.errors {
             self.report.forget(before.errors);
             self.report.restore(said);
@@ -159,7 +159,7 @@ impl Translation<'_> {
         self.rounds(&e.while_token, label, |this| match this.condition(&e.cond) {
             Some(Condition::Known(false)) => Round::Over,
             Some(Condition::Known(true)) => Round::Of(this.block(&e.body)),
-            // As far as is known it goes on until something else ends it.
+            // No known condition ends the loop.
             Some(_) if open_rounds == this.most_open || this.is_too_large() => {
                 this.is_endless = true;
                 Round::Of(this.refuse(&e.cond, messages::rounds_unknown()))
@@ -185,7 +185,7 @@ impl Translation<'_> {
             if this.frame.has_exits(whole) {
                 (open_rounds, this.is_open) = (open_rounds + 1, true);
             }
-            // As far as is known it goes on.
+            // No known condition ends the loop.
             if open_rounds > this.most_open {
                 this.is_endless = true;
                 return Round::Of(this.refuse(&e.loop_token, messages::rounds_unknown()));
@@ -194,7 +194,7 @@ impl Translation<'_> {
         })
     }
 
-    /// Runs the rounds of a loop.
+    /// Runs the iterations of a loop.
     fn rounds(
         &mut self,
         token: &impl ToTokens,
@@ -221,7 +221,7 @@ impl Translation<'_> {
             if matches!(done, Round::Over) {
                 break;
             }
-            // One round says what is wrong.
+            // Report the errors of one iteration only.
             if unknown || self.report.count() > errors {
                 value = Value::Unknown;
                 break;
@@ -245,12 +245,12 @@ impl Translation<'_> {
         }
     }
 
-    /// True once the graph has outgrown its bound.
+    /// Returns `true` if the graph exceeds its maximum size.
     pub(super) fn is_too_large(&self) -> bool {
         self.algebra.g.len() - self.given_up > MOST_NODES
     }
 
-    /// Reports that the graph has outgrown its bound, unless it is a loop that may stay one.
+    /// Reports that the graph exceeds its maximum size. The error is dropped if the loop can be kept.
     pub(super) fn refuse_too_large(&mut self, place: &impl ToTokens) -> Value {
         self.is_endless = true;
         self.refuse(place, messages::too_large(MOST_NODES, MOST_ROUNDS))

@@ -1,7 +1,7 @@
-//! Linear maps, quaternions and affine transforms of a function.
+//! Linear maps, quaternions and affine transforms of an interpreted function.
 //!
-//! A map is kept as it was made, so that what is a rotation stays one: the rules of the engine know `R Rᵀ = 1` of
-//! rotations alone. Only where its numbers are asked for are they worked out.
+//! A map is stored as it was constructed, so that a rotation stays one: the engine's rules know `R Rᵀ = 1` for
+//! rotations only. Matrix entries are computed only when they are needed.
 
 use std::rc::Rc;
 
@@ -10,38 +10,42 @@ use aim_symbolic::{Attitude, Function, Matrix, Node, Op, Rotation, Scalar, Scala
 use super::algebra::Algebra;
 use super::condition::Condition;
 
-/// Branches of more maps are multiplied out: as matrices, which takes a vector for each axis, or as quaternions, which
-/// takes longer to pay.
+/// Largest number of maps in the branches of a select of matrices. Branches with more are multiplied out, which takes a
+/// vector for each axis.
 const MOST_BEFORE_MATRICES: usize = 6;
+/// Largest number of maps in the branches of a select of quaternions. Branches with more are replaced by a select of
+/// the components, which pays off later than for matrices.
 const MOST_BEFORE_QUATERNIONS: usize = 22;
-/// Products of more maps are multiplied out, and so is the square of a product, as its number of maps would double in every
-/// round of a loop. Rotations stay rotations for longer: their rules need them whole.
+/// Largest number of maps in a product; longer products are multiplied out. So is the square of a product, whose number
+/// of maps would double in every iteration of a loop.
 const MOST_FACTORS: usize = 16;
+/// Largest number of maps in a product of rotations. Larger than [`MOST_FACTORS`], because the rules for rotations only
+/// apply to products that are not multiplied out.
 const MOST_TURNS: usize = 512;
 
 /// A linear map of vectors.
 #[derive(Clone, Debug)]
 pub(crate) enum Map {
-    /// A rotation, so that its transpose is its inverse.
+    /// A rotation: its transpose is its inverse.
     Rotation(Rotation),
     /// The images of the three axes.
     Columns([Vector; 3]),
-    /// The transpose of that.
+    /// The transpose of the matrix with these columns.
     Rows([Vector; 3]),
-    /// What multiplies each component by its own number.
+    /// Multiplies each component by its own number.
     Diagonal(Vector),
     /// The inverse of a matrix.
     Inverse(Matrix),
-    /// v ↦ q v q*, for a quaternion of any length: its vector part and its scalar part.
+    /// v ↦ q v q*, for a quaternion of any length, given by its vector part and scalar part.
     Spin(Vector, Scalar),
-    /// The second, then the first.
+    /// The second map followed by the first.
     Compose(Rc<(Self, Self)>),
-    /// The first where the condition holds, else the second.
+    /// The first map where the condition holds, else the second.
     Select(Rc<(Condition, Self, Self)>),
 }
 
 impl Map {
-    /// The right-handed turn about X, Y or Z.
+    /// Returns the right-handed rotation about X, Y or Z.
     pub(crate) fn turn(a: &mut Algebra, axis: usize, radians: Scalar) -> Self {
         Self::Rotation(a.turn(axis, radians))
     }
@@ -50,8 +54,8 @@ impl Map {
         Self::Rotation(a.identity())
     }
 
-    /// The map with these images of the axes: a rotation where they are written as those of a turn about an axis, and
-    /// diagonal where the others are 0.
+    /// Returns the map with these images of the axes: diagonal if all other entries are 0, a rotation if the entries
+    /// are written like those of a rotation about an axis.
     pub(crate) fn of_columns(a: &mut Algebra, columns: [Vector; 3]) -> Self {
         let entries = columns.map(|column| a.parts(column));
         let is_aside = |(i, k): (usize, usize)| i == k || a.constant_of(entries[i][k]) == Some(0.0);
@@ -82,8 +86,8 @@ impl Map {
         Self::Columns(columns)
     }
 
-    /// `then` where the condition holds, else `otherwise`. Branches of many maps are multiplied out, so that what they have
-    /// in common is not applied once a branch.
+    /// Returns `then` where the condition holds, else `otherwise`. Branches of many maps are multiplied out, so that
+    /// maps that they share are not applied once for each branch.
     pub(crate) fn select(a: &mut Algebra, condition: &Condition, then: &Self, otherwise: &Self) -> Self {
         if then.size() + otherwise.size() <= MOST_BEFORE_MATRICES {
             return Self::branches(condition, then, otherwise);
@@ -96,7 +100,7 @@ impl Map {
         Self::Select(Rc::new((condition.clone(), then.clone(), otherwise.clone())))
     }
 
-    /// How many maps are applied to a vector.
+    /// Returns the number of maps that are applied to a vector.
     fn size(&self) -> usize {
         match self {
             Self::Compose(pair) => pair.0.size() + pair.1.size(),
@@ -132,9 +136,9 @@ impl Map {
         }
     }
 
-    /// `inner`, then `self`.
+    /// Returns `inner` followed by `self`.
     pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
-        // Products begin with it.
+        // Products begin with the identity.
         let identity = a.identity();
         match (self, inner) {
             (Self::Rotation(outer), _) if *outer == identity => inner.clone(),
@@ -167,7 +171,7 @@ impl Map {
     }
 
     fn multiplied_out(&self, a: &mut Algebra, inner: &Self) -> Self {
-        // Each by itself: those of a square are the same.
+        // Compute the columns of each factor by itself: those of a square are shared.
         let (outer, inner) = (Self::Columns(self.columns(a)), inner.columns(a));
         Self::Columns(inner.map(|column| outer.apply(a, column)))
     }
@@ -191,7 +195,7 @@ impl Map {
         }
     }
 
-    /// The map back: of a rotation its transpose.
+    /// Returns the inverse map; for a rotation its transpose.
     pub(crate) fn inverse(&self, a: &mut Algebra) -> Self {
         if self.is_rotation() {
             return self.transpose(a);
@@ -212,7 +216,7 @@ impl Map {
         }
     }
 
-    /// Whether it is known to be a rotation.
+    /// Returns `true` if the map is known to be a rotation.
     pub(crate) fn is_rotation(&self) -> bool {
         match self {
             Self::Rotation(_) => true,
@@ -222,12 +226,12 @@ impl Map {
         }
     }
 
-    /// The images of the axes.
+    /// Returns the images of the axes.
     pub(crate) fn columns(&self, a: &mut Algebra) -> [Vector; 3] {
         [0, 1, 2].map(|axis| self.column(a, axis))
     }
 
-    /// The image of an axis.
+    /// Returns the image of an axis.
     pub(crate) fn column(&self, a: &mut Algebra, axis: usize) -> Vector {
         match self {
             Self::Columns(columns) => columns[axis],
@@ -248,19 +252,20 @@ impl Map {
         a.dot(z, normal)
     }
 
-    /// Column by column of two.
+    /// Combines two maps column by column.
     pub(crate) fn zip(&self, a: &mut Algebra, other: &Self, of: fn(&mut Algebra, Vector, Vector) -> Vector) -> Self {
         let (mine, theirs) = (self.columns(a), other.columns(a));
         Self::Columns([0, 1, 2].map(|k| of(a, mine[k], theirs[k])))
     }
 
-    /// Each column by itself.
+    /// Applies a function to each column.
     pub(crate) fn map(&self, a: &mut Algebra, of: impl Fn(&mut Algebra, Vector) -> Vector) -> Self {
         let columns = self.columns(a);
         Self::Columns(columns.map(|column| of(a, column)))
     }
 
-    /// The right-handed turn about an axis that the variables move, as a matrix writes it: by Rodrigues' formula.
+    /// Returns the matrix of a right-handed rotation about an axis that depends on the variables, by Rodrigues'
+    /// formula.
     pub(crate) fn rodrigues(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
         let (sin, cos) = a.sin_cos(radians);
         let one = a.number(1.0);
@@ -273,7 +278,7 @@ impl Map {
     }
 }
 
-/// q v q* = v (w² − u·u) + 2 u (u·v) + 2 w (u × v)
+/// Returns q v q* = v (w² − u·u) + 2 u (u·v) + 2 w (u × v).
 fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
     let two = a.number(2.0);
     let (w2, u2, along) = (a.mul(w, w), a.dot(u, u), a.dot(u, v));
@@ -281,28 +286,28 @@ fn spin(a: &mut Algebra, u: Vector, w: Scalar, v: Vector) -> Vector {
     about(a, v, u, factors)
 }
 
-/// kept v + along u + aside (u × v)
+/// Returns kept v + along u + aside (u × v).
 fn about(a: &mut Algebra, v: Vector, u: Vector, [kept, along, aside]: [Scalar; 3]) -> Vector {
     let (kept, along, across) = (a.scale(kept, v), a.scale(along, u), a.cross(u, v));
     let (sum, aside) = (a.add_vectors(kept, along), a.scale(aside, across));
     a.add_vectors(sum, aside)
 }
 
-/// A quaternion: the map that it is used for, and its numbers where they are known.
+/// A quaternion: the map that it stands for, and its components if they are known.
 #[derive(Clone, Debug)]
 pub(crate) struct Quaternion {
     pub(crate) map: Map,
-    /// The vector part and the scalar part.
+    /// Vector part and scalar part.
     pub(crate) parts: Option<(Vector, Scalar)>,
 }
 
 impl Quaternion {
-    /// The quaternion of these parts, of whatever length.
+    /// Returns the quaternion with these parts, of any length.
     pub(crate) fn from_parts(u: Vector, w: Scalar) -> Self {
         Self { map: Map::Spin(u, w), parts: Some((u, w)) }
     }
 
-    /// One of length 1 that no variable moves.
+    /// Returns a quaternion of length 1 that does not depend on the variables.
     pub(crate) fn unit(a: &mut Algebra, u: Vector, w: Scalar) -> Self {
         let map = match (a.g.constant_vector_of(u), a.constant_of(w)) {
             (Some([x, y, z]), Some(w)) => Map::Rotation(a.g.basis(images(x, y, z, w))),
@@ -316,7 +321,7 @@ impl Quaternion {
         Self { map: Map::identity(a), parts: Some((u, w)) }
     }
 
-    /// The right-handed turn about X, Y or Z.
+    /// Returns the right-handed rotation about X, Y or Z.
     pub(crate) fn turn(a: &mut Algebra, axis: usize, radians: Scalar) -> Self {
         let unit = a.axis(axis);
         let parts = half_turn(a, unit, radians);
@@ -328,13 +333,13 @@ impl Quaternion {
         Self { map: Map::Rotation(a.about(axis, radians)), parts: Some(parts) }
     }
 
-    /// One that the variables move, made of length 1.
+    /// Normalises a quaternion that depends on the variables; `reciprocal` is 1 / its length.
     pub(crate) fn normalized(a: &mut Algebra, (u, w): (Vector, Scalar), reciprocal: Scalar) -> Self {
         let map = Map::Rotation(a.g.attitude(Attitude::Quaternion(u, w)));
         Self { map, parts: Some((a.scale(reciprocal, u), a.mul(reciprocal, w))) }
     }
 
-    /// The turn about an axis that the variables move.
+    /// Returns the rotation about an axis that depends on the variables.
     pub(crate) fn about_varying(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
         if let (VectorNode::Normalize(turn), ScalarNode::Norm(length)) =
             (a.g.vector_node(axis), a.g.scalar_node(radians))
@@ -346,7 +351,7 @@ impl Quaternion {
         Self::from_parts(u, w)
     }
 
-    /// The turn about a vector by its length, also where that is 0.
+    /// Returns the rotation about a vector by its length in radians; also defined for length 0.
     pub(crate) fn about_vector(a: &mut Algebra, turn: Vector) -> Self {
         let half = a.number(0.5);
         let half = a.scale(half, turn);
@@ -359,7 +364,7 @@ impl Quaternion {
         Self::unit(a, u, w)
     }
 
-    /// `self` where the condition holds, else `otherwise`.
+    /// Returns `self` where the condition holds, else `otherwise`.
     pub(crate) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Self {
         let parts = self.parts.zip(otherwise.parts).map(|((u, w), (v, x))| {
             let vector = condition.select_vector(a, u, v);
@@ -377,7 +382,7 @@ impl Quaternion {
         Self { map: self.map.transpose(a), parts: self.parts.map(|(u, w)| (a.neg_vector(u), w)) }
     }
 
-    /// `inner`, then `self`.
+    /// Returns `inner` followed by `self`.
     pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
         let parts = self.parts.zip(inner.parts).map(|((u, w), (v, x))| {
             let (wv, xu, uv) = (a.scale(w, v), a.scale(x, u), a.cross(u, v));
@@ -390,7 +395,7 @@ impl Quaternion {
     }
 }
 
-/// The parts of the quaternion that turns about `axis`.
+/// Returns the parts of the quaternion that rotates about `axis`.
 fn half_turn(a: &mut Algebra, axis: Vector, radians: Scalar) -> (Vector, Scalar) {
     let half = a.number(0.5);
     let half = a.mul(half, radians);
@@ -398,7 +403,7 @@ fn half_turn(a: &mut Algebra, axis: Vector, radians: Scalar) -> (Vector, Scalar)
     (a.scale(sin, axis), cos)
 }
 
-/// The images of the axes under a constant quaternion, made of length 1.
+/// Returns the images of the axes under a constant quaternion, which is normalised.
 fn images(x: f64, y: f64, z: f64, w: f64) -> [[f64; 3]; 3] {
     let norm = (x * x + y * y + z * z + w * w).sqrt();
     let [x, y, z, w] = [x, y, z, w].map(|c| c / norm);
@@ -409,7 +414,7 @@ fn images(x: f64, y: f64, z: f64, w: f64) -> [[f64; 3]; 3] {
     ]
 }
 
-/// A linear map, then a translation.
+/// A linear map followed by a translation.
 #[derive(Clone, Debug)]
 pub(crate) struct Affine {
     pub(crate) map: Map,
@@ -422,7 +427,7 @@ impl Affine {
         a.add_vectors(image, self.translation)
     }
 
-    /// `inner`, then `self`.
+    /// Returns `inner` followed by `self`.
     pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
         Self { map: self.map.compose(a, &inner.map), translation: self.apply(a, inner.translation) }
     }
@@ -433,7 +438,7 @@ impl Affine {
         Self { map, translation: a.neg_vector(back) }
     }
 
-    /// A linear map about the origin.
+    /// Returns a linear map without translation.
     pub(crate) fn about_origin(a: &mut Algebra, map: Map) -> Self {
         Self { map, translation: a.number_vector([0.0; 3]) }
     }

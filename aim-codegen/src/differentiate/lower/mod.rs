@@ -1,5 +1,5 @@
-//! The function's body → the value of its result, built in the graph. Everything that cannot be told is an error at
-//! its place; what depends on it is then unknown, and nothing more is said about it.
+//! Interprets the function's body symbolically and builds its value in the graph. Unsupported code is an error at its
+//! place; a value that depends on it is unknown, and causes no further errors.
 
 mod algebra;
 mod arrays;
@@ -66,7 +66,7 @@ use crate::differentiate::items::Constant;
 use crate::emit::Precision;
 
 impl Translation<'_> {
-    /// The value of a function of these arguments; of those at fault nothing is known.
+    /// Runs a function with these arguments; those in `faulty` are unknown.
     pub(super) fn function<'p>(
         &mut self,
         block: &syn::Block,
@@ -90,18 +90,18 @@ impl Translation<'_> {
         value.unwrap_or_else(|| self.refuse(&block.stmts.last(), messages::returns_differ()))
     }
 
-    /// The value of an expression of these names.
+    /// Evaluates an expression of these names.
     pub(super) fn formula(&mut self, expression: &Expr, names: Vec<(String, Value)>) -> Value {
         self.frame = Frame::new(names, Rc::default());
         self.expression(expression)
     }
 
-    /// The value of an expression.
+    /// Evaluates an expression.
     pub(super) fn expression(&mut self, expression: &Expr) -> Value {
         self.expression_as(expression, &Expected::Any)
     }
 
-    /// The value of an expression, of whose place the type is known.
+    /// Evaluates an expression whose expected type is known.
     fn expression_as(&mut self, expression: &Expr, expected: &Expected) -> Value {
         match expression {
             Expr::Group(group) => self.expression_as(&group.expr, expected),
@@ -214,14 +214,14 @@ impl Translation<'_> {
         })
     }
 
-    /// A struct without fields, which is its own value.
+    /// Returns the value of a unit struct.
     fn unit_struct(&self, path: &[String]) -> Option<Value> {
         let name = self.resolved(path);
         let structure = self.items.structure(&name).filter(|structure| structure.fields.is_empty());
         structure.map(|_| Value::Struct(Rc::new(Struct { name, fields: Vec::new() })))
     }
 
-    /// What a type has by a name: a function or a constant.
+    /// Returns an associated item of a type: a function or a constant.
     fn associated(&mut self, ty: &[String], name: &str) -> Option<Value> {
         let ty = self.resolved(ty);
         if ty == "Ordering"
@@ -238,9 +238,9 @@ impl Translation<'_> {
         (!self.items.defines(&ty)).then(|| constants::associated(self.algebra, &ty, name))?
     }
 
-    /// What a path to no type leads to: a function or a constant of the module, or a mathematical constant.
+    /// Resolves a path without a type: a function or a constant of the module, or a mathematical constant.
     fn item(&mut self, path: &[String]) -> Option<Value> {
-        // A generic parameter hides what the module calls so.
+        // A generic parameter shadows an item of the module.
         if matches!(path, [name] if self.frame.scope.lengths.contains(name)) {
             return None;
         }
@@ -256,14 +256,14 @@ impl Translation<'_> {
                 if path == ["None"] {
                     return Some(Value::none());
                 }
-                // It may be imported where this cannot be seen.
+                // The name may be imported outside the code that the attribute sees.
                 if let [name] = path.as_slice()
                     && self.frame.scope.module.is_empty()
                 {
                     let Some(value) = numbers::mathematical(name).filter(|_| name.len() > 1) else {
                         return Value::ordering(name);
                     };
-                    // The companion makes sure of its value.
+                    // The companion asserts its value.
                     if !self.algebra.taken_for_known.contains(name) {
                         self.algebra.taken_for_known.push(name.clone());
                     }
@@ -280,7 +280,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The value of a constant of the module. One that is made of itself is the compiler's to refuse.
+    /// Evaluates a constant of the module. The compiler rejects one that depends on itself.
     fn constant(&mut self, name: &str, constant: &Constant) -> Value {
         if self.constants.iter().any(|known| known == name) {
             return Value::Unknown;
@@ -294,11 +294,11 @@ impl Translation<'_> {
         value
     }
 
-    /// The name of the type that a path means: a full one, or the last word of one outside of the module.
+    /// Resolves a path to the name of a type: the full name, or the last segment if it is outside the module.
     fn resolved(&self, path: &[String]) -> String {
         match (&*self.frame.scope, path) {
             (Scope { self_type: Some(known), .. }, [name]) if name == "Self" => known.clone(),
-            // A generic parameter hides what the module calls so.
+            // A generic parameter shadows an item of the module.
             (scope, [name, ..]) if scope.generics.contains(name) => self.generic(name).unwrap_or_default(),
             (scope, path) => self.items.resolved(scope, path),
         }
@@ -306,15 +306,15 @@ impl Translation<'_> {
 
     fn assignment(&mut self, assign: &syn::ExprAssign) -> Value {
         let expected = match strip(&assign.right) {
-            // What these are worth depends on the type of the place.
+            // The meaning of these depends on the type of the place.
             Expr::Call(_) | Expr::MethodCall(_) => {
-                // It is looked at before it is assigned: what that changes is changed then.
+                // Evaluate the place for its type only: its side effects happen when it is assigned.
                 let (exits, errors) = (self.frame.exits(), self.report.count());
                 self.frame.begin_branch(Condition::Known(true));
                 let expected = self.type_of_place(&assign.left);
                 self.frame.end_branch();
                 self.frame.forget_exits(exits);
-                // Where nothing was reported, control goes elsewhere on the way there.
+                // Without an error, control flow leaves while the place is evaluated.
                 match expected {
                     Some(expected) => expected,
                     None if self.report.count() == errors => Expected::Any,
@@ -369,7 +369,7 @@ impl Translation<'_> {
                 },
             };
         };
-        // What is added comes before the place that it is added to, which is found once.
+        // The right operand is evaluated first, and the place only once.
         let (right, has_effect) = self.tracked(|this| this.expression(&binary.right));
         let find = if has_effect { Self::still_place } else { Self::place };
         let place = match self.target(&binary.left, find) {
@@ -381,7 +381,7 @@ impl Translation<'_> {
             return without;
         }
         match self.own_operator(&binary.op, &left, &right) {
-            // An own operator is given the place first.
+            // An overloaded operator evaluates the place first.
             Some(Ok(_)) if has_effect && !place.steps.is_empty() => {
                 self.refuse(&binary.left, messages::receiver_effect())
             }
@@ -394,7 +394,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What an operator that the language knows makes of two values.
+    /// Applies a built-in operator to two values.
     pub(super) fn operation(
         &mut self,
         place: &impl ToTokens,
@@ -429,8 +429,8 @@ impl Translation<'_> {
         })
     }
 
-    /// Whether two known numbers are so near to each other, or so large or small, that a function of single precision may
-    /// compare them otherwise than what is computed here in double precision.
+    /// Returns `true` if two known numbers are so close, so large or so small that single precision may compare them
+    /// differently than the double precision used here.
     fn is_ambiguous(&self, left: &Value, right: &Value) -> bool {
         let (Value::Scalar(x), Value::Scalar(y), Some(Precision::Single)) = (left, right, self.precision) else {
             return false;
@@ -441,7 +441,7 @@ impl Translation<'_> {
         is_beyond(x) || is_beyond(y) || x != y && (x - y).abs() <= NEAR * x.abs().max(y.abs())
     }
 
-    /// `left && right` or `left || right`: what is on the right is done only where the left side does not decide.
+    /// Evaluates `left && right` or `left || right`: the right side is run only where the left side does not decide.
     fn short_circuit(&mut self, binary: &syn::ExprBinary) -> Value {
         let is_and = matches!(binary.op, syn::BinOp::And(_));
         let left = match self.expression(&binary.left) {
@@ -456,7 +456,7 @@ impl Translation<'_> {
         }
         match self.under(&binary.op, &goes_on, |this| this.expression(&binary.right)) {
             Value::Truth(right) => Value::Truth(if is_and { left.and(right) } else { left.or(right) }),
-            // If the right side goes elsewhere, only what the left side decides comes here.
+            // If the right side diverges, control flow continues only where the left side decides.
             Value::Never if matches!(goes_on, Condition::Known(true)) => Value::Never,
             Value::Never => Value::Truth(left),
             other => self.refuse_known(&other, &binary.right, messages::not_a_condition(&other.describe())),
@@ -472,10 +472,10 @@ impl Translation<'_> {
     }
 }
 
-/// How far constants are from each other, relative to their size, that rounding may put in another order.
+/// Relative distance within which rounding may reverse the order of two constants.
 const NEAR: f64 = 1e-5;
 
-/// Whether an expression is a variable or a part of one.
+/// Returns `true` if an expression is a variable or a part of one.
 fn is_place(expression: &Expr) -> bool {
     match strip(expression) {
         Expr::Path(_) => true,
@@ -487,7 +487,7 @@ fn is_place(expression: &Expr) -> bool {
     }
 }
 
-/// An expression without its parentheses and invisible groups.
+/// Removes parentheses and invisible groups around an expression.
 fn strip(expression: &Expr) -> &Expr {
     match expression {
         Expr::Group(group) => strip(&group.expr),
@@ -496,7 +496,7 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-/// The longest array.
+/// Maximum length of an array.
 const LONGEST_ARRAY: usize = 4096;
 
 const CHOICE: &str = "write it with `if` and `else`";

@@ -1,4 +1,4 @@
-//! Operators: what each makes of two values, as glam and the language define it.
+//! Operators on two values, as defined by the language and by glam.
 
 use aim_symbolic::{Fold, Function, Scalar, Vector};
 use syn::BinOp;
@@ -9,7 +9,7 @@ use super::map::{Affine, Quaternion};
 use super::value::Value;
 use super::{methods, square};
 
-/// The value of `left operator right`; `None` where there is no such operation.
+/// Evaluates `left operator right`; `None` if there is no such operation.
 pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
     if let (Value::Integer(x), Value::Integer(y)) = (left, right)
         && let Some(value) = of_integers(a, operator, *x, *y)
@@ -29,7 +29,7 @@ pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Va
     }
 }
 
-/// A sum or a difference, in which a number beside a vector counts as each of its components.
+/// Evaluates a sum or a difference; a number beside a vector applies to each component.
 fn sum(
     a: &mut Algebra,
     (left, right): (&Value, &Value),
@@ -68,7 +68,7 @@ fn sum(
     })
 }
 
-/// The vector of two of one number.
+/// Returns the vector of two with both components equal to `x`.
 fn in_plane(a: &mut Algebra, x: Scalar) -> Vector {
     let zero = a.number(0.0);
     a.vector([x, x, zero])
@@ -121,7 +121,7 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
                 Value::Scalar(x) => in_plane(a, *x),
                 _ => return None,
             };
-            // The third component stays 0.
+            // Keep the third component at 0.
             let (v, w, zero) = (a.parts(v), a.parts(*w), a.number(0.0));
             let [x, y] = [0, 1].map(|k| a.div(v[k], w[k]));
             Some(Value::Planar(a.vector([x, y, zero])))
@@ -139,7 +139,7 @@ fn divide(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     }
 }
 
-/// What is made of matrices of two or four columns.
+/// Evaluates operators on 2×2 and 4×4 matrices.
 fn of_squares(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Value> {
     if let (BinOp::Mul(_), Value::Homogeneous(m)) = (operator, left) {
         match right {
@@ -189,7 +189,7 @@ fn of_squares(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Value) ->
     })
 }
 
-/// x − y trunc(x / y)
+/// Returns x − y trunc(x / y).
 fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     let (Value::Scalar(x), Value::Scalar(y)) = (left, right) else { return None };
     let quotient = a.div(*x, *y);
@@ -201,13 +201,13 @@ fn remainder(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
     Some(Value::Scalar(a.sub(*x, whole)))
 }
 
-/// Whether an operator compares.
+/// Returns `true` if an operator is a comparison.
 pub(super) fn compares(operator: &BinOp) -> bool {
     use BinOp::{Eq, Ge, Gt, Le, Lt, Ne};
     matches!(operator, Lt(_) | Le(_) | Gt(_) | Ge(_) | Eq(_) | Ne(_))
 }
 
-/// Sums, products and the like of whole numbers; those of unknown ones are not divided, since divisions are cut off.
+/// Evaluates operators on whole numbers. Division requires known operands, because it truncates.
 fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Option<Value> {
     let [left, right] = [x, y].map(|it| a.known_integer(&Value::Integer(it)));
     if let (Some(left), Some(right)) = (left, right) {
@@ -266,7 +266,7 @@ fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option
     })
 }
 
-/// The method that an operator stands for.
+/// Returns the trait method of an operator.
 pub(super) fn method(operator: &BinOp) -> Option<&'static str> {
     Some(match operator {
         BinOp::Add(_) => "add",
@@ -283,7 +283,7 @@ pub(super) fn method(operator: &BinOp) -> Option<&'static str> {
     })
 }
 
-/// The operator before the `=` of an assignment.
+/// Returns the operator in a compound assignment.
 pub(super) fn assigned(operator: &BinOp) -> Option<BinOp> {
     Some(match operator {
         BinOp::AddAssign(_) => BinOp::Add(Default::default()),
@@ -297,7 +297,7 @@ pub(super) fn assigned(operator: &BinOp) -> Option<BinOp> {
     })
 }
 
-/// The value of `−operand`.
+/// Evaluates `−operand`.
 pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
     Some(match operand {
         Value::Scalar(x) => Value::Scalar(a.neg(*x)),
@@ -310,7 +310,7 @@ pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
             let (m, minus) = (square::columns(a, operand)?, a.number(-1.0));
             Value::Square(square::scaled(a, minus, &m))
         }
-        // Both turn the same way.
+        // q and −q are the same rotation.
         Value::Quaternion(q) => Value::Quaternion(Quaternion {
             map: q.map.clone(),
             parts: q.parts.map(|(u, w)| (a.neg_vector(u), a.neg(w))),

@@ -1,4 +1,4 @@
-//! Options and orderings: what is there under a condition, and how two numbers compare.
+//! Options, which have a value under a condition, and orderings of two numbers.
 
 use std::rc::Rc;
 
@@ -14,7 +14,7 @@ use super::numbers;
 use super::value::{Optional, Order, Value};
 use crate::differentiate::messages;
 
-/// The methods of options, for messages.
+/// Methods of options, for messages.
 pub(super) const METHODS: &[&str] = &[
     "is_some",
     "is_none",
@@ -52,7 +52,7 @@ impl Value {
         Self::some_if(Condition::Known(true), value)
     }
 
-    /// `Some` where the condition holds.
+    /// Returns `Some` where the condition holds, else `None`.
     pub(super) fn some_if(is_some: Condition, value: Self) -> Self {
         match is_some {
             Condition::Known(false) => Self::none(),
@@ -61,7 +61,7 @@ impl Value {
         }
     }
 
-    /// `Ordering::Less` and its like.
+    /// Returns `Ordering::Less` and the like, by name.
     pub(super) fn ordering(name: &str) -> Option<Self> {
         let known = |name: &str, expected: &str| Condition::Known(name == expected);
         let is_one = numbers::ORDERINGS.contains(&name);
@@ -70,13 +70,14 @@ impl Value {
 }
 
 impl Order {
-    /// Of two numbers.
+    /// Compares two numbers.
     pub(super) fn of(a: &Algebra, x: Scalar, y: Scalar) -> Self {
         Self { less: Condition::less(a, x, y), greater: Condition::less(a, y, x) }
     }
 }
 
-/// A function of an error, of which nothing is known, as one of nothing.
+/// Turns a closure that ignores its argument into one without parameters; used for errors, whose values are not
+/// tracked.
 fn of_nothing(function: &Expr) -> Expr {
     match function {
         Expr::Closure(closure) if closure.inputs.len() == 1 && matches!(closure.inputs[0], Pat::Wild(_)) => {
@@ -124,7 +125,8 @@ impl Translation<'_> {
         Some(Value::Truth(truth))
     }
 
-    /// A method of an option or an ordering, or one of a condition that makes an option; `None` of any other receiver.
+    /// Evaluates a method of an option or an ordering, or a method of a condition that returns an option; `None` for
+    /// any other receiver.
     pub(super) fn optional_method(
         &mut self,
         receiver: &Value,
@@ -163,7 +165,7 @@ impl Translation<'_> {
                 self.refuse(&call.method, messages::unwrapped_none());
                 Value::Never
             }
-            // Where there is nothing, the function has no value.
+            // If the option is `None`, these panic and the function has no value.
             ("unwrap", []) | ("expect", [_]) => value.clone(),
             ("unwrap_or", [otherwise]) => {
                 let otherwise = self.expression_as(otherwise, expected);
@@ -267,7 +269,7 @@ impl Translation<'_> {
         })
     }
 
-    /// `value?`, which leaves the function where there is nothing.
+    /// Evaluates `value?`, which returns from the function if there is no value.
     pub(super) fn try_value(&mut self, e: &ExprTry) -> Value {
         match self.expression(&e.expr) {
             Value::Optional(optional) => {

@@ -1,55 +1,54 @@
-//! Inputs that are not the numbers of arguments: what a loop that stays a loop reads from the round before, and the elements of
-//! slices.
+//! Inputs that are not numbers of arguments: states and counters of kept loops, and elements of slices.
 
 use aim_symbolic::Scalar;
 
-/// Where an input comes from.
+/// Source of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outside {
-    /// The number of a loop's round, from 0.
+    /// Index of an iteration of this loop, from 0.
     Round(usize),
-    /// A number of an element of the slice of this place among those of the arguments.
+    /// A number of an element of a slice; `slice` is the slice's index among all arguments.
     Element { slice: usize, at: At, number: usize },
-    /// A state of a loop, as it is before a round.
+    /// State of a loop before an iteration: the loop's index and the state's.
     Before(usize, usize),
-    /// The same after the last round.
+    /// State of a loop after the last iteration: the loop's index and the state's.
     After(usize, usize),
 }
 
-/// Which element of a slice it is.
+/// Index of an element in a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum At {
-    /// The one of the number of a loop's round, and so many more.
+    /// Index of the iteration of this loop, plus an offset.
     Round(usize, i64),
-    /// The one of this number.
+    /// A constant index.
     Known(usize),
-    /// The one of a number that is computed.
+    /// A computed index.
     Chosen(Scalar),
 }
 
-/// A loop that stays a loop.
+/// A kept loop.
 #[derive(Clone, Debug)]
 pub(crate) struct KeptLoop {
-    /// The loop in a round of which it stands.
+    /// Index of the enclosing kept loop.
     pub(crate) within: Option<usize>,
-    /// How many rounds there are, if it is more than 0.
+    /// Number of iterations; none if it is not positive.
     pub(crate) count: Scalar,
     pub(crate) states: Vec<State>,
-    /// 1 where a round is the last one, if one may be.
+    /// 1 if an iteration is the last one, else 0; `None` if no iteration ends the loop early.
     pub(crate) leaves: Option<Scalar>,
 }
 
-/// A number that a round changes.
+/// A number that an iteration changes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct State {
-    /// Before the first round.
+    /// Value before the first iteration.
     pub(crate) first: Scalar,
-    /// What a round finds, an input.
+    /// Value before an iteration, an input.
     pub(crate) before: Scalar,
-    /// What it makes of it.
+    /// Value after an iteration.
     pub(crate) next: Scalar,
-    /// What is left after the last round, an input.
+    /// Value after the last iteration, an input.
     pub(crate) after: Scalar,
-    /// Whether it has derivatives: a count or a flag has none.
+    /// `true` if it has derivatives; counts and flags have none.
     pub(crate) varies: bool,
 }

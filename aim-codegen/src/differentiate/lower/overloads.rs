@@ -1,4 +1,5 @@
-//! Functions of one name: which of them is meant, by the types of their parameters and the values they are given.
+//! Overload resolution: selects one of several functions of the same name, by the types of their parameters and
+//! arguments.
 
 use std::rc::Rc;
 
@@ -12,7 +13,7 @@ use crate::declare::report::text::Text;
 use crate::differentiate::messages;
 
 impl Translation<'_> {
-    /// The functions of this name.
+    /// Returns the functions with this name.
     pub(super) fn functions(&self, of: Option<&str>, name: &str) -> Vec<Rc<Callable>> {
         let of_value: Vec<_> = self.items.functions(of, name).cloned().collect();
         match of {
@@ -21,7 +22,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The function of this name; `None` if there is none, or several.
+    /// Returns the function with this name; `None` if there is none, or several.
     pub(super) fn only_function(&self, of: Option<&str>, name: &str) -> Option<Rc<Callable>> {
         match self.functions(of, name).as_slice() {
             [function] => Some(function.clone()),
@@ -29,7 +30,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The one of several functions that takes these arguments; `None` if there is none, or several.
+    /// Returns the one of several functions that accepts these arguments; `None` if there is none, or several.
     pub(super) fn function_for(&mut self, several: &[Rc<Callable>], arguments: &[Value]) -> Option<Rc<Callable>> {
         let mut fitting = Vec::new();
         for function in several {
@@ -42,7 +43,7 @@ impl Translation<'_> {
         if fitting.len() == 1 { fitting.pop() } else { None }
     }
 
-    /// What the type of a parameter says.
+    /// Returns the expected type of a parameter.
     pub(super) fn parameter(&mut self, function: &Callable, index: usize) -> Expected {
         match function.parameters.get(index) {
             Some((_, Some(ty))) => self.within(function.scope.clone(), |this| this.expected(ty)),
@@ -50,12 +51,12 @@ impl Translation<'_> {
         }
     }
 
-    /// The name of a value's type.
+    /// Returns the name of a value's type.
     pub(super) fn type_name(&self, value: &Value) -> Option<String> {
         type_of(value, self.precision).name().map(str::to_owned)
     }
 
-    /// The operator between two values of which one is of a struct of the module; `None` where there is none.
+    /// Returns the overloaded operator for two values, one of which is a struct of the module; `None` if there is none.
     pub(super) fn own_operator(
         &mut self,
         operator: &BinOp,
@@ -68,12 +69,12 @@ impl Translation<'_> {
         }
         let ty = self.type_name(left)?;
         let mut several: Vec<_> = self.items.functions(Some(&ty), name).cloned().collect();
-        // Operators of references are those of the values, where there are both.
+        // If operators for values and for references exist, use those for values.
         let by_value =
             |function: &&Rc<Callable>| !matches!(function.parameters.last(), Some((_, Some(syn::Type::Reference(_)))));
         let of_values: Vec<_> = several.iter().filter(by_value).cloned().collect();
         several.extend(self.items.functions(Some(&format!("&{ty}")), name).cloned());
-        // That which the operator changes is no argument that decides.
+        // The operand that is changed does not decide the overload.
         let arguments = [Value::Unknown, right.clone()];
         let found = self.function_for(&of_values, &arguments).or_else(|| self.function_for(&several, &arguments));
         match (found, several.len()) {

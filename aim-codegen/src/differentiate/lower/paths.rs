@@ -1,12 +1,12 @@
-//! Paths of the function's body: what they name, and how they are written.
+//! Paths in the function's body: their type and name, and their text.
 
 use syn::Ident;
 
 use crate::differentiate::names::segments;
 use crate::differentiate::types;
 
-/// The path of a type and the last word: `glam::Vec3` and `new` of `glam::Vec3::new`, and of `<glam::Vec3>::new` and
-/// `<glam::Vec3 as Trait>::new` too.
+/// Splits a path into the path of a type and the last segment: `glam::Vec3` and `new` for `glam::Vec3::new`, also for
+/// `<glam::Vec3>::new` and `<glam::Vec3 as Trait>::new`.
 pub(super) fn type_and_name(path: &syn::ExprPath) -> Option<(Option<Vec<String>>, &Ident)> {
     let name = &path.path.segments.last()?.ident;
     if let Some(qself) = &path.qself {
@@ -27,7 +27,7 @@ pub(super) fn type_and_name(path: &syn::ExprPath) -> Option<(Option<Vec<String>>
     Some((ty, name))
 }
 
-/// A path as written.
+/// Returns a path as written.
 pub(super) fn path_text(path: &syn::ExprPath) -> String {
     segments(&path.path).join("::")
 }

@@ -1,4 +1,4 @@
-//! Patterns: whether a value matches one, and what its names are then worth.
+//! Patterns: the condition that a value matches, and the values that names are bound to.
 
 use std::rc::Rc;
 
@@ -16,10 +16,10 @@ use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 
 impl Translation<'_> {
-    /// The condition that a value matches a pattern, whose names it is given; `None` after an error.
+    /// Returns the condition that a value matches a pattern, and binds the pattern's names; `None` after an error.
     pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
         if value.is_unknown() {
-            // Its names are known, and nothing more is said about them.
+            // Declare its names without further errors.
             let said = self.said();
             self.bind(pattern, Value::Unknown);
             self.unsay(said);
@@ -36,7 +36,7 @@ impl Translation<'_> {
                     }
                     return Some(Condition::Known(is_long));
                 }
-                // It is taken apart, or compared by what it refers to.
+                // The pattern takes the value apart, or compares the referenced value.
                 _ => {
                     let parts = self.lent_parts(value.clone());
                     let parts = self.referenced(parts);
@@ -131,7 +131,8 @@ impl Translation<'_> {
         }
     }
 
-    /// The condition that there are as many elements as a pattern names, and that each matches its part of it; `None` after an error.
+    /// Returns the condition that the number of elements fits a slice pattern and each element matches its part; `None`
+    /// after an error.
     fn slice_pattern(&mut self, pattern: &PatSlice, value: &Value) -> Option<Condition> {
         let elements = &pattern.elems;
         let rest = elements.iter().position(is_rest);
@@ -185,8 +186,8 @@ impl Translation<'_> {
         Some(matched)
     }
 
-    /// The condition that a value matches a pattern and its guard holds, which is asked for each of its alternatives; `None` after
-    /// an error.
+    /// Returns the condition that a value matches a pattern and its guard holds. The guard is evaluated for each
+    /// alternative. `None` after an error.
     pub(super) fn guarded(&mut self, pattern: &Pat, guard: Option<&Expr>, value: &Value) -> Option<Condition> {
         if guard.is_none() {
             return self.pattern(pattern, value);
@@ -210,8 +211,8 @@ impl Translation<'_> {
         }
     }
 
-    /// The condition that a value matches one of several patterns, and the guard with what that binds. What they bind has the values
-    /// of the first of which that holds.
+    /// Returns the condition that a value matches one of several patterns and that the guard holds with its bindings.
+    /// Names get the values of the first alternative that matches.
     fn any_of<'p>(
         &mut self,
         place: &Pat,
@@ -224,12 +225,12 @@ impl Translation<'_> {
         for case in patterns {
             let matched = self.pattern(case, value)?;
             let matched = match guard {
-                // It is asked where none before has held.
+                // The guard is evaluated only if no earlier alternative matched.
                 Some(_) => cases.iter().fold(matched, |left, (before, _)| left.and(before.clone().not())),
                 None => matched,
             };
             let matched = self.and_guard(matched, guard)?;
-            // What cannot match binds nothing.
+            // A pattern that cannot match binds nothing.
             if !matches!(matched, Condition::Known(false)) {
                 cases.push((matched, self.frame.variables()[depth..].to_vec()));
             }
@@ -247,7 +248,7 @@ impl Translation<'_> {
         Some(cases.into_iter().fold(Condition::Known(false), |any, (matched, _)| any.or(matched)))
     }
 
-    /// `(low..high).contains(&x)`; `None` for any other call.
+    /// Evaluates `(low..high).contains(&x)`; `None` for any other call.
     pub(super) fn contained(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let (Expr::Range(range), "contains", Some(x), 1) =
             (strip(&call.receiver), call.method.to_string().as_str(), call.args.first(), call.args.len())
@@ -260,7 +261,7 @@ impl Translation<'_> {
         Some(self.is_between(x, ends, &range.limits).map_or(Value::Unknown, Value::Truth))
     }
 
-    /// The condition that a number is in a range.
+    /// Returns the condition that a number is in a range.
     fn is_between(
         &mut self,
         x: Option<Scalar>,
@@ -287,7 +288,7 @@ impl Translation<'_> {
         Some(low.and(high))
     }
 
-    /// The patterns of a tuple struct's fields, and these.
+    /// Returns the field patterns of a tuple struct, each with its field's value.
     pub(super) fn parts_of<'p>(&mut self, of: &'p syn::PatTupleStruct, value: &Value) -> Vec<(&'p Pat, Value)> {
         let count = match value {
             Value::Struct(of) => of.fields.len(),
@@ -297,7 +298,7 @@ impl Translation<'_> {
         placed.map(|(place, element)| (element, self.moved_part(value, &Member::from(place)))).collect()
     }
 
-    /// The condition that each of several values matches its pattern.
+    /// Returns the condition that each of several values matches its pattern.
     pub(super) fn patterns<'p>(&mut self, mut parts: impl Iterator<Item = (&'p Pat, &'p Value)>) -> Option<Condition> {
         parts.try_fold(Condition::Known(true), |matched, (pattern, value)| {
             let next = self.pattern(pattern, value)?;
@@ -305,20 +306,20 @@ impl Translation<'_> {
         })
     }
 
-    /// True of a pattern that is the name of a variable which it makes.
+    /// Returns `true` if the pattern is the name of a new variable.
     fn is_variable(&self, name: &syn::PatIdent) -> bool {
         let is_variant = || self.variant(&[name.ident.to_string()]).is_some();
         name.subpat.is_none() && name.ident != "None" && self.named(&name.ident) != Named::Constant && !is_variant()
     }
 
-    /// A name of a pattern; those of constants have a capital.
+    /// Resolves a name in a pattern; only names of constants are capitalised.
     fn named(&self, name: &syn::Ident) -> Named {
         let name = name.to_string();
         let is_capital = name.starts_with(char::is_uppercase);
         if let Some(place) = self.frame.find(&name).filter(|_| is_capital) {
             return if self.frame.is_constant(place) { Named::Constant } else { Named::New };
         }
-        // As in expressions, these are taken for known where imports cannot be seen.
+        // As in expressions, well-known names are assumed to be imported if imports are not visible.
         let is_taken_for_known = self.frame.scope.module.is_empty() && name.len() > 1 && numbers::is_known(&name);
         match self.items.meaning(&self.frame.scope, &[name]) {
             Meaning::Own(name) if self.items.constant(None, &name).is_some() => Named::Constant,
@@ -343,18 +344,18 @@ impl Translation<'_> {
     }
 }
 
-/// The meaning of a name in a pattern.
+/// Meaning of a name in a pattern.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Named {
-    /// That of a constant of the module, of a block, or imported.
+    /// A constant of the module, of a block, or imported.
     Constant,
-    /// A variable that the pattern makes.
+    /// A variable that the pattern binds.
     New,
-    /// One or the other, which cannot be seen.
+    /// Either of them; imports are not visible.
     Unknown,
 }
 
-/// The path of a pattern that may be a variant's.
+/// Returns the path of a pattern that may be a variant.
 fn path_of(pattern: &Pat) -> Option<Vec<String>> {
     match pattern {
         Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() => Some(vec![name.ident.to_string()]),
@@ -365,13 +366,13 @@ fn path_of(pattern: &Pat) -> Option<Vec<String>> {
     }
 }
 
-/// True of the patterns of so many parts; `..` stands for any number of them.
+/// Returns `true` if these patterns fit `count` parts; `..` stands for any number of them.
 fn fits(elements: &Punctuated<Pat, Comma>, count: usize) -> bool {
     let written = elements.len();
     written == count || elements.iter().any(is_rest) && written <= count + 1
 }
 
-/// The patterns but for `..`, each with the place of its part among so many.
+/// Returns the patterns other than `..`, each with the index of its part among `count`.
 pub(super) fn placed(elements: &Punctuated<Pat, Comma>, count: usize) -> Vec<(usize, &Pat)> {
     let rest = elements.iter().position(is_rest).unwrap_or(elements.len());
     let place = |index| if rest < index { (index + count).saturating_sub(elements.len()) } else { index };
@@ -379,7 +380,7 @@ pub(super) fn placed(elements: &Punctuated<Pat, Comma>, count: usize) -> Vec<(us
     written.map(|(index, element)| (place(index), element)).collect()
 }
 
-/// The patterns that stand in a pattern.
+/// Returns the direct subpatterns of a pattern.
 fn parts(pattern: &mut Pat) -> Vec<&mut Pat> {
     match pattern {
         Pat::Paren(of) => vec![&mut of.pat],
@@ -394,13 +395,13 @@ fn parts(pattern: &mut Pat) -> Vec<&mut Pat> {
     }
 }
 
-/// True of a pattern with names, by which guards may tell one alternative from another.
+/// Returns `true` if a pattern binds names, by which a guard can distinguish alternatives.
 fn has_names(pattern: &mut Pat) -> bool {
     matches!(pattern, Pat::Ident(_)) || parts(pattern).into_iter().any(has_names)
 }
 
-/// The patterns that a pattern stands for, in the order in which they are tried: one for each choice of those alternatives that have
-/// names.
+/// Expands a pattern to the alternatives that it stands for, in the order in which they are tried: one for each
+/// combination of nested alternatives that bind names.
 fn alternatives(pattern: &Pat) -> Vec<Pat> {
     let mut pattern = pattern.clone();
     if !has_names(&mut pattern) {

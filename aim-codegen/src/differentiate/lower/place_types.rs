@@ -11,7 +11,7 @@ use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Precision, Shape};
 
 impl Expected {
-    /// True if a value can be of the type.
+    /// Returns `true` if a value may be of this type.
     pub(super) fn fits(&self, value: &Value) -> bool {
         match (self, value) {
             (Self::Any | Self::Other, _)
@@ -48,7 +48,7 @@ fn is_of(value: &Value, shape: &Shape) -> bool {
     }
 }
 
-/// The type of a value, so far as there is one of its kind.
+/// Returns the type of a value, as far as it is determined.
 pub(super) fn type_of(value: &Value, precision: Option<Precision>) -> Expected {
     match value {
         Value::Struct(of) => Expected::Named(of.name.clone()),
@@ -65,7 +65,7 @@ pub(super) fn type_of(value: &Value, precision: Option<Precision>) -> Expected {
 }
 
 impl Translation<'_> {
-    /// The meaning of a type as it is written in the function that is being run.
+    /// Resolves a type as it is written in the function that is being run.
     pub(super) fn expected(&mut self, ty: &syn::Type) -> Expected {
         match ty {
             syn::Type::Group(group) => self.expected(&group.elem),
@@ -108,18 +108,18 @@ impl Translation<'_> {
         }
     }
 
-    /// Whether a path means a collection that is not understood, also by another name.
+    /// Returns `true` if a path resolves to an unsupported collection, also by another name.
     fn is_other(&self, path: &syn::Path) -> bool {
         let name = self.items.meaning(&self.frame.scope, &segments(path)).into_type();
         OTHERS.contains(&name.as_str())
     }
 
-    /// The same of a type that may be left out.
+    /// Resolves a type that may be omitted.
     pub(super) fn expected_of(&mut self, ty: Option<&syn::Type>) -> Expected {
         ty.map_or(Expected::Any, |ty| self.expected(ty))
     }
 
-    /// The length of an array; nothing is said of one that is not known.
+    /// Returns the length of an array, if it is known; reports no errors.
     pub(super) fn known_length(&mut self, length: &Expr) -> Option<usize> {
         let said = self.said();
         let value = self.expression(length);
@@ -128,10 +128,10 @@ impl Translation<'_> {
     }
 }
 
-/// Collections that are not understood.
+/// Unsupported collections.
 const OTHERS: [&str; 7] = ["HashMap", "HashSet", "BTreeMap", "BTreeSet", "BinaryHeap", "VecDeque", "LinkedList"];
 
-/// The value of a type that is added to without a change, or multiplied by.
+/// Returns the neutral element of a type's sum or product.
 pub(super) fn neutral(a: &mut Algebra, name: &str, of_sums: bool) -> Option<Value> {
     if types::is_integer(name) {
         return Some(a.integer(if of_sums { 0 } else { 1 }));

@@ -1,4 +1,4 @@
-//! What is assigned to: a variable, or a part of one.
+//! Places, the targets of assignments: a variable, or a part of one.
 
 use std::rc::Rc;
 
@@ -59,7 +59,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The place that is assigned to; without one the value of the assignment.
+    /// Returns the place that is assigned to; if there is none, the value of the assignment.
     pub(super) fn target(
         &mut self,
         target: &Expr,
@@ -67,13 +67,13 @@ impl Translation<'_> {
     ) -> Result<Place, Value> {
         let (errors, exits) = (self.report.count(), self.frame.exits());
         find(self, target).ok_or_else(|| {
-            // Control goes elsewhere on the way there.
+            // Control flow leaves while the place is evaluated.
             let leaves = self.report.count() == errors && self.frame.exits() > exits;
             if leaves { Value::Never } else { Value::Unknown }
         })
     }
 
-    /// Gives a place a value.
+    /// Assigns a value to a place.
     pub(super) fn write(&mut self, target: &impl ToTokens, place: &Place, value: Value) -> Value {
         let Place { variable, ref steps } = *place;
         if self.frame.is_fixed(variable) {
@@ -96,7 +96,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The type of what stands at a place; `None` after an error.
+    /// Returns the type of the value at a place; `None` after an error.
     pub(super) fn type_of_place(&mut self, target: &Expr) -> Option<Expected> {
         match strip(target) {
             Expr::Tuple(_) | Expr::Array(_) | Expr::Infer(_) => Some(Expected::Any),
@@ -108,7 +108,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The value of an expression that is moved: that of a variable which is a `&mut` is the `&mut`.
+    /// Evaluates an expression that is moved: a variable that is a `&mut` stays a reference.
     pub(super) fn moved(&mut self, expression: &Expr, expected: &Expected) -> Value {
         if self.is_reference(expression) {
             self.reference(expression)
@@ -117,14 +117,15 @@ impl Translation<'_> {
         }
     }
 
-    /// Leaves a scope that was entered when there were so many variables, with a value: it refers to none of those that go.
+    /// Leaves a scope with a value; `depth` is the number of variables when it was entered. Reports a reference to a
+    /// variable of the scope.
     pub(super) fn left(&mut self, scope: &impl ToTokens, depth: usize, value: Value) -> Value {
         self.frame.leave(depth);
         let stays = |place: &Rc<Place>| (place.variable < depth).then(|| Value::Reference(place.clone()));
         value.with_references(&stays).unwrap_or_else(|| self.refuse(scope, messages::mutable_borrow()))
     }
 
-    /// `&mut target`
+    /// Evaluates `&mut target`.
     pub(super) fn reference(&mut self, target: &Expr) -> Value {
         if is_place(target) {
             return self.place(target).map_or(Value::Unknown, |place| Value::Reference(Rc::new(place)));
@@ -132,7 +133,7 @@ impl Translation<'_> {
         match self.expression(target) {
             value @ Value::Reference(_) => value,
             value if value.is_unknown() => value,
-            // What has no name.
+            // A temporary value.
             value => {
                 let variable = self.frame.depth();
                 self.frame.declare(String::new(), value);
@@ -142,7 +143,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The value itself, of a reference that of its place.
+    /// Returns the value that a reference points to; any other value unchanged.
     pub(super) fn referenced(&mut self, value: Value) -> Value {
         match value {
             Value::Reference(place) => self.read(&place),
@@ -155,7 +156,7 @@ impl Translation<'_> {
         place.steps.iter().try_fold(whole, |whole, step| part_of(self.algebra, &whole, step)).unwrap_or(Value::Unknown)
     }
 
-    /// A method that changes a part of its receiver, or lends it to be changed; `None` if it is another one.
+    /// Evaluates a method that changes a part of its receiver, or lends it mutably; `None` if it is another one.
     pub(super) fn changing_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let name = call.method.to_string();
@@ -181,7 +182,7 @@ impl Translation<'_> {
         }
     }
 
-    /// `mem::swap(&mut one, &mut other)`
+    /// Evaluates `mem::swap(&mut one, &mut other)`.
     pub(super) fn exchanged(&mut self, target: &impl ToTokens, one: &Expr, other: &Expr) -> Value {
         if [one, other]
             .into_iter()
@@ -199,7 +200,8 @@ impl Translation<'_> {
         }
     }
 
-    /// A method that changes an option, or lends what is in it; `None` if it is another method, or of something else.
+    /// Evaluates a method that changes an option, or lends its content mutably; `None` if it is another method, or of
+    /// another receiver.
     fn option_method(&mut self, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let count = match name.as_str() {
@@ -239,7 +241,7 @@ impl Translation<'_> {
         })
     }
 
-    /// `mem::replace(&mut place, value)`
+    /// Evaluates `mem::replace(&mut place, value)`.
     pub(super) fn replaced(&mut self, target: &impl ToTokens, lent: &Expr, value: &Expr) -> Value {
         let place = match strip(lent) {
             Expr::Reference(reference) => &*reference.expr,
@@ -252,7 +254,7 @@ impl Translation<'_> {
         if written.is_unknown() { written } else { before }
     }
 
-    /// Whether an expression is a variable that is a `&mut`.
+    /// Returns `true` if an expression is a variable that is a `&mut`.
     pub(super) fn is_reference(&self, target: &Expr) -> bool {
         let Expr::Path(path) = strip(target) else { return false };
         let variable = path.path.get_ident().and_then(|name| self.frame.find(&name.to_string()));
@@ -261,7 +263,7 @@ impl Translation<'_> {
         })
     }
 
-    /// Gives each of two places the value of the other.
+    /// Exchanges the values of two places.
     fn swapped(&mut self, target: &impl ToTokens, places: [&Place; 2]) -> Value {
         let [one, other] = places;
         let [first, second] = [self.read(other), self.read(one)];
@@ -269,7 +271,7 @@ impl Translation<'_> {
         self.write(target, other, second)
     }
 
-    /// What an expression names whose value has been looked at, or will be: nothing is changed on the way there.
+    /// Returns the place that an expression names. Reports side effects, because the expression is evaluated twice.
     pub(super) fn still_place(&mut self, target: &Expr) -> Option<Place> {
         let (place, has_effect) = self.tracked(|this| this.place(target));
         if has_effect {
@@ -279,7 +281,7 @@ impl Translation<'_> {
         place
     }
 
-    /// The step to an element of an array; `None` after an error.
+    /// Returns the step to an element of an array; `None` after an error.
     pub(super) fn step(&mut self, index: &Expr) -> Option<Step> {
         let value = self.expression(index);
         match (self.algebra.known_index(&value), &value) {
@@ -292,7 +294,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The step to a part of an array, whose bounds are known; `None` after an error.
+    /// Returns the step to a part of an array with known bounds; `None` after an error.
     fn range_step(&mut self, array: &Place, range: &syn::ExprRange) -> Option<Step> {
         let whole = self.read(array);
         let Value::Array(values) = &whole else {
@@ -311,11 +313,11 @@ impl Translation<'_> {
         Some(Step::Part { first, len: end - first })
     }
 
-    /// What this expression names; `None` after an error.
+    /// Returns the place that an expression names; `None` after an error.
     pub(super) fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
             Expr::Path(path) => {
-                // A constant is not assigned to: the compiler says so.
+                // The compiler rejects assignments to constants.
                 let variable = self.frame.find(&path.path.get_ident()?.to_string())?;
                 Some(match self.frame.value(variable) {
                     Value::Reference(place) => (**place).clone(),
@@ -370,7 +372,7 @@ impl Translation<'_> {
     }
 }
 
-/// `whole` with another value at the end of these steps.
+/// Returns `whole` with the part at the end of these steps replaced.
 fn replaced(a: &mut Algebra, whole: &Value, steps: &[Step], value: Value) -> Option<Value> {
     let Some((step, rest)) = steps.split_first() else { return Some(value) };
     let part = part_of(a, whole, step)?;
@@ -394,7 +396,7 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
     }
 }
 
-/// `whole` with one of its parts replaced.
+/// Returns `whole` with one of its parts replaced.
 fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option<Value> {
     if let Value::List(items) = whole {
         let index = match step {

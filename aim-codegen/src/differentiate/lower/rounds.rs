@@ -1,5 +1,5 @@
-//! What loops go over that stay loops: slices, numbers to an end that arguments say, and iterators over them. An element is made when
-//! the loop is run, for a round that stands for all.
+//! [`Rounds`]: the sequences that kept loops iterate over: slices, ranges whose end depends on arguments, and iterators
+//! over them. Elements are built when the loop is run, for the one iteration that stands for all.
 
 use std::rc::Rc;
 
@@ -16,7 +16,7 @@ use super::value::{Callable, Element, Items, Rounds, Slice, Value};
 use super::{Translation, place_types, strip};
 use crate::differentiate::messages;
 
-/// Methods of slices of any length and of what goes over them.
+/// Methods of slices of any length and of iterators over them.
 pub(super) const METHODS: &[&str] = &[
     "len",
     "is_empty",
@@ -64,43 +64,43 @@ impl Rounds {
         Self { count, items: Rc::new(items) }
     }
 
-    /// Over so many whole numbers from the first on.
+    /// Iterates over `count` whole numbers from `first` on.
     pub(super) fn numbers(a: &mut Algebra, first: Scalar, count: Scalar) -> Self {
         let one = a.number(1.0);
         Self::of(count, Items::Numbers).stepped(count, first, one)
     }
 
-    /// Over the elements of a slice.
+    /// Iterates over the elements of a slice.
     pub(super) fn over(slice: Rc<Slice>) -> Self {
         Self::of(slice.len, Items::Elements(slice))
     }
 
-    /// Until something else ends them.
+    /// Iterates until something else ends the loop.
     pub(super) fn without_end(a: &mut Algebra) -> Self {
         Self::of(a.number(f64::INFINITY), Items::Nothing)
     }
 
-    /// Over these again and again; of none there is no round.
+    /// Repeats these elements without end; if there are none, there is no iteration.
     pub(super) fn cycled(self, a: &mut Algebra) -> Self {
         let (one, none, endless) = (a.number(1.0), a.number(0.0), a.number(f64::INFINITY));
         let count = Condition::less(a, self.count, one).select(a, none, endless);
         Self::of(count, Items::Cycled { items: self.items, len: self.count })
     }
 
-    /// As many of the numbers first + step k.
+    /// Selects `count` elements, those with the indices first + step k.
     pub(super) fn stepped(self, count: Scalar, first: Scalar, step: Scalar) -> Self {
         Self::of(count, Items::Stepped { items: self.items, first, step })
     }
 }
 
-/// first + step k
+/// Returns first + step k.
 fn stepped(a: &mut Algebra, first: Scalar, step: Scalar, k: Scalar) -> Scalar {
     let more = a.mul(step, k);
     a.add(first, more)
 }
 
 impl Translation<'_> {
-    /// The element of a round of the loop of this number; `None` after an error.
+    /// Returns the element of an iteration of this loop; `None` after an error.
     pub(super) fn item_of_round(&mut self, items: &Items, number: usize) -> Option<Element> {
         let round = self.algebra.outside(Outside::Round(number));
         self.item_at(items, round)
@@ -128,7 +128,7 @@ impl Translation<'_> {
                 let len = self.smaller(*size, left);
                 Value::Slice(Rc::new(slice.part(self.algebra, first, len)))
             }
-            // Elements that are passed over are made, too.
+            // Skipped elements are evaluated as well, so they must not have side effects.
             Items::Stepped { items, first, step } => {
                 let index = stepped(self.algebra, *first, *step, index);
                 self.item_aside(items, index)?
@@ -147,7 +147,8 @@ impl Translation<'_> {
                 let item = self.item_at(items, index)?;
                 return self.made_item(item, call, function);
             }
-            // Which of them is asked once more than it has elements is not told apart.
+            // One of the two may be asked for an element once more at its end. That is not modelled, so neither may
+            // have side effects.
             Items::Paired(both, call) => self.without_effect(call, |this| {
                 let [one, other] = [&both[0], &both[1]].map(|items| this.item_at(items, index));
                 Some(Value::Tuple(vec![one?.value, other?.value]))
@@ -156,7 +157,7 @@ impl Translation<'_> {
         (!value.is_unknown()).then(|| Element::new(value))
     }
 
-    /// An element that is made without a change of variables.
+    /// Returns an element whose evaluation must not change variables.
     fn item_aside(&mut self, items: &Items, index: Scalar) -> Option<Value> {
         let made = |this: &mut Self| Some(this.item_at(items, index)?.value);
         match items.made_by() {
@@ -165,7 +166,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Elements that are known, each with what rounds that leave none out go over; `None` after an error.
+    /// Pairs known elements with those of an iteration that leaves none out; `None` after an error.
     pub(super) fn with_each(
         &mut self,
         items: Vec<Element>,
@@ -182,13 +183,13 @@ impl Translation<'_> {
         pairs.map(Value::iterator_of)
     }
 
-    /// Rounds without the first ones.
+    /// Returns the iteration without its first elements.
     fn without_first(&mut self, rounds: &Rounds, first: Scalar) -> Rounds {
         let (count, one) = (self.algebra.sub(rounds.count, first), self.algebra.number(1.0));
         rounds.clone().stepped(count, first, one)
     }
 
-    /// What `map`, `filter`, `take_while` and the like make of an element; `None` after an error.
+    /// Applies `map`, `filter`, `take_while` and the like to an element; `None` after an error.
     fn made_item(&mut self, item: Element, call: &ExprMethodCall, function: &Rc<Callable>) -> Option<Element> {
         let Element { is_there, value } = item.clone();
         let made = self.under(call, &is_there, |this| this.inline(&call.method, function, vec![value]));
@@ -208,7 +209,7 @@ impl Translation<'_> {
         Some(Element { is_there: is_there.and(holds), value })
     }
 
-    /// Leaves the innermost loop where a condition holds, after something is done there.
+    /// Leaves the innermost loop if a condition holds, after calling `act`.
     fn leave_loop(&mut self, call: &ExprMethodCall, holds: Condition, act: impl FnOnce(&mut Self)) -> Value {
         let whole = Target::Loop(self.frame.loops() - 1);
         let end = |this: &mut Self| {
@@ -219,7 +220,7 @@ impl Translation<'_> {
         self.branch(&call.method, Some(holds), end, |_| Value::nothing())
     }
 
-    /// A method of a slice, or of an iterator over one; `None` of any other receiver.
+    /// Evaluates a method of a slice, or of an iterator over one; `None` for any other receiver.
     pub(super) fn rounds_method(
         &mut self,
         receiver: &Value,
@@ -323,7 +324,7 @@ impl Translation<'_> {
         Some(Value::Rounds(Rc::new(made)))
     }
 
-    /// What a method makes of all rounds; `None` if it is another one, or after an error.
+    /// Evaluates a method that consumes all elements; `None` if it is another one, or after an error.
     fn consumed_rounds(&mut self, rounds: &Rounds, call: &ExprMethodCall, expected: &Expected) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
@@ -392,13 +393,13 @@ impl Translation<'_> {
         })
     }
 
-    /// The number of the innermost loop's round, from 0.
+    /// Returns the index of the innermost loop's iteration, from 0.
     fn number_of_round(&mut self) -> Option<Value> {
         let number = *self.kept.last()?;
         Some(Value::Integer(self.algebra.outside(Outside::Round(number))))
     }
 
-    /// What a function says of an element; `None` after an error.
+    /// Returns the result of a predicate for an element; `None` after an error.
     fn answer(&mut self, call: &ExprMethodCall, function: &Rc<Callable>, item: Value) -> Option<Condition> {
         match self.inline(&call.method, function, vec![item]) {
             Value::Truth(holds) => Some(holds),
@@ -409,7 +410,7 @@ impl Translation<'_> {
         }
     }
 
-    /// The type of the elements, found by making one; `None` after an error.
+    /// Returns the type of the elements, determined by building one; `None` after an error.
     #[expect(clippy::option_option, reason = "a type without a name is no error")]
     fn type_of_items(&mut self, rounds: &Rounds) -> Option<Option<String>> {
         let (frame, mark) = (self.frame.clone(), self.mark());
@@ -422,7 +423,7 @@ impl Translation<'_> {
         item.map(|item| self.type_name(&item.value))
     }
 
-    /// What rounds make of a value, each of what the one before has made.
+    /// Folds the elements: each iteration computes a value from that of the previous one.
     fn gathered(
         &mut self,
         call: &ExprMethodCall,
@@ -441,7 +442,7 @@ impl Translation<'_> {
         })
     }
 
-    /// The same of an option, which is the first element after the first round.
+    /// Folds like [`gathered`](Self::gathered), with an option that holds the first element after the first iteration.
     fn best(
         &mut self,
         call: &ExprMethodCall,
@@ -456,7 +457,7 @@ impl Translation<'_> {
         })
     }
 
-    /// The value of the first round in which something holds, or else the one at the start.
+    /// Returns the value of the first iteration in which a condition holds, or else `start`.
     fn sought(
         &mut self,
         call: &ExprMethodCall,
@@ -470,7 +471,7 @@ impl Translation<'_> {
         })
     }
 
-    /// What rounds make of a variable that has no name.
+    /// Runs iterations that change an unnamed variable, and returns its final value.
     fn with_variable(
         &mut self,
         call: &ExprMethodCall,

@@ -1,4 +1,4 @@
-//! The value that is one of two, by a condition.
+//! Selects between two values by a condition.
 
 use std::rc::Rc;
 
@@ -9,7 +9,7 @@ use super::value::{Optional, Order, Slice, Struct, Value};
 use super::{lists, square};
 
 impl Struct {
-    /// The same struct with other values in its fields.
+    /// Returns the same struct with other values in its fields.
     fn with(&self, values: Vec<Value>) -> Rc<Self> {
         let fields = self.fields.iter().zip(values).map(|((name, _), value)| (name.clone(), value)).collect();
         Rc::new(Self { name: self.name.clone(), fields })
@@ -17,7 +17,7 @@ impl Struct {
 }
 
 impl Value {
-    /// `self` where the condition holds, else `otherwise`; `None` where they are of two kinds.
+    /// Returns `self` where the condition holds, else `otherwise`; `None` if their kinds differ.
     pub(crate) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Option<Self> {
         let each = |a: &mut Algebra, then: &[Self], otherwise: &[Self]| -> Option<Vec<Self>> {
             if then.len() != otherwise.len() {
@@ -58,14 +58,14 @@ impl Value {
             }),
             (Self::Optional(x), Self::Optional(y)) => {
                 let is_some = Condition::either(condition, &x.is_some, &y.is_some);
-                // Of what is not there nothing is selected.
+                // Absent values need no select.
                 Self::Optional(Rc::new(Optional { is_some, value: x.value.select(a, condition, &y.value)? }))
             }
             (Self::Ordering(x), Self::Ordering(y)) => Self::Ordering(Rc::new(Order {
                 less: Condition::either(condition, &x.less, &y.less),
                 greater: Condition::either(condition, &x.greater, &y.greater),
             })),
-            // Parts of one slice.
+            // Parts of the same slice.
             (Self::Slice(x), Self::Slice(y)) if x.place == y.place => {
                 let (first, len) = (condition.select(a, x.first, y.first), condition.select(a, x.len, y.len));
                 Self::Slice(Rc::new(Slice { first, len, ..(**x).clone() }))

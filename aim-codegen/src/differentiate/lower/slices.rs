@@ -1,4 +1,4 @@
-//! Slices, of which arguments say how long they are: elements that are chosen, and parts.
+//! Slices whose length depends on arguments: elements at computed indices, and parts.
 
 use std::rc::Rc;
 
@@ -21,14 +21,14 @@ impl Slice {
         (self.make)(this.algebra, inputs)
     }
 
-    /// As many elements from the one of this number on.
+    /// Returns `len` elements, from the one with index `first` on.
     pub(super) fn part(&self, a: &mut Algebra, first: Scalar, len: Scalar) -> Self {
         Self { first: a.add(self.first, first), len, ..self.clone() }
     }
 }
 
 impl Translation<'_> {
-    /// The place of an element.
+    /// Classifies the index of an element.
     fn place_of(&mut self, index: Scalar) -> At {
         let a = &*self.algebra;
         let round = |x: Scalar| {
@@ -45,12 +45,12 @@ impl Translation<'_> {
         }
     }
 
-    /// The element of a slice.
+    /// Returns an element of a slice.
     pub(super) fn element_of(&mut self, slice: &Slice, index: Scalar) -> Value {
         slice.element(self, index)
     }
 
-    /// `slice[start..end]`; `None` after an error.
+    /// Evaluates `slice[start..end]`; `None` after an error.
     pub(super) fn part_of_slice(&mut self, slice: &Slice, range: &ExprRange) -> Option<Value> {
         let start = match &range.start {
             Some(start) => self.count(start)?,
@@ -67,7 +67,7 @@ impl Translation<'_> {
         Some(Value::Slice(Rc::new(slice.part(a, start, len))))
     }
 
-    /// A method of a slice that those of other iterators do not have; `None` if it is another one.
+    /// Evaluates a method that only slices have, not other iterators; `None` if it is another one.
     pub(super) fn slice_method(&mut self, slice: &Rc<Slice>, name: &str, arguments: &[&Expr]) -> Option<Option<Value>> {
         let (zero, one) = (self.algebra.number(0.0), self.algebra.number(1.0));
         Some(match (name, arguments) {
@@ -115,7 +115,7 @@ impl Translation<'_> {
         })
     }
 
-    /// The element of this number, if there is one.
+    /// Returns an option of the element at this index, present if the index is in bounds.
     fn got(&mut self, slice: &Slice, index: Scalar) -> Value {
         let zero = self.algebra.number(0.0);
         let is_some = Condition::less(self.algebra, index, zero).not();
@@ -123,7 +123,7 @@ impl Translation<'_> {
         Value::some_if(is_some, slice.element(self, index))
     }
 
-    /// The number of parts of this size in so many and `more`.
+    /// Returns the number of parts of this size in `count + more` elements.
     pub(super) fn parts(&mut self, count: Scalar, size: usize, more: usize) -> Scalar {
         let a = &mut *self.algebra;
         let [size, more] = [size, more].map(|number| a.count(number));

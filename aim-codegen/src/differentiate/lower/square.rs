@@ -1,5 +1,5 @@
-//! Matrices of two and of four columns, by their numbers. Those of four that are affine transforms stay transforms as long as
-//! they can ([`Value::Homogeneous`]).
+//! 2×2 and 4×4 matrices, by their entries. A 4×4 matrix that is an affine transform stays one as long as possible
+//! ([`Value::Homogeneous`]).
 
 use aim_symbolic::Scalar;
 
@@ -7,7 +7,7 @@ use super::algebra::Algebra;
 use super::map::Affine;
 use super::value::{Columns, Value};
 
-/// The vector of two or four numbers.
+/// Returns the vector of two or four numbers.
 pub(super) fn vector(a: &mut Algebra, numbers: &[Scalar]) -> Value {
     match *numbers {
         [x, y, z, w] => Value::Four([x, y, z, w]),
@@ -19,7 +19,7 @@ pub(super) fn vector(a: &mut Algebra, numbers: &[Scalar]) -> Value {
     }
 }
 
-/// The numbers of a vector of two or four.
+/// Returns the components of a vector of two or four.
 pub(super) fn numbers(a: &mut Algebra, vector: &Value) -> Vec<Scalar> {
     match vector {
         Value::Planar(v) => a.parts(*v)[..2].to_vec(),
@@ -28,7 +28,7 @@ pub(super) fn numbers(a: &mut Algebra, vector: &Value) -> Vec<Scalar> {
     }
 }
 
-/// The matrix of a transform.
+/// Returns the matrix of a transform.
 pub(super) fn of_affine(a: &mut Algebra, m: &Affine) -> Columns {
     let columns = m.map.columns(a);
     let columns = [columns[0], columns[1], columns[2], m.translation];
@@ -41,7 +41,7 @@ pub(super) fn of_affine(a: &mut Algebra, m: &Affine) -> Columns {
     columns.into_iter().enumerate().map(&mut of_one).collect()
 }
 
-/// A matrix as columns, if it is one of two or four of them.
+/// Returns the columns of a 2×2 or 4×4 matrix; `None` for any other value.
 pub(crate) fn columns(a: &mut Algebra, value: &Value) -> Option<Columns> {
     match value {
         Value::Square(columns) => Some(columns.clone()),
@@ -50,7 +50,7 @@ pub(crate) fn columns(a: &mut Algebra, value: &Value) -> Option<Columns> {
     }
 }
 
-/// The matrix with these numbers on its diagonal.
+/// Returns the matrix with these numbers on its diagonal.
 pub(super) fn diagonal(a: &mut Algebra, numbers: &[Scalar]) -> Columns {
     let zero = a.number(0.0);
     let column = |(k, &x)| (0..numbers.len()).map(|row| if row == k { x } else { zero }).collect();
@@ -70,7 +70,7 @@ pub(super) fn apply(a: &mut Algebra, m: &Columns, v: &[Scalar]) -> Vec<Scalar> {
         .collect()
 }
 
-/// Entry by entry of two.
+/// Combines two matrices entry by entry.
 pub(super) fn zip(
     a: &mut Algebra,
     m: &Columns,
@@ -84,7 +84,7 @@ pub(super) fn scaled(a: &mut Algebra, k: Scalar, m: &Columns) -> Columns {
     m.iter().map(|column| column.iter().map(|&x| a.mul(k, x)).collect()).collect()
 }
 
-/// By the first column.
+/// Returns the determinant, by expansion along the first column.
 pub(super) fn determinant(a: &mut Algebra, m: &Columns) -> Scalar {
     let [column] = m.as_slice() else {
         let products: Vec<Scalar> = (0..m.len())
@@ -105,7 +105,7 @@ fn cofactor(a: &mut Algebra, m: &Columns, column: usize, row: usize) -> Scalar {
     if (column + row) % 2 == 0 { minor } else { a.neg(minor) }
 }
 
-/// The cofactors over the determinant.
+/// Returns the inverse: transposed cofactors over the determinant.
 pub(super) fn inverse(a: &mut Algebra, m: &Columns) -> Columns {
     let determinant = determinant(a, m);
     let reciprocal = a.recip(determinant);

@@ -1,4 +1,4 @@
-//! Statements: they are run one after another, over the variables of the [`Frame`](super::frame::Frame).
+//! Statements, which are run one after another over the variables of the [`Frame`](super::frame::Frame).
 
 use std::rc::Rc;
 
@@ -16,12 +16,12 @@ use crate::differentiate::messages;
 use crate::differentiate::names::{self, Meaning};
 
 impl Translation<'_> {
-    /// The value of a block.
+    /// Evaluates a block.
     pub(super) fn block(&mut self, block: &Block) -> Value {
         self.block_as(block, &Expected::Any)
     }
 
-    /// The value of a block, of whose place the type is known.
+    /// Evaluates a block whose expected type is known.
     pub(super) fn block_as(&mut self, block: &Block, expected: &Expected) -> Value {
         let (depth, scope) = (self.frame.depth(), self.frame.scope.clone());
         self.declare_items(block, depth);
@@ -29,23 +29,23 @@ impl Translation<'_> {
         let mut faulty = false;
         for (place, statement) in block.stmts.iter().enumerate() {
             value = match statement {
-                // What is the value at the end is of the type of that.
+                // A variable that is the value of the block has the block's expected type.
                 Stmt::Local(local) if is_end(&local.pat, &block.stmts[place + 1..]) => self.local(local, expected),
                 statement => self.statement(statement, expected),
             };
             faulty |= matches!(value, Value::Unknown);
-            // What follows is not reached.
+            // The following statements are not reached.
             if value.is_never() {
                 break;
             }
         }
         value = self.left(block, depth, value);
         self.frame.scope = scope;
-        // What comes of a faulty statement may have been meant to be the value.
+        // A faulty statement may have been meant as the value.
         if faulty { Value::Unknown } else { value }
     }
 
-    /// Items are known in all of a block.
+    /// Declares the items of a block, which are visible in all of it.
     fn declare_items(&mut self, block: &Block, depth: usize) {
         self.import(block);
         for statement in &block.stmts {
@@ -67,7 +67,7 @@ impl Translation<'_> {
         }
     }
 
-    /// Notes what a block has from elsewhere.
+    /// Records the imports of a block.
     fn import(&mut self, block: &Block) {
         let uses = block.stmts.iter().filter_map(|statement| match statement {
             Stmt::Item(Item::Use(item)) => Some(names::imports(&item.tree)),
@@ -86,7 +86,7 @@ impl Translation<'_> {
             let of_name = |name: String| (name.clone(), [path.as_slice(), &[name]].concat());
             scope.imports.extend(there.into_iter().map(of_name));
         }
-        // Names that are written out hide those of whole modules.
+        // Named imports shadow glob imports.
         scope.imports.extend(named.into_iter().filter_map(|(name, path)| Some((name?, path))));
         self.frame.scope = Rc::new(scope);
     }
@@ -113,13 +113,13 @@ impl Translation<'_> {
         }
     }
 
-    /// `let`
+    /// Runs `let`.
     fn local(&mut self, local: &syn::Local, otherwise: &Expected) -> Value {
         let expected = match &local.pat {
             Pat::Type(typed) => self.expected(&typed.ty),
             _ => otherwise.clone(),
         };
-        // It is assigned before it is read, or the compiler says so.
+        // The compiler ensures that it is assigned before it is read.
         let value = local.init.as_ref().map_or(Value::Never, |init| self.moved(&init.expr, &expected));
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
@@ -129,7 +129,7 @@ impl Translation<'_> {
         if never { Value::Never } else { Value::nothing() }
     }
 
-    /// A macro's meaning cannot be seen, but that of assertions is known.
+    /// Evaluates a macro call. Only assertions and a few other macros of the standard library are known.
     pub(super) fn macro_call(&mut self, call: &syn::Macro) -> Value {
         let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
         match name.strip_prefix("debug_").unwrap_or(&name) {
@@ -141,15 +141,15 @@ impl Translation<'_> {
                 Value::nothing()
             }
             "assert_eq" | "assert_ne" => Value::nothing(),
-            // Nothing comes of these, so that the other branch is the value.
             "vec" => self.list(call),
             "matches" => self.matches_macro(call),
+            // These diverge, so that the value is that of the other branch.
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
             _ => self.refuse(&call.path, messages::macro_call()),
         }
     }
 
-    /// The value of what makes an error, which nothing is known of, but that it must not change variables.
+    /// Returns `value` in place of an error. The error's expression is evaluated only to reject changes of variables.
     pub(super) fn without_error_effect(&mut self, error: &Expr, value: Value) -> Value {
         let said = self.said();
         let (_, has_effect) = self.tracked(|this| this.expression(error));
@@ -157,7 +157,7 @@ impl Translation<'_> {
         if has_effect { self.refuse(error, messages::effect_of_error()) } else { value }
     }
 
-    /// What an assertion asserts holds from there on, as far as it is understood.
+    /// Assumes the condition of an assertion from here on, as far as it is supported.
     fn assume_asserted(&mut self, call: &syn::Macro) {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
         let said = self.said();
@@ -167,7 +167,7 @@ impl Translation<'_> {
         self.unsay(said);
     }
 
-    /// Whether what a macro is given changes a variable. What of it is not understood does not matter.
+    /// Returns `true` if the arguments of a macro change a variable; unsupported parts are ignored.
     fn has_effect(&mut self, call: &syn::Macro) -> bool {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
         let said = self.said();
@@ -178,7 +178,7 @@ impl Translation<'_> {
         !changed.is_empty()
     }
 
-    /// Gives the names of a pattern their values.
+    /// Binds the names of a pattern to the parts of a value.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         let lender = match (pattern, &value) {
             (Pat::Slice(_), Value::Reference(place)) => Some(place.clone()),
@@ -190,7 +190,7 @@ impl Translation<'_> {
             _ => value,
         };
         let value = match pattern {
-            // What is written with `into` or `from`.
+            // A vector that is converted with `into` or `from`.
             Pat::Tuple(_) => value.components(self.algebra).map_or(value, Value::Tuple),
             Pat::Slice(_) => value.components(self.algebra).map_or(value, Value::Array),
             _ => value,
@@ -245,7 +245,8 @@ impl Translation<'_> {
         }
     }
 
-    /// Gives the names of the patterns the values of the parts; `..` stands for those that are left, of what is lent for that part.
+    /// Binds the names of patterns to the parts of a value. `..` stands for the remaining parts, by reference if
+    /// `lender` is given.
     fn bind_parts(
         &mut self,
         whole: &impl ToTokens,
@@ -282,7 +283,7 @@ impl Translation<'_> {
         }
     }
 
-    /// A block that `break` with its label leaves.
+    /// Runs a block that a `break` with its label leaves.
     pub(super) fn labelled_block(&mut self, label: &Label, block: &Block, expected: &Expected) -> Value {
         let whole = self.frame.begin_block(label.name.ident.to_string());
         let value = self.block_as(block, expected);
@@ -299,7 +300,7 @@ impl Translation<'_> {
         }
     }
 
-    /// `return`, `break` or `continue`.
+    /// Runs `return`, `break` or `continue`.
     pub(super) fn jump(&mut self, expression: &Expr) -> Value {
         let (target, value) = match expression {
             Expr::Return(e) => {
@@ -320,7 +321,7 @@ impl Translation<'_> {
                 self.frame.exit(target, value);
                 Value::Never
             }
-            // There is no such loop: the compiler says so.
+            // The compiler reports a missing loop.
             None => Value::Unknown,
         }
     }
@@ -330,7 +331,7 @@ impl Translation<'_> {
     }
 }
 
-/// Whether a pattern is the name that a block ends with, which nothing hides until then.
+/// Returns `true` if a pattern is the name that the block ends with, not shadowed in between.
 fn is_end(pattern: &Pat, rest: &[Stmt]) -> bool {
     let Pat::Ident(name) = pattern else { return false };
     let is_it = |pattern: &Pat| match pattern {
@@ -346,12 +347,12 @@ fn is_end(pattern: &Pat, rest: &[Stmt]) -> bool {
     }
 }
 
-/// Whether a `static` is a constant.
+/// Returns `true` if a `static` is immutable.
 fn is_unchanged(item: &syn::ItemStatic) -> bool {
     matches!(item.mutability, syn::StaticMutability::None)
 }
 
-/// Whether a pattern is `..` or `name @ ..`.
+/// Returns `true` if a pattern is `..` or `name @ ..`.
 pub(super) fn is_rest(pattern: &Pat) -> bool {
     match pattern {
         Pat::Rest(_) => true,

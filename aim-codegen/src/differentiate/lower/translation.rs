@@ -1,4 +1,4 @@
-//! [`Translation`]: the state of a function that is being run.
+//! [`Translation`]: the state of the interpretation of a function.
 
 use std::rc::Rc;
 
@@ -15,12 +15,13 @@ use crate::differentiate::items::Items;
 use crate::differentiate::messages;
 use crate::emit::Precision;
 
-/// The most rounds of all loops, and calls of functions inside of themselves, together.
+/// Maximum number of loop iterations and recursive calls together.
 pub(super) const MOST_ROUNDS: usize = 10_000;
 
-/// The most rounds that are written out of which it is not known whether they are run: of what can be no loop in the code, and of
-/// what can, which is smaller then, and ends where it is left.
+/// Maximum number of unrolled iterations that may or may not be run, for a loop that cannot be kept.
 pub(super) const MOST_OPEN_ROUNDS: usize = 200;
+/// Maximum number of unrolled iterations that may or may not be run, for a loop that can be kept: the code is then
+/// smaller, and ends where the loop is left.
 const MANY_OPEN_ROUNDS: usize = 16;
 
 /// The interpretation of one function.
@@ -28,33 +29,33 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) algebra: &'a mut Algebra,
     pub(super) report: &'a mut Report,
     pub(super) items: &'a Items,
-    /// What the function computes in, where that is known.
+    /// Number type that the function computes in, if it is known.
     pub(super) precision: Option<Precision>,
-    /// The variables of the function that is being run.
+    /// Variables of the function that is being run.
     pub(super) frame: Frame,
-    /// The functions that are being run, the innermost last.
+    /// Functions that are being run, innermost last.
     pub(super) calls: Vec<Rc<Callable>>,
-    /// The constants that are being looked up.
+    /// Constants that are being evaluated.
     pub(super) constants: Vec<String>,
-    /// Rounds of loops, and calls of functions inside of themselves, so far.
+    /// Number of loop iterations and recursive calls so far.
     pub(super) rounds_run: usize,
-    /// Whether the iterator that is made next is gone through to its end at once.
+    /// `true` if the next iterator is consumed at once.
     pub(super) is_drained: bool,
-    /// The loops that stay loops and are being run, the innermost last.
+    /// Indices of the kept loops that are being run, innermost last.
     pub(super) kept: Vec<usize>,
-    /// The most rounds that are written out of which it is not known whether they are run.
+    /// Maximum number of unrolled iterations that may or may not be run.
     pub(super) most_open: usize,
-    /// Whether a loop has just been run of which it is not known how many rounds it has.
+    /// `true` if the last loop had an unknown number of iterations.
     pub(super) is_open: bool,
-    /// Whether a loop has just been given up, as no end of it is in sight.
+    /// `true` if unrolling a loop was just abandoned, because no end was found.
     pub(super) is_endless: bool,
-    /// The loops that were given up before, by where they are.
+    /// Loops whose unrolling was abandoned, by their address in the syntax tree.
     pub(super) endless: Vec<*const ()>,
-    /// The number of the graph's nodes that are of what was given up, or were there before.
+    /// Number of graph nodes that are abandoned, or that existed before.
     pub(super) given_up: usize,
 }
 
-/// How much has been run before something that may be run anew.
+/// State of progress before a part that may be run again.
 #[derive(Clone, Copy)]
 pub(super) struct Mark {
     rounds: usize,
@@ -62,7 +63,7 @@ pub(super) struct Mark {
     loops: usize,
 }
 
-/// Counts of what was reported: errors, and functions that are at fault.
+/// Numbers of reported errors and of functions at fault.
 #[derive(Clone, Copy)]
 pub(super) struct Said {
     pub(super) errors: usize,
@@ -70,7 +71,7 @@ pub(super) struct Said {
 }
 
 impl<'a> Translation<'a> {
-    /// A function beside these items, that computes in this number type.
+    /// Creates the interpretation of a function beside these items, in this number type.
     pub(in crate::differentiate) fn new(
         algebra: &'a mut Algebra,
         report: &'a mut Report,
@@ -78,7 +79,7 @@ impl<'a> Translation<'a> {
         precision: Option<Precision>,
     ) -> Self {
         let frame = Frame::new(Vec::new(), Rc::default());
-        // What another function has made is not held against this one.
+        // Do not count the nodes of other functions against this one.
         let given_up = algebra.g.len();
         Self {
             algebra,
@@ -99,12 +100,12 @@ impl<'a> Translation<'a> {
         }
     }
 
-    /// With loops of many rounds, which may be left before, as loops.
+    /// Keeps loops of many iterations that may end early.
     pub(in crate::differentiate) fn keeping_loops(self) -> Self {
         Self { most_open: MANY_OPEN_ROUNDS, ..self }
     }
 
-    /// What is done in another scope, without the variables of the function that is being run.
+    /// Runs `act` in another scope, without the variables of the current function.
     pub(super) fn within<R>(&mut self, scope: Rc<Scope>, act: impl FnOnce(&mut Self) -> R) -> R {
         let outer = core::mem::replace(&mut self.frame, Frame::new(Vec::new(), scope));
         let result = act(self);
@@ -112,12 +113,12 @@ impl<'a> Translation<'a> {
         result
     }
 
-    /// Counts what was reported so far.
+    /// Returns the present numbers of reports.
     pub(super) fn said(&self) -> Said {
         Said { errors: self.report.count(), faults: self.items.faults() }
     }
 
-    /// Forgets what was reported since, and that a function is at fault for it: where it is called again, it is run again.
+    /// Forgets the reports since then, including functions at fault, so that they are run again when called again.
     pub(super) fn unsay(&mut self, said: Said) {
         self.report.forget(said.errors);
         self.items.forget_faults(said.faults);
@@ -128,20 +129,21 @@ impl<'a> Translation<'a> {
         Mark { rounds: self.rounds_run, nodes, loops: self.algebra.loops.len() }
     }
 
-    /// Gives up what was run since.
+    /// Abandons everything that was run since the mark.
     pub(super) fn take_back(&mut self, mark: Mark) {
         self.rounds_run = mark.rounds;
         self.given_up = self.algebra.g.len() - mark.nodes;
         self.algebra.loops.truncate(mark.loops);
     }
 
-    /// Reports what has no value.
+    /// Reports an error and returns an unknown value.
     pub(super) fn refuse(&mut self, place: &impl ToTokens, text: Text) -> Value {
         self.report.error_in(place, text);
         Value::Unknown
     }
 
-    /// The same because of a value; of an unknown one all has been said.
+    /// Reports an error about a value and returns an unknown value. If the value is unknown itself, an error was
+    /// already reported.
     pub(super) fn refuse_known(&mut self, value: &Value, place: &impl ToTokens, text: Text) -> Value {
         if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
     }
@@ -150,7 +152,7 @@ impl<'a> Translation<'a> {
         self.refuse(place, messages::unsupported(what, help))
     }
 
-    /// The words about a name that stands for nothing that was read, where nothing better is known of it than these.
+    /// Returns the message about a name that was not found; `otherwise` unless there is a more specific one.
     pub(super) fn unseen(&self, name: &str, otherwise: Text) -> Text {
         match name {
             "Ok" | "Err" => messages::no_result_value(name),
@@ -160,7 +162,7 @@ impl<'a> Translation<'a> {
     }
 }
 
-/// The length of an array that its type says.
+/// Evaluates the length in an array type.
 pub(in crate::differentiate) fn length(expression: &Expr, items: &Items, scope: &Scope) -> Option<usize> {
     let (mut algebra, mut report) = (Algebra::new(), Report::new(Notation::Rust));
     let mut translation = Translation::new(&mut algebra, &mut report, items, None);

@@ -1,4 +1,4 @@
-//! [`Value`]: what an expression of the function stands for, and what such values are made of.
+//! [`Value`]: the symbolic value of an expression, and its parts.
 
 use std::rc::Rc;
 
@@ -9,23 +9,23 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::map::{Affine, Map, Quaternion};
 
-/// What an expression stands for.
+/// The symbolic value of an expression.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
     Scalar(Scalar),
-    /// A whole number; one that is known is a constant.
+    /// A whole number; a known one is a constant.
     Integer(Scalar),
     Truth(Condition),
-    /// A vector of two: its third component is 0.
+    /// A vector of two; its third component is 0.
     Planar(Vector),
     Vector(Vector),
     /// A vector of four.
     Four([Scalar; 4]),
     Quaternion(Quaternion),
     Matrix(Map),
-    /// A matrix of two or four columns.
+    /// A 2×2 or 4×4 matrix.
     Square(Columns),
-    /// A matrix of four columns that is an affine transform.
+    /// A 4×4 matrix that is an affine transform.
     Homogeneous(Affine),
     Affine(Affine),
     Tuple(Vec<Self>),
@@ -35,44 +35,44 @@ pub(crate) enum Value {
     Optional(Rc<Optional>),
     Ordering(Rc<Order>),
     Function(Rc<Callable>),
-    /// `&mut` of a place.
+    /// A `&mut` to a place.
     Reference(Rc<Place>),
     /// The type that a generic parameter stands for, by name.
     Type(String),
-    /// A list whose length arguments decide.
+    /// A list whose length depends on arguments.
     List(Vec<Element>),
-    /// What an iterator goes over.
+    /// The elements of an iterator.
     Iterator(Vec<Element>),
-    /// An argument of as many elements as there happen to be.
+    /// A slice argument whose length is not known.
     Slice(Rc<Slice>),
-    /// What a loop goes over whose rounds are not written out.
+    /// The sequence that a kept loop iterates over.
     Rounds(Rc<Rounds>),
-    /// Of an expression that control does not come out of.
+    /// The value of an expression that diverges.
     Never,
-    /// What an error was reported for: nothing more is said about it.
+    /// The value of an expression that an error was reported for; it causes no further errors.
     Unknown,
 }
 
-/// An element that is there where a condition holds.
+/// An element that is present where a condition holds.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub(crate) is_there: Condition,
     pub(crate) value: Value,
 }
 
-/// Makes a value of its numbers.
+/// Builds a value from its numbers.
 pub(crate) type Make = dyn Fn(&mut Algebra, Vec<Scalar>) -> Value;
 
-/// An argument of as many elements as there happen to be, a field of one, or a part of those.
+/// A slice argument whose length is not known, a slice field of an argument, or a part of either.
 #[derive(Clone)]
 pub(crate) struct Slice {
-    /// Its place among the slices of all arguments.
+    /// Index among the slices of all arguments.
     pub(crate) place: usize,
-    /// How many numbers an element has.
+    /// Number of numbers in an element.
     pub(crate) components: usize,
-    /// An element of these numbers.
+    /// Builds an element from its numbers.
     pub(crate) make: Rc<Make>,
-    /// The number of its first element among those of the argument.
+    /// Index of the first element in the argument.
     pub(crate) first: Scalar,
     pub(crate) len: Scalar,
 }
@@ -83,63 +83,63 @@ impl core::fmt::Debug for Slice {
     }
 }
 
-/// What a loop goes over that stays one.
+/// The sequence that a kept loop iterates over.
 #[derive(Clone)]
 pub(crate) struct Rounds {
-    /// How many rounds there are, also of elements that are left out.
+    /// Number of iterations, including those whose element is left out.
     pub(crate) count: Scalar,
     pub(crate) items: Rc<Items>,
 }
 
-/// The elements of rounds, by number: they are made when the loop is run.
+/// The elements of a sequence by index, built when the loop is run.
 pub(crate) enum Items {
-    /// None that is looked at.
+    /// No element is used.
     Nothing,
     Numbers,
     Elements(Rc<Slice>),
-    /// Those of an array.
+    /// Elements of an array.
     Listed(Value),
-    /// Of so many, from the first again after the last.
+    /// The first `len` elements, repeated.
     Cycled {
         items: Rc<Self>,
         len: Scalar,
     },
-    /// Parts of a slice, of so many elements each, each so many further on.
+    /// Parts of a slice, of `size` elements each, `step` elements apart.
     Parts {
         slice: Rc<Slice>,
         size: usize,
         step: usize,
     },
-    /// The same, each behind the other, the last one as long as there are elements left.
+    /// Consecutive parts of a slice, of `size` elements each; the last one may be shorter.
     Chunks {
         slice: Rc<Slice>,
         size: Scalar,
     },
-    /// Those of the numbers first + step k.
+    /// Elements with the indices first + step k.
     Stepped {
         items: Rc<Self>,
         first: Scalar,
         step: Scalar,
     },
     Numbered(Rc<Self>),
-    /// What a method makes of each by a function.
+    /// Results of a method that calls a function for each element.
     Made(Rc<Self>, ExprMethodCall, Rc<Callable>),
-    /// Those of two, as a method pairs them.
+    /// Pairs of the elements of two sequences, as a method makes them.
     Paired([Rc<Self>; 2], ExprMethodCall),
 }
 
 impl Items {
-    /// Whether none is left out.
+    /// Returns `true` if no element is left out.
     pub(crate) fn is_whole(&self) -> bool {
         self.are_all(&|name| name == "map" || name.ends_with("_while"))
     }
 
-    /// Whether each is there by itself, whatever those before it are.
+    /// Returns `true` if the presence of an element does not depend on those before it.
     pub(crate) fn is_indexed(&self) -> bool {
         self.are_all(&|name| name == "map")
     }
 
-    /// True if they are of arrays and numbers, which are there in every language.
+    /// Returns `true` if the elements are of arrays and numbers, which exist in every language.
     pub(crate) fn is_listed(&self) -> bool {
         match self {
             Self::Numbers | Self::Listed(_) => true,
@@ -152,7 +152,7 @@ impl Items {
         }
     }
 
-    /// The method that makes each by a function.
+    /// Returns the method that calls a function for each element.
     pub(crate) fn made_by(&self) -> Option<&ExprMethodCall> {
         match self {
             Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.made_by(),
@@ -161,7 +161,7 @@ impl Items {
         }
     }
 
-    /// Whether all methods that make elements are such.
+    /// Returns `true` if all methods that call a function satisfy `such`.
     fn are_all(&self, such: &dyn Fn(&str) -> bool) -> bool {
         match self {
             Self::Nothing
@@ -183,18 +183,18 @@ impl core::fmt::Debug for Rounds {
     }
 }
 
-/// Columns of as many numbers.
+/// Columns of a square matrix.
 pub(crate) type Columns = Vec<Vec<Scalar>>;
 
 /// An `Option`.
 #[derive(Clone, Debug)]
 pub(crate) struct Optional {
     pub(crate) is_some: Condition,
-    /// What is inside, where there is something; [`Value::Never`] of `None`.
+    /// Value inside; [`Value::Never`] if the option is always `None`.
     pub(crate) value: Value,
 }
 
-/// How two numbers compare.
+/// Result of comparing two numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Order {
     pub(crate) less: Condition,
@@ -205,7 +205,7 @@ pub(crate) struct Order {
 #[derive(Clone, Debug)]
 pub(crate) struct Struct {
     pub(crate) name: String,
-    /// The fields that are understood, by name or by number.
+    /// Fields of supported types, by name or by index.
     pub(crate) fields: Vec<(String, Value)>,
 }
 
@@ -215,19 +215,20 @@ impl Struct {
     }
 }
 
-/// Where something is written: what the paths there mean.
+/// The scope in which code is written; paths are resolved in it.
 #[derive(Clone, Default)]
 pub(crate) struct Scope {
-    /// The module, by its full name.
+    /// Full name of the module.
     pub(crate) module: String,
-    /// What `Self` is.
+    /// Name of the type that `Self` is.
     pub(crate) self_type: Option<String>,
-    /// The same as written, where that has generic arguments.
+    /// The type that `Self` is, as written, if it has generic arguments.
     pub(crate) self_written: Option<Rc<syn::Type>>,
-    /// Generic parameters that are types, and those that are lengths.
+    /// Generic parameters that are types.
     pub(crate) generics: Vec<String>,
+    /// Generic parameters that are lengths.
     pub(crate) lengths: Vec<String>,
-    /// What blocks around it import: names and paths.
+    /// Imports of enclosing blocks: names and paths.
     pub(crate) imports: Vec<(String, Vec<String>)>,
 }
 
@@ -237,7 +238,7 @@ impl core::fmt::Debug for Scope {
     }
 }
 
-/// Which run of a function it is: the same one, or another.
+/// Identity of one run of a function.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FrameId(Rc<()>);
 
@@ -247,34 +248,34 @@ impl PartialEq for FrameId {
     }
 }
 
-/// Where a closure was made.
+/// The place where a closure was created.
 #[derive(Clone)]
 pub(crate) struct Home {
     pub(super) frame: FrameId,
-    /// The variables there that it names.
+    /// Variables of that frame that the closure names.
     pub(super) named: Vec<usize>,
-    /// Whether it assigns to one of them.
+    /// `true` if it assigns to one of them.
     pub(super) changes: bool,
 }
 
-/// What can be called.
+/// A function or closure.
 #[derive(Clone)]
 pub(crate) struct Callable {
-    /// Of a function, with its type in front.
+    /// Name of a function, preceded by its type's name.
     pub(crate) name: Option<String>,
     pub(crate) parameters: Vec<(Pat, Option<syn::Type>)>,
-    /// Which of them are `&mut`.
+    /// For each parameter, `true` if it is `&mut`.
     pub(crate) changed: Vec<bool>,
     pub(crate) body: Expr,
-    /// The variables that it sees of where it is made.
+    /// Variables that it captures.
     pub(crate) captured: Vec<(String, Value)>,
-    /// The type of its result, where that is said.
+    /// Type of the result, if it is written.
     pub(crate) result: Option<syn::Type>,
-    /// Where it is written.
+    /// Scope in which it is written.
     pub(crate) scope: Rc<Scope>,
-    /// Where a closure was made, which may change the variables there.
+    /// Place where a closure was created, whose variables it may change.
     pub(crate) home: Option<Home>,
-    /// The trait that it is a function of.
+    /// Trait that it is a function of.
     pub(crate) of_trait: Option<String>,
 }
 
@@ -287,14 +288,14 @@ impl core::fmt::Debug for Callable {
 /// A step from a value to a part of it.
 #[derive(Clone)]
 pub(super) enum Step {
-    /// A field by its name, also of an enum's variant.
+    /// A field by its name, including fields of an enum's variants.
     Field(String),
-    /// The value inside of an option.
+    /// The value inside an option.
     Inside,
     Index(usize),
-    /// An element that arguments choose.
+    /// An element at a computed index.
     Chosen(Scalar),
-    /// So many elements from this one on.
+    /// `len` elements from index `first` on.
     Part {
         first: usize,
         len: usize,
@@ -309,18 +310,18 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// A `&mut` to a part of it.
+    /// Returns a `&mut` to a part of the place.
     pub(super) fn lent(&self, step: Step) -> Value {
         self.lent_along(&[step])
     }
 
-    /// The same, so many steps inside of it.
+    /// Returns a `&mut` to the part at the end of these steps.
     pub(super) fn lent_along(&self, steps: &[Step]) -> Value {
         let steps = self.steps.iter().chain(steps).cloned().collect();
         Value::Reference(Rc::new(Self { variable: self.variable, steps }))
     }
 
-    /// The same to so many elements from one on.
+    /// Returns a `&mut` to `len` elements, from index `first` on.
     pub(super) fn lent_part(&self, first: usize, len: usize) -> Value {
         self.lent(Step::Part { first, len })
     }
@@ -333,7 +334,7 @@ impl core::fmt::Debug for Place {
 }
 
 impl Value {
-    /// Its kind, for a message.
+    /// Describes the kind of the value for a message.
     pub(crate) fn describe(&self) -> String {
         match self {
             Self::Scalar(_) => "a number".into(),
@@ -363,12 +364,12 @@ impl Value {
         }
     }
 
-    /// The value of an expression that has none.
+    /// Returns the unit value.
     pub(crate) fn nothing() -> Self {
         Self::Tuple(Vec::new())
     }
 
-    /// The same with others in place of all references; `None` where one has none.
+    /// Replaces all references by `other`; `None` if it returns `None` for one of them.
     pub(super) fn with_references(&self, other: &dyn Fn(&Rc<Place>) -> Option<Self>) -> Option<Self> {
         let all = |values: &[Self]| values.iter().map(|value| value.with_references(other)).collect::<Option<Vec<_>>>();
         let elements = |items: &[Element]| {
@@ -395,12 +396,13 @@ impl Value {
         })
     }
 
-    /// Whether a variable can have this value in one branch and another one in another.
+    /// Returns `true` if a variable may have this value in one branch and another value in another.
     pub(super) fn is_selectable(&self) -> bool {
         !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_) | Self::Slice(_) | Self::Rounds(_))
     }
 
-    /// The value of what is made of these where one of them is not there; `None` where all are.
+    /// Returns the result of an operation on these parts if one of them is unknown or diverges; `None` if all have
+    /// values.
     pub(super) fn without(parts: &[Self]) -> Option<Self> {
         if parts.iter().any(Self::is_never) {
             return Some(Self::Never);
@@ -412,15 +414,15 @@ impl Value {
         matches!(self, Self::Never)
     }
 
-    /// Whether nothing more can be said about it.
+    /// Returns `true` if the value causes no further errors.
     pub(crate) fn is_unknown(&self) -> bool {
         matches!(self, Self::Unknown | Self::Never)
     }
 }
 
-/// Whole numbers: they count and index.
+/// Whole numbers, which count and index.
 impl Algebra {
-    /// A whole number. Those beyond 2⁵³ are rounded.
+    /// Returns a whole number; rounded beyond 2⁵³.
     pub(crate) fn integer(&mut self, value: i64) -> Value {
         #[expect(clippy::cast_precision_loss, reason = "whole numbers count and index: they are small")]
         Value::Integer(self.number(value as f64))
@@ -430,26 +432,26 @@ impl Algebra {
         Value::Integer(self.count(value))
     }
 
-    /// A whole number that counts or indexes: it is small.
+    /// Returns a small whole number that counts or indexes.
     #[expect(clippy::cast_precision_loss, reason = "it is small")]
     pub(crate) fn count(&mut self, value: usize) -> Scalar {
         self.number(value as f64)
     }
 
-    /// 1 where a condition holds, else 0.
+    /// Returns 1 where a condition holds, else 0.
     pub(crate) fn number_of(&mut self, condition: &Condition) -> Scalar {
         let (one, zero) = (self.number(1.0), self.number(0.0));
         condition.select(self, one, zero)
     }
 
-    /// A whole number that is known.
+    /// Returns the value of a known whole number.
     pub(crate) fn known_integer(&self, value: &Value) -> Option<i64> {
         let Value::Integer(x) = value else { return None };
         #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
         self.constant_of(*x).map(|x| x as i64)
     }
 
-    /// An index that is known.
+    /// Returns the value of a known index.
     pub(crate) fn known_index(&self, value: &Value) -> Option<usize> {
         self.known_integer(value).and_then(|x| usize::try_from(x).ok())
     }

@@ -1,4 +1,4 @@
-//! Iterators that are made of others.
+//! Iterator adaptors: methods that make an iterator from another.
 
 use std::rc::Rc;
 
@@ -10,15 +10,15 @@ use super::super::{Translation, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
 
-/// The answer of a function about an element.
+/// Result of a predicate for one element.
 pub(super) struct Asked {
-    /// Whether it is asked.
+    /// Condition under which the predicate is called.
     is_asked: Condition,
-    /// What it says, where it is.
+    /// Result of the predicate where it is called.
     pub(super) holds: Condition,
 }
 
-/// Whether those behind an element are asked about after this was said of it.
+/// Returns the condition under which later elements are visited after this result.
 fn goes_on_after(is_there: &Condition, said: &Condition, until: Option<bool>) -> Condition {
     match until {
         None => Condition::Known(true),
@@ -28,7 +28,7 @@ fn goes_on_after(is_there: &Condition, said: &Condition, until: Option<bool>) ->
 }
 
 impl Translation<'_> {
-    /// The iterator that a method makes of one over these; `None` after an error.
+    /// Evaluates an adaptor of an iterator over these elements; `None` after an error.
     pub(super) fn adapted(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
@@ -86,7 +86,7 @@ impl Translation<'_> {
                 let function = self.function_argument(function, 2)?;
                 let function = Rc::new(Callable { changed: vec![true, false], ..(*function).clone() });
                 let variable = self.frame.depth();
-                // It has no name outside of the function.
+                // The accumulator has no name outside the function.
                 self.frame.declare(String::new(), start);
                 let state = Value::Reference(Rc::new(Place { variable, steps: Vec::new() }));
                 let made = self.those_made(call, items, Some(false), |this, item| {
@@ -100,7 +100,7 @@ impl Translation<'_> {
         })
     }
 
-    /// The elements for a method that needs all of them to be there; `None` after an error.
+    /// Returns the elements for a method that needs all of them to be present; `None` after an error.
     fn whole(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Vec<Value>> {
         let all = all_there(items);
         if all.is_err() {
@@ -110,7 +110,7 @@ impl Translation<'_> {
         all.ok()
     }
 
-    /// Those that are there, each as a function makes it; `None` after an error.
+    /// Applies a function to the elements that are present; `None` after an error.
     pub(in crate::differentiate::lower) fn mapped(
         &mut self,
         call: &ExprMethodCall,
@@ -125,8 +125,8 @@ impl Translation<'_> {
         items.into_iter().map(map).collect()
     }
 
-    /// The answers of a function about each of the elements. One of which it says what it is asked `until` is the last that it is
-    /// asked about. `None` after an error.
+    /// Calls a predicate for each element. With `until`, stops after the first element for which the predicate returns
+    /// that value. `None` after an error.
     pub(super) fn asked(
         &mut self,
         call: &ExprMethodCall,
@@ -155,7 +155,7 @@ impl Translation<'_> {
         items.iter().map(ask).collect()
     }
 
-    /// Those elements of which a function says so; `None` after an error.
+    /// Returns the elements that satisfy a predicate; `None` after an error.
     pub(in crate::differentiate::lower) fn kept(
         &mut self,
         call: &ExprMethodCall,
@@ -166,8 +166,8 @@ impl Translation<'_> {
         Some(items.iter().cloned().zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect())
     }
 
-    /// The results of a function of each of the elements, where it makes something of them. One of which it makes something, or
-    /// nothing, as `until` says, is the last that it is asked about. `None` after an error.
+    /// Returns the values inside the options that a function returns for the elements. Stops after the first `Some` if
+    /// `until` is `Some(true)`, after the first `None` if it is `Some(false)`. `None` after an error.
     pub(super) fn those_made(
         &mut self,
         call: &ExprMethodCall,
@@ -198,7 +198,7 @@ impl Translation<'_> {
         Some(made)
     }
 
-    /// The elements of the elements; `None` after an error.
+    /// Returns the elements of the elements; `None` after an error.
     fn flattened(&mut self, call: &ExprMethodCall, items: Vec<Element>) -> Option<Value> {
         let mut all = Vec::new();
         for Element { is_there, value } in items {
@@ -212,11 +212,11 @@ impl Translation<'_> {
         Some(Value::iterator_of(all))
     }
 
-    /// Pairs of these and what another iterator goes over; `None` after an error.
+    /// Returns pairs of these elements and those of another iterator; `None` after an error.
     pub(in crate::differentiate::lower) fn zipped(&mut self, items: Vec<Element>, other: &Expr) -> Option<Value> {
         let pair = |one: Value, other: Value| Value::Tuple(vec![one, other]);
         let others = match strip(other) {
-            // As many numbers as are asked for.
+            // An open range has as many numbers as are needed.
             Expr::Range(ExprRange { start: Some(start), end: None, .. }) => {
                 let first = self.expression(start);
                 let Some(first) = self.algebra.known_integer(&first) else {
@@ -242,7 +242,7 @@ impl Translation<'_> {
         })
     }
 
-    /// Pairs of elements that may not be there, and as many of a list; `None` after an error.
+    /// Returns pairs of elements that may be absent and elements of a list; `None` after an error.
     fn partners(
         &mut self,
         place: &Expr,

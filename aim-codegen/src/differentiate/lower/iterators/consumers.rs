@@ -1,4 +1,4 @@
-//! What becomes of the elements of an iterator.
+//! Iterator consumers: methods that evaluate an iterator.
 
 use std::rc::Rc;
 
@@ -16,7 +16,7 @@ use super::ranks;
 use crate::differentiate::messages;
 
 impl Translation<'_> {
-    /// What a method makes of elements at once; `None` after an error.
+    /// Evaluates a method that consumes all elements at once; `None` after an error.
     pub(super) fn consumed(
         &mut self,
         items: Vec<Element>,
@@ -71,7 +71,8 @@ impl Translation<'_> {
         })
     }
 
-    /// What a method looks for, and for each element whether it ends the search; `None` after an error.
+    /// Returns the value that a method searches for, and for each element the condition that it ends the search; `None`
+    /// after an error.
     pub(super) fn found(&mut self, items: &[Element], call: &ExprMethodCall) -> Option<(Value, Vec<Condition>)> {
         let name = call.method.to_string();
         let mut values: Vec<Value> = items.iter().map(|item| item.value.clone()).collect();
@@ -111,7 +112,7 @@ impl Translation<'_> {
         Some((found, ends))
     }
 
-    /// The type in `collect::<…>()` and the like; or what is expected where none is written.
+    /// Returns the type in `collect::<…>()` and the like, or `expected` if none is written.
     pub(in crate::differentiate::lower) fn expected_of_call(
         &mut self,
         call: &ExprMethodCall,
@@ -123,7 +124,7 @@ impl Translation<'_> {
         }
     }
 
-    /// What `collect` makes of these: a list, or an option of one, which is there where all of them are.
+    /// Evaluates `collect`: returns a list, or an option of a list that is present if all elements are.
     fn collected(&mut self, call: &ExprMethodCall, items: Vec<Element>, expected: &Expected) -> Value {
         if items.iter().any(|item| item.value.is_unknown()) {
             return Value::Unknown;
@@ -144,8 +145,8 @@ impl Translation<'_> {
         }
     }
 
-    /// Calls a function with each; `None` after an error. A closure that is written there is the body of a loop, so that it may
-    /// change variables.
+    /// Calls a function with each element; `None` after an error. A closure written in place is run as the body of a
+    /// loop, so that it may change variables.
     fn for_each(&mut self, call: &ExprMethodCall, function: &Expr, items: Vec<Element>) -> Option<Value> {
         match strip(function) {
             Expr::Closure(ExprClosure { capture: None, inputs, body, .. })
@@ -160,7 +161,7 @@ impl Translation<'_> {
         }
     }
 
-    /// An option of what is left of those that are there, joined two by two.
+    /// Returns an option of the elements that are present, joined in pairs from the left.
     fn reduced(
         &mut self,
         call: &ExprMethodCall,
@@ -179,13 +180,14 @@ impl Translation<'_> {
         reduced.map_or_else(Value::none, |left| Value::some_if(left.is_there, left.value))
     }
 
-    /// The first of those that are there.
+    /// Returns the first element that is present.
     pub(in crate::differentiate::lower) fn first(&mut self, call: &ExprMethodCall, items: Vec<Element>) -> Value {
         let items = items.into_iter().filter(|item| !matches!(item.is_there, Condition::Known(false)));
         self.reduced(call, items.collect(), |_, first, _| first)
     }
 
-    /// The one of two that a comparison prefers: of equal ones `min_by` takes the first, `max_by` the last.
+    /// Returns the one of two values that a comparison prefers: of equal values `min_by` takes the first, `max_by` the
+    /// last.
     pub(in crate::differentiate::lower) fn better(
         &mut self,
         call: &ExprMethodCall,
@@ -201,12 +203,12 @@ impl Translation<'_> {
         self.either_value(call, &stays, &best, &item)
     }
 
-    /// The number of those that are there.
+    /// Returns the number of elements that are present.
     pub(in crate::differentiate::lower) fn counted(&mut self, items: &[Element]) -> Option<Value> {
         ranks(self.algebra, items).last().map(|count| Value::Integer(*count))
     }
 
-    /// The sum or the product of all; of none, what its type has for that.
+    /// Returns the sum or the product of all elements; if there are none, the neutral element of the type.
     fn total(&mut self, call: &ExprMethodCall, items: Vec<Element>, expected: &Expected) -> Value {
         let name = call.method.to_string();
         let expected = self.expected_of_call(call, expected);
@@ -216,7 +218,7 @@ impl Translation<'_> {
         let of_items = items.first().and_then(|first| self.type_name(&first.value));
         let ty = expected.name().map(str::to_owned).or_else(|| of_items.clone());
         if let Some(ty) = ty.filter(|ty| self.items.defines(ty)) {
-            // As the struct says, by `Sum` or `Product`.
+            // The type's own `Sum` or `Product`.
             return match self.functions(Some(&ty), &name).as_slice() {
                 [only] => self.inline(&call.method, only, vec![Value::Iterator(items)]),
                 [] => self.refuse(&call.method, messages::unknown_method(&name, &format!("`{ty}`"), &[])),
@@ -245,7 +247,7 @@ impl Translation<'_> {
     }
 }
 
-/// Whether a word stands among these tokens.
+/// Returns `true` if these tokens contain the word.
 fn has_word(tokens: TokenStream, word: &str) -> bool {
     let mut has = false;
     each_word(tokens, &mut |found| has |= found == word);

@@ -1,5 +1,5 @@
-//! Iterators: those over arrays, lists and ranges, whose elements are all known by number. Which of them are there may depend
-//! on arguments: each has a condition.
+//! Iterators over arrays, lists and ranges with a known number of elements. Whether an element is present may depend on
+//! arguments: each has a condition.
 
 mod adaptors;
 mod consumers;
@@ -18,42 +18,42 @@ use super::value::{Element, Optional, Rounds, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
-/// The longest range.
+/// Maximum length of a range.
 const LONGEST: i64 = 10_000;
 
-/// The longest range that may end before its end and is written out.
+/// Maximum length of a range without known ends that is unrolled.
 const LONGEST_OPEN: i64 = 300;
 
-/// When a method asks its iterator for elements.
+/// Order in which a method takes elements from its iterator.
 #[derive(Clone, Copy, PartialEq)]
 enum Course {
-    /// For each when it is asked for one itself.
+    /// One for each element that is taken from it.
     InStep,
-    /// Later, and for more, for fewer or in another order.
+    /// Lazily, but more, fewer, or in another order.
     Later,
-    /// At once, until it has what it looks for: the rest is left to whoever has kept the iterator.
+    /// At once, up to the element that it searches for; the rest stays in the iterator.
     Partly,
-    /// At once for all.
+    /// At once, all of them.
     Whole,
 }
 
 /// A method of iterators.
 struct Method {
     name: &'static str,
-    /// The number of its arguments.
+    /// Number of its arguments.
     arguments: usize,
     course: Course,
-    /// Whether it calls a function with elements.
+    /// `true` if it calls a function with elements.
     calls: bool,
 }
 
 impl Method {
-    /// Of elements as they are.
+    /// Describes a method that takes no function.
     const fn plain(name: &'static str, arguments: usize, course: Course) -> Self {
         Self { name, arguments, course, calls: false }
     }
 
-    /// One whose last argument is a function of elements.
+    /// Describes a method whose last argument is a function of elements.
     const fn calling(name: &'static str, arguments: usize, course: Course) -> Self {
         Self { name, arguments, course, calls: true }
     }
@@ -104,62 +104,62 @@ const METHODS: &[Method] = &[
     Method::plain("product", 0, Course::Whole),
 ];
 
-/// The names of all methods.
+/// Returns the names of all methods.
 pub(super) fn names() -> Vec<&'static str> {
     METHODS.iter().map(|method| method.name).collect()
 }
 
-/// The method of this name.
+/// Returns the method with this name.
 fn method(name: &Ident) -> Option<&'static Method> {
     METHODS.iter().find(|method| name == method.name)
 }
 
-/// Whether iterators have a method of this name.
+/// Returns `true` if iterators have a method with this name.
 pub(super) fn has_method(name: &Ident) -> bool {
     method(name).is_some()
 }
 
-/// Whether a method goes through all of the iterator that it is called on, at once: by itself, or as the iterator that it makes
-/// is gone through so.
+/// Returns `true` if a method consumes its whole iterator at once: by itself, or if its result is consumed at once
+/// (`is_drained`).
 pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
     match method(name).map(|method| method.course) {
-        // That many are known without a look at them.
+        // `len` does not look at the elements.
         Some(Course::Whole) => name != "len",
         Some(Course::InStep) => is_drained,
         _ => false,
     }
 }
 
-/// Whether a function that is passed to a method of this value is called later, or not with each element.
+/// Returns `true` if the function that is passed to a method of this value is called later, or not with each element.
 pub(super) fn is_lazy(receiver: &Value, name: &Ident) -> bool {
     let is_later = |method: &Method| method.calls && matches!(method.course, Course::InStep | Course::Later);
     matches!(receiver, Value::Iterator(_)) && method(name).is_some_and(is_later)
 }
 
 impl Element {
-    /// One that is there.
+    /// Creates an element that is present.
     pub(super) fn new(value: Value) -> Self {
         Self { is_there: Condition::Known(true), value }
     }
 
-    /// The same where another condition holds, too.
+    /// Adds a condition to the element's presence.
     pub(super) fn where_too(self, condition: Condition) -> Self {
         Self { is_there: self.is_there.and(condition), value: self.value }
     }
 }
 
 impl Value {
-    /// An iterator over all of these.
+    /// Creates an iterator over all of these values.
     pub(super) fn iterator(values: impl IntoIterator<Item = Self>) -> Self {
         Self::Iterator(values.into_iter().map(Element::new).collect())
     }
 
-    /// An iterator over those that are there.
+    /// Creates an iterator over the elements that may be present.
     pub(super) fn iterator_of(items: impl IntoIterator<Item = Element>) -> Self {
         Self::Iterator(items.into_iter().filter(|item| !matches!(item.is_there, Condition::Known(false))).collect())
     }
 
-    /// The elements of what a loop can go over.
+    /// Returns the elements of a value that a loop can iterate over.
     pub(super) fn items(self) -> Option<Vec<Element>> {
         match self {
             Self::Array(values) => Some(values.into_iter().map(Element::new).collect()),
@@ -174,7 +174,7 @@ impl Value {
     }
 }
 
-/// The elements, if all of them are there.
+/// Returns the values of the elements, if all of them are certainly present.
 pub(super) fn all_there(items: Vec<Element>) -> Result<Vec<Value>, Vec<Element>> {
     if items.iter().any(|item| !matches!(item.is_there, Condition::Known(true))) {
         return Err(items);
@@ -182,7 +182,7 @@ pub(super) fn all_there(items: Vec<Element>) -> Result<Vec<Value>, Vec<Element>>
     Ok(items.into_iter().map(|item| item.value).collect())
 }
 
-/// How many are there before each, and in all.
+/// Returns the number of present elements before each one, and their total number.
 pub(super) fn ranks(a: &mut Algebra, items: &[Element]) -> Vec<Scalar> {
     let mut rank = a.number(0.0);
     let mut ranks = vec![rank];
@@ -196,7 +196,7 @@ pub(super) fn ranks(a: &mut Algebra, items: &[Element]) -> Vec<Scalar> {
 }
 
 impl Translation<'_> {
-    /// A range of whole numbers. Where it begins and ends may depend on arguments, within bounds that are known.
+    /// Evaluates a range of whole numbers. Its ends may depend on arguments, within known bounds.
     pub(super) fn range(&mut self, range: &ExprRange) -> Value {
         let (Some(start), Some(end)) = (&range.start, &range.end) else {
             return self.refuse(range, messages::range_without_end());
@@ -212,7 +212,7 @@ impl Translation<'_> {
         let [first, last] = ends[..] else { return Value::Unknown };
         let mut extents = Extents::new(self.algebra, self.frame.facts());
         let [least, most] = [extents.of(first).least, extents.of(last).most].map(|end| {
-            // Whole numbers beyond these are longer ranges than any.
+            // Ends beyond the range of `i64` saturate; the range is then too long in any case.
             #[expect(clippy::cast_possible_truncation, reason = "it was made of a whole number")]
             end.is_finite().then_some(end as i64)
         });
@@ -242,7 +242,7 @@ impl Translation<'_> {
         Value::iterator_of(items)
     }
 
-    /// A method of an iterator over these.
+    /// Evaluates a method of an iterator over these elements.
     pub(super) fn iterator_method(&mut self, items: &[Element], call: &ExprMethodCall, expected: &Expected) -> Value {
         let name = call.method.to_string();
         let Some(method) = method(&call.method).filter(|method| method.arguments == call.args.len()) else {
@@ -254,11 +254,11 @@ impl Translation<'_> {
             Course::Partly => self.searched(items, call),
             Course::Whole => self.consumed(items, call, expected),
         };
-        // What is missing was reported.
+        // The error has been reported.
         value.unwrap_or(Value::Unknown)
     }
 
-    /// What a method looks for. An iterator that is kept goes on behind what ended the search.
+    /// Evaluates a search. An iterator in a variable continues after the element that ended the search.
     fn searched(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let (found, ends) = self.found(&items, call)?;
         if !is_place(&call.receiver) || found.is_unknown() {
@@ -276,7 +276,7 @@ impl Translation<'_> {
         Some(if written.is_unknown() { written } else { found })
     }
 
-    /// What a method makes that must not change variables, as it is not said when.
+    /// Evaluates a method that must not change variables, because the time of its calls is unspecified.
     pub(super) fn without_effect(
         &mut self,
         call: &ExprMethodCall,
@@ -292,13 +292,13 @@ impl Translation<'_> {
         value
     }
 
-    /// What a loop can go over; `None` after an error.
+    /// Returns the elements that a loop iterates over; `None` after an error.
     pub(super) fn iterated(&mut self, over: &Expr) -> Option<Vec<Element>> {
         let value = self.expression(over);
         self.items_of(over, value)
     }
 
-    /// The elements of a value; `None` after an error.
+    /// Returns the elements of a value; `None` after an error.
     pub(super) fn items_of(&mut self, place: &impl ToTokens, value: Value) -> Option<Vec<Element>> {
         let kind = value.describe();
         let is_unknown = value.is_unknown();
@@ -309,7 +309,7 @@ impl Translation<'_> {
         items
     }
 
-    /// A known number that an argument is; `None` after an error.
+    /// Returns an argument that is a known whole number; `None` after an error.
     pub(super) fn known_count(&mut self, argument: &Expr) -> Option<usize> {
         let value = self.expression(argument);
         let known = self.algebra.known_index(&value);
@@ -319,7 +319,7 @@ impl Translation<'_> {
         known
     }
 
-    /// A whole number that an argument is; `None` after an error.
+    /// Returns an argument that is a whole number; `None` after an error.
     pub(super) fn count(&mut self, argument: &Expr) -> Option<Scalar> {
         match self.expression(argument) {
             Value::Integer(count) => Some(count),

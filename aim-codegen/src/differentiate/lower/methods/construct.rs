@@ -1,4 +1,4 @@
-//! Functions that make a value of a type.
+//! Constructors: functions that make a value of a type.
 
 use aim_symbolic::{Node, Scalar, Vector};
 
@@ -201,7 +201,7 @@ functions! {
     from(m: Affine) -> Homogeneous { m }
 }
 
-/// The turn about an axis that no variable moves; `None` if one does.
+/// Returns the rotation about an axis that does not depend on the variables; `None` if it does.
 fn still_turn(a: &mut Algebra, axis: Vector, radians: Scalar) -> Result<Option<Quaternion>, Text> {
     let Some(known) = a.g.constant_vector_of(axis) else {
         let moves = a.varies(Node::Vector(axis));
@@ -233,7 +233,7 @@ fn planar(a: &mut Algebra, x: Scalar, y: Scalar) -> Vector {
     a.vector([x, y, zero])
 }
 
-/// A quaternion of numbers: a rotation only where they are known to have length 1.
+/// Returns the quaternion with these components; a rotation only if it is known to have length 1.
 fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
     let u = a.vector([x, y, z]);
     let square: Option<f64> = [x, y, z, w].iter().map(|&c| a.constant_of(c).map(|c| c * c)).sum();
@@ -244,12 +244,12 @@ fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
     }
 }
 
-/// The quaternion of a rotation, without its numbers.
+/// Returns the quaternion of a rotation, without its components.
 fn rotation_of(map: Map) -> Result<Quaternion, Text> {
     if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::matrix_not_rotation()) }
 }
 
-/// The columns of a matrix of so many.
+/// Returns the columns of an `N`×`N` matrix.
 fn columns_of<const N: usize>(columns: &[Value]) -> Result<Vec<Vec<Scalar>>, Text> {
     let of = |column: &Value| match column {
         Value::Array(numbers) => scalars::<N>(numbers).map(|numbers| numbers.to_vec()),

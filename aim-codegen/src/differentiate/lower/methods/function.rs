@@ -1,4 +1,4 @@
-//! [`Function`]: an entry of the tables of what can be called.
+//! [`Function`]: an entry in the tables of supported functions.
 
 use crate::declare::report::Report;
 use crate::declare::report::text::Text;
@@ -8,13 +8,13 @@ use crate::differentiate::lower::Translation;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
 
-/// Why a call came to nothing.
+/// Reason why a call has no value.
 pub(in crate::differentiate::lower) enum Fault {
-    /// The arguments are of other kinds.
+    /// The arguments are of kinds that the function does not take.
     Arguments,
-    /// They are wrong in another way.
+    /// The arguments are invalid in another way.
     Text(Text),
-    /// They are right for it, and its formula is refused for them.
+    /// The arguments are valid, but the function's formula cannot be evaluated for them.
     Refused(Text),
 }
 
@@ -36,12 +36,12 @@ impl Function {
         (self.make)(a, arguments)
     }
 
-    /// The number of its arguments.
+    /// Returns the number of its arguments.
     pub(in crate::differentiate::lower) fn count(&self) -> usize {
         self.takes.len()
     }
 
-    /// Its arguments in words; those of a method stand without the receiver.
+    /// Describes its arguments in words; for a method without the receiver.
     pub(in crate::differentiate::lower) fn takes(&self, of_a_method: bool) -> String {
         let takes = &self.takes[usize::from(of_a_method)..];
         if takes.is_empty() {
@@ -51,7 +51,7 @@ impl Function {
     }
 }
 
-/// A variant of [`Value`] in words.
+/// Describes a variant of [`Value`] in words.
 fn words(kind: &str) -> &'static str {
     match kind {
         "Scalar" => "a number",
@@ -70,7 +70,7 @@ fn words(kind: &str) -> &'static str {
     }
 }
 
-/// The value of an expression of the language that is translated, or why there is none: of whole numbers alone, which are rounded.
+/// Evaluates a formula that is written in the interpreted language. Fails only for whole numbers, which may be rounded.
 pub(super) fn evaluated(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Result<Value, Fault> {
     let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
     let mut report = Report::new(Notation::Rust);
@@ -83,15 +83,15 @@ pub(super) fn evaluated(a: &mut Algebra, formula: &str, names: &[&str], values: 
     }
 }
 
-/// The same of values that are no whole numbers.
+/// Evaluates a formula like [`evaluated`], for values that are not whole numbers: it cannot fail.
 pub(super) fn evaluate(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Value {
     let value = evaluated(a, formula, names, values).unwrap_or(Value::Unknown);
     debug_assert!(!value.is_unknown(), "`{formula}` has a value");
     value
 }
 
-/// Entries of a table, of arguments whose kinds are variants of [`Value`]: `name(argument: Kind, …) -> Kind { body }`, or
-/// `name(argument: Kind, …) = expression;` in the language that is translated.
+/// Defines a table. Argument kinds are variants of [`Value`]: `name(argument: Kind, …) -> Kind { body }`, or
+/// `name(argument: Kind, …) = expression;` in the interpreted language.
 macro_rules! functions {
     ($(#[$doc:meta])* $table:ident($a:ident):
         $( $name:ident ($($argument:ident : $kind:ident),*) $(-> $result:ident $body:block)? $(= $formula:expr;)? )*

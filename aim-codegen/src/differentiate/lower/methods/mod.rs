@@ -1,6 +1,6 @@
-//! What can be called: tables of functions, each with the kinds of its arguments and what it makes of them.
+//! Supported functions: tables of their names, the kinds of their arguments, and their values.
 //!
-//! A method is a function whose first argument is the receiver, so `v.dot(w)` and `Vec3::dot(v, w)` are one entry.
+//! A method is a function whose first argument is the receiver, so `v.dot(w)` and `Vec3::dot(v, w)` share one entry.
 
 mod construct;
 mod function;
@@ -15,7 +15,7 @@ use super::square;
 use super::value::Value;
 use crate::differentiate::types::{self, Shape};
 
-/// The methods of a value.
+/// Returns the methods of a value.
 pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
     match receiver {
         Value::Scalar(_) => &[scalar::METHODS],
@@ -32,7 +32,7 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
     }
 }
 
-/// The functions of a type that make a value of it, and its methods.
+/// Returns the constructors of a type, and its methods.
 pub(super) fn functions_of(shape: &Shape) -> &'static [&'static [Function]] {
     match shape {
         Shape::Scalar => &[construct::SCALAR, scalar::METHODS],
@@ -74,10 +74,10 @@ const OF_NUMBERS: &[&str] = &[
     "to_int_unchecked",
 ];
 
-/// Whether values of a type may have a method or function of this name without a trait.
+/// Returns `true` if the type may have an inherent method or function of this name.
 pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
     match shape {
-        // `from` is a trait's: which type it is for decides.
+        // `from` is a trait function; its meaning depends on the implementing type.
         Shape::Scalar => {
             OF_NUMBERS.contains(&name)
                 || scalar::METHODS.iter().any(|function| function.name == name && name != "clone")
@@ -86,7 +86,7 @@ pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
     }
 }
 
-/// A number as a whole number of a type, as `as` has it: cut off, and no larger or smaller than that has.
+/// Converts a number to an integer type as `as` does: truncates, and saturates at the type's ends.
 pub(super) fn whole(a: &mut Algebra, x: &Value, ty: &str) -> Value {
     let (least, most) = types::ends(ty);
     let formula = match (least.is_finite(), most.is_finite()) {
@@ -100,9 +100,9 @@ pub(super) fn whole(a: &mut Algebra, x: &Value, ty: &str) -> Value {
     }
 }
 
-/// Calls the function of this name in these tables; `None` if there is none.
+/// Calls the function with this name in these tables; `None` if there is none.
 ///
-/// Methods of vectors of two are those of vectors, whose third component is 0.
+/// Vectors of two use the methods of vectors of three, with a third component of 0.
 pub(super) fn call(
     tables: &[&'static [Function]],
     name: &str,
@@ -115,7 +115,7 @@ pub(super) fn call(
             Ok(value) => return Some(Ok(value)),
             Err(found) => fault = Some(Err((found, function))),
         }
-        // A matrix that is a transform, by its numbers.
+        // A 4×4 matrix that is stored as a transform: use its entries.
         if let Some(Value::Homogeneous(m)) = arguments.first() {
             let mut written = arguments.to_vec();
             written[0] = Value::Square(square::of_affine(a, m));
@@ -135,7 +135,8 @@ pub(super) fn call(
     fault
 }
 
-/// Vectors of two as vectors; `None` where there are none, or others among them.
+/// Returns the arguments with vectors of two as vectors of three; `None` if the first is not a vector of two, or if
+/// others are vectors of three.
 fn lifted(arguments: &[Value]) -> Option<Vec<Value>> {
     if !matches!(arguments.first(), Some(Value::Planar(_))) {
         return None;

@@ -59,7 +59,7 @@ functions! {
     clone(q: Quaternion) -> Quaternion { q }
 }
 
-/// The numbers of a quaternion.
+/// Returns the components of a quaternion.
 pub(in crate::differentiate::lower) fn parts(q: &Quaternion) -> Result<(Vector, Scalar), Text> {
     q.parts.ok_or_else(messages::quaternion_of_matrix)
 }
@@ -69,8 +69,8 @@ fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {
     a.add(u2, w2)
 }
 
-/// The shorter way between two quaternions of length 1, at constant speed. The weights sin(s θ) / sin θ are series in the
-/// chord where the angle θ is small.
+/// Interpolates between two quaternions of length 1, along the shorter arc at constant speed. For a small angle θ
+/// between them, the weights sin(s θ) / sin θ are computed by series in the chord.
 fn slerp(a: &mut Algebra, ends: [&Quaternion; 2], s: Scalar) -> Result<Quaternion, Text> {
     const BY_ANGLE: &str = "{
         let (chord, sum) = ((far - near).length(), (far + near).length());

@@ -35,7 +35,7 @@ functions! {
     sqrt(x: Scalar) -> Scalar { a.sqrt(x) }
     cbrt(x: Scalar) = x.signum() * x.abs().powf(1.0 / 3.0);
     exp(x: Scalar) -> Scalar { a.call(Exp, x) }
-    // Where no digits are lost, nothing overflows on the way.
+    // For x < −1, the difference loses no digits and cannot overflow.
     exp_m1(x: Scalar) = if x < -1.0 { x.exp() - 1.0 } else { 2.0 * (0.5 * x).sinh() * (0.5 * x).exp() };
     exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
@@ -103,7 +103,7 @@ functions! {
 }
 
 functions! {
-    /// Of whole numbers.
+    /// Functions of whole numbers.
     WHOLE(a):
     pow(n: Integer, exponent: Integer) -> Integer {
         let exponent = whole(a, exponent)?;
@@ -127,12 +127,12 @@ functions! {
     clone(n: Integer) -> Integer { n }
 }
 
-/// That of |x|, with the sign of x: nothing is squared that could overflow before it is looked at.
+/// asinh |x| with the sign of x. An overflow of x² is harmless: 1/x² is then 0.
 const ASINH: &str = "x.signum() * (x.abs() * (1.0 + (1.0 + 1.0 / (x * x)).sqrt())).ln()";
 
-/// c artanh(r x), of which `r` is given as an expression of x, c r x Σ (r x)²ᵏ/(2k + 1) where |r x| < ¼: no digits are lost
-/// there. Elsewhere it is an expression of x by logarithms. x is a factor of both, so that a quotient by x has its limit
-/// at 0.
+/// Returns c artanh(r x), with `r` given as an expression of x. Where |r x| < ¼, uses the series c r x Σ (r x)²ᵏ/(2k +
+/// 1), which loses no digits; elsewhere `closed`, an expression of x with logarithms. Both have the factor x, so that a
+/// quotient by x has its limit at 0.
 fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Scalar, Fault> {
     let formula = format!(
         "{{
@@ -150,7 +150,7 @@ fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Sc
     }
 }
 
-/// A formula of two numbers, of which one that is known to be none does not count.
+/// Evaluates a formula of two numbers. If one of them is a constant NaN, returns the other.
 fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Scalar, Fault> {
     match [x, y].map(|x| a.constant_of(x).is_some_and(f64::is_nan)) {
         [true, _] => return Ok(y),
@@ -163,7 +163,7 @@ fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Sca
     }
 }
 
-/// |x|
+/// Returns |x|.
 fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, Fault> {
     match evaluate(a, "x.abs()", &["x"], &[Value::Scalar(x)]) {
         Value::Scalar(size) => Ok(size),
@@ -171,7 +171,7 @@ fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, Fault> {
     }
 }
 
-/// The exponent of a power, which has to be known.
+/// Returns the exponent of a power, which must be known.
 fn whole(a: &Algebra, exponent: Scalar) -> Result<i32, Text> {
     let known = a.known_integer(&Value::Integer(exponent)).and_then(|exponent| i32::try_from(exponent).ok());
     known.ok_or_else(messages::power_unknown)

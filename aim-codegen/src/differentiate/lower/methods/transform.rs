@@ -9,7 +9,7 @@ use crate::differentiate::lower::value::{Columns, Value};
 use crate::differentiate::messages;
 
 functions! {
-    /// Of matrices.
+    /// Functions of 3×3 matrices.
     MATRIX(a):
     mul_vec3(m: Matrix, v: Vector) -> Vector { m.apply(a, v) }
     mul_vec3a(m: Matrix, v: Vector) -> Vector { m.apply(a, v) }
@@ -40,7 +40,7 @@ functions! {
 }
 
 functions! {
-    /// Of transforms.
+    /// Functions of transforms.
     AFFINE(a):
     transform_point3(m: Affine, v: Vector) -> Vector { m.apply(a, v) }
     transform_point3a(m: Affine, v: Vector) -> Vector { m.apply(a, v) }
@@ -51,7 +51,7 @@ functions! {
 }
 
 functions! {
-    /// Of matrices of four that are transforms.
+    /// Functions of 4×4 matrices that are transforms.
     HOMOGENEOUS(a):
     transform_point3(m: Homogeneous, v: Vector) -> Vector { m.apply(a, v) }
     transform_vector3(m: Homogeneous, v: Vector) -> Vector { m.map.apply(a, v) }
@@ -61,7 +61,7 @@ functions! {
 }
 
 functions! {
-    /// Of matrices of two or four columns.
+    /// Functions of 2×2 and 4×4 matrices.
     SQUARE(a):
     transpose(m: Square) -> Square { square::transposed(&m) }
     inverse(m: Square) -> Square { square::inverse(a, &m) }
@@ -105,13 +105,13 @@ fn image<const N: usize>(a: &mut Algebra, m: &Columns, v: &[Scalar]) -> Result<[
     image.try_into().map_err(|_| Fault::Arguments)
 }
 
-/// Of a vector with a fourth component.
+/// Returns the image of a vector with the fourth component `w`.
 fn image_of(a: &mut Algebra, m: &Columns, v: Vector, w: f64) -> Result<[Scalar; 4], Fault> {
     let ([x, y, z], w) = (a.parts(v), a.number(w));
     image(a, m, &[x, y, z, w])
 }
 
-/// The index of an axis, which has to be known.
+/// Returns the index of an axis, which must be known.
 fn axis(a: &Algebra, index: Scalar) -> Result<usize, crate::declare::report::text::Text> {
     let known = a.known_index(&Value::Integer(index)).ok_or_else(messages::index_unknown)?;
     if known < 3 { Ok(known) } else { Err(messages::index_outside("a matrix")) }

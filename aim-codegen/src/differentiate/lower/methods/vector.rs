@@ -4,7 +4,7 @@ use super::function::functions;
 use crate::differentiate::lower::value::Value;
 
 functions! {
-    /// Of vectors of two and of three, as long as a third component of 0 stays 0.
+    /// Functions of vectors of two and of three: a third component of 0 stays 0.
     EITHER(a):
     dot(v: Vector, w: Vector) -> Scalar { a.dot(v, w) }
     length(v: Vector) -> Scalar { a.norm(v) }
@@ -55,7 +55,7 @@ functions! {
 }
 
 functions! {
-    /// Of vectors of three.
+    /// Functions of vectors of three.
     METHODS(a):
     cross(v: Vector, w: Vector) -> Vector { a.cross(v, w) }
     recip(v: Vector) = Vec3::new(v.x.recip(), v.y.recip(), v.z.recip());
@@ -82,7 +82,7 @@ functions! {
 }
 
 functions! {
-    /// Of vectors of two.
+    /// Functions of vectors of two.
     PLANAR(a):
     perp(v: Planar) = Vec2::new(-v.y, v.x);
     perp_dot(v: Planar, w: Planar) = v.extend(0.0).cross(w.extend(0.0)).z;
@@ -109,7 +109,7 @@ functions! {
 }
 
 functions! {
-    /// Of vectors of four.
+    /// Functions of vectors of four.
     FOUR(a):
     dot(v: Four, w: Four) = v.x * w.x + v.y * w.y + v.z * w.z + v.w * w.w;
     length_squared(v: Four) = v.dot(v);

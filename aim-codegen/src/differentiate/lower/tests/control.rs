@@ -1,4 +1,4 @@
-//! Branches, loops, ways out and what they make of variables.
+//! Tests of branches, loops, early exits, and their effects on variables.
 
 use super::same;
 

@@ -1,4 +1,4 @@
-//! That the guide names what can be called.
+//! Test that the guide names every supported function.
 
 use super::{Algebra, Value};
 use crate::differentiate::lower::{arrays, iterators, methods, optional, rounds};
@@ -6,7 +6,7 @@ use crate::differentiate::types::Shape;
 
 const GUIDE: &str = include_str!("../../../../../aim-derive/src/differentiate.md");
 
-/// Of what, as the guide has it, and the names of its functions and methods.
+/// Returns the guide's name of each kind of value, and the names of its functions and methods.
 fn callables() -> Vec<(&'static str, Vec<&'static str>)> {
     let of = |shape: Shape| {
         methods::functions_of(&shape).iter().copied().flatten().map(|function| function.name).collect::<Vec<_>>()

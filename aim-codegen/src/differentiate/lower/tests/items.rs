@@ -1,4 +1,4 @@
-//! What a module has: functions, structs, enums, traits, operators.
+//! Tests of a module's items: functions, structs, enums, traits, operators.
 
 use super::same;
 

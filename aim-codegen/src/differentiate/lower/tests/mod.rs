@@ -1,4 +1,4 @@
-//! That a function is run as the compiler runs it: the same text, compiled and interpreted.
+//! Tests that a function is interpreted as the compiler runs it: the same text, compiled and interpreted.
 
 mod control;
 mod guide;
@@ -17,7 +17,7 @@ use crate::declare::tree::Notation;
 use crate::differentiate::items::Items;
 use crate::differentiate::types::Precision;
 
-/// The value of the last function of a module at these numbers, by interpretation.
+/// Interprets the last function of a module with these numbers and returns its value.
 fn interpreted(module: &str, arguments: [f64; 2]) -> f64 {
     let file: syn::File = syn::parse_str(module).expect("it has been compiled");
     let items = Items::of(&file.items);
@@ -42,8 +42,8 @@ fn interpreted(module: &str, arguments: [f64; 2]) -> f64 {
     algebra.g.evaluate(value, &bindings)
 }
 
-/// Compiles a module whose last function is `f`, and compares it with its own text at points on both sides of all its
-/// branches.
+/// Compiles a module whose last function is `f`, and compares it with the interpretation of its text, at points on both
+/// sides of all its branches.
 macro_rules! same {
     ($($name:ident { $($module:item)* })*) => {$(
         #[test]

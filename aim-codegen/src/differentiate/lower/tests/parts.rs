@@ -1,4 +1,4 @@
-//! Parts of arrays that are changed.
+//! Tests of changing parts of arrays.
 
 use super::same;
 

@@ -1,4 +1,4 @@
-//! Patterns: names that are imported, alternatives with a guard, names for what matches.
+//! Tests of patterns: imported names, alternatives with a guard, bindings.
 
 use super::same;
 

@@ -1,4 +1,4 @@
-//! References that change what they refer to: moved, taken apart, returned.
+//! Tests of mutable references: moved, destructured, returned.
 
 use super::same;
 

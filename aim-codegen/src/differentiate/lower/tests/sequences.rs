@@ -1,4 +1,4 @@
-//! Arrays, lists and iterators.
+//! Tests of arrays, lists and iterators.
 
 use super::same;
 
