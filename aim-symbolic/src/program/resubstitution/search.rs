@@ -10,6 +10,12 @@ const POINTS: u32 = 16;
 /// The factor by which the bound on a rounding error may grow.
 const MOST_ROUNDING: f64 = 1.3;
 
+/// The most steps of the secant method to a zero of a sum.
+const SECANTS: usize = 16;
+
+/// The relative distance from a zero at which rounding errors are compared, too.
+const NEAR_ZERO: f64 = 1e-4;
+
 /// Operations that compute a value from others. Their indices follow those of the existing operations.
 pub(super) struct Form {
     pub(super) ops: Vec<Op>,
@@ -86,14 +92,69 @@ impl Search {
             search.push(op, counts);
         }
         search.put_in_order();
+        let at_random = |number| (0..program.inputs().len()).map(|input| at_random(number, input)).collect::<Vec<_>>();
         for number in 0..POINTS {
-            let inputs: Vec<Rounded> = (0..program.inputs().len()).map(|input| at_random(number, input)).collect();
-            let most = search.rounding(&inputs);
-            if most.iter().all(|bound| bound.is_finite()) {
-                search.points.push((inputs, most.into_iter().map(|bound| MOST_ROUNDING * bound).collect()));
+            search.add_point(at_random(number));
+        }
+        // (1 − x)(1 + x) keeps its digits near x = 1, where 1 − x² has lost them.
+        for (sum, number) in search.ill_conditioned().into_iter().zip((0..POINTS).cycle()) {
+            if let Some((input, zero)) = search.zero(sum, &at_random(number)) {
+                let sides = [1.0, -1.0].map(|side| zero + side * NEAR_ZERO * zero.abs().max(NEAR_ZERO));
+                let beside = sides.map(|beside| {
+                    let mut inputs = at_random(number);
+                    inputs[input] = Rounded::constant(beside);
+                    inputs
+                });
+                beside.into_iter().any(|inputs| search.add_point(inputs));
             }
         }
         search
+    }
+
+    /// Adds a point at which rounding errors are compared, if it is in the domain.
+    fn add_point(&mut self, inputs: Vec<Rounded>) -> bool {
+        let most = self.rounding(&inputs);
+        let is_in_domain = most.iter().all(|bound| bound.is_finite());
+        if is_in_domain {
+            self.points.push((inputs, most.into_iter().map(|bound| MOST_ROUNDING * bound).collect()));
+        }
+        is_in_domain
+    }
+
+    /// Returns the sums whose relative error matters near their zeros: factors of divisors and of arguments of roots.
+    fn ill_conditioned(&self) -> Vec<Value> {
+        let mut sums = Vec::new();
+        for &v in &self.order {
+            let (Op::Sqrt(a) | Op::Div(_, a)) = self.ops[v.index()] else { continue };
+            for factor in self.factors(a) {
+                if matches!(self.ops[factor.index()], Op::Add(..) | Op::Sub(..)) && !sums.contains(&factor) {
+                    sums.push(factor);
+                }
+            }
+        }
+        sums
+    }
+
+    /// Returns a zero of a sum along one of its inputs, by the secant method from `start`: the input and its value there.
+    fn zero(&self, sum: Value, start: &[Rounded]) -> Option<(usize, f64)> {
+        (0..start.len()).find_map(|input| {
+            let at = |x: f64| {
+                let mut inputs = start.to_vec();
+                inputs[input] = Rounded::constant(x);
+                self.values(&inputs)[sum.index()]
+            };
+            let mut before = start[input].value;
+            let (mut x, mut of_before) = (1.1 * before, at(before).value);
+            for _ in 0..SECANTS {
+                let found = at(x);
+                if found.value.abs() <= 1e-9 * found.bound {
+                    return Some((input, x));
+                }
+                let next = x - found.value * (x - before) / (found.value - of_before);
+                (before, x, of_before) = (x, next, found.value);
+            }
+            None
+        })
     }
 
     pub(super) fn push(&mut self, op: Op, counts: bool) {
@@ -111,7 +172,8 @@ impl Search {
             op => op.operands().for_each(|v| sources = sources.with(self.facts[v.index()].sources)),
         }
         if let Op::Div(_, b) = op {
-            own.extend(self.divisors(b));
+            let divisor = |v: Value| Residue::random(("divisor", unsigned(v)));
+            own.extend(self.factors(b).into_iter().map(divisor));
         }
         for source in own {
             let known = self.all_sources.iter().position(|&known| known == source);
@@ -124,9 +186,9 @@ impl Search {
         self.facts.push(Facts { residue, inverse: residue.inverse(), sources, counts });
     }
 
-    /// Returns the factors of a divisor, as sources.
-    fn divisors(&self, by: Value) -> Vec<Residue> {
-        let (mut all, mut found) = (vec![by], Vec::new());
+    /// Returns the factors of a product, without signs.
+    fn factors(&self, product: Value) -> Vec<Value> {
+        let (mut all, mut found) = (vec![product], Vec::new());
         let mut next = 0;
         while let Some(&v) = all.get(next) {
             next += 1;
@@ -137,7 +199,7 @@ impl Search {
                         all.push(part);
                     }
                 }),
-                _ => found.push(Residue::random(("divisor", self.facts[v.index()].residue.unsigned()))),
+                _ => found.push(v),
             }
         }
         found
@@ -163,12 +225,18 @@ impl Search {
 
     /// Returns the error bounds of compared values, 0 for comparisons that were dropped, and of outputs.
     fn rounding(&self, inputs: &[Rounded]) -> Vec<f64> {
+        let values = self.values(inputs);
+        let compared = self.comparisons.iter().flat_map(|&place| self.ops[place].operands().take(2));
+        compared.chain(self.outputs.iter().copied()).map(|v| values[v.index()].bound).collect()
+    }
+
+    /// Returns all values that are used, the others 0.
+    fn values(&self, inputs: &[Rounded]) -> Vec<Rounded> {
         let mut values = vec![Rounded::constant(0.0); self.ops.len()];
         for &v in &self.order {
             values[v.index()] = self.ops[v.index()].map(|part| values[part.index()]).value(inputs);
         }
-        let compared = self.comparisons.iter().flat_map(|&place| self.ops[place].operands().take(2));
-        compared.chain(self.outputs.iter().copied()).map(|v| values[v.index()].bound).collect()
+        values
     }
 
     pub(super) fn operations(&self) -> usize {

@@ -249,3 +249,32 @@ fn conventions_are_as_documented_on_both_sides() {
         }
     }
 }
+
+/// The slope of asin at 1 − e is 1/√(e (2 − e)), where 1 − x² loses the digits of e.
+#[test]
+fn arcs_keep_their_digits_near_one() {
+    for exponent in 1..=12 {
+        let x = 1.0 - 10f64.powi(-exponent);
+        let slope = |e: f64| 1.0 / (e * (2.0 - e)).sqrt();
+        for (expression, sign) in [("x.asin()", 1.0), ("x.acos()", -1.0)] {
+            for x in [x, -x] {
+                let expected = sign * slope(1.0 - x.abs());
+                let [_, found, curvature] = double::derived(expression, x).expect("each expression is a function here");
+                near_by_digits(&format!("{expression} at {x}"), found, expected, 1e-15);
+                let expected = sign * x * expected.abs().powi(3);
+                near_by_digits(&format!("{expression}, twice, at {x}"), curvature, expected, 3e-15);
+            }
+            let x = single_of(x);
+            let found = single::derived(expression, x).expect("each expression is a function here")[1];
+            if x < 1.0 {
+                let expected = sign * slope(1.0 - f64::from(x));
+                near_by_digits(&format!("{expression} at {x} in f32"), found.into(), expected, 5e-7);
+            }
+        }
+    }
+}
+
+#[track_caller]
+fn near_by_digits(what: &str, found: f64, expected: f64, relative: f64) {
+    assert!((found - expected).abs() <= relative * expected.abs(), "{what}: {found} instead of {expected}");
+}
