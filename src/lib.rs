@@ -146,6 +146,7 @@ pub mod __private {
     #[doc(hidden)]
     pub use aim_runtime::differences;
     pub use aim_runtime::glam::Affine3A;
+    pub use aim_runtime::number_constant;
     pub use aim_runtime::{
         AimRig, Axes, Budget, Budgets, Description, Effector, GazeSharing, Joint, JointInfo, LimitsFrom, Pose, Real,
         Rig, Role, Scalar,

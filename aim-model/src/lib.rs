@@ -11,6 +11,7 @@
 extern crate alloc;
 
 mod axes;
+mod constant;
 #[cfg(any(feature = "std", feature = "libm"))]
 #[doc(hidden)]
 pub mod differences;
@@ -29,6 +30,8 @@ mod scalar;
 pub mod stored;
 
 pub use axes::Axes;
+#[doc(hidden)]
+pub use constant::{NumberConstant, number_constant};
 pub use float::Float;
 pub use gaze::{Budget, Budgets, GazeSharing};
 #[cfg(feature = "names")]

@@ -53,6 +53,8 @@ pub mod trajectory;
 pub use aim::{Aim, Aimed, Call, Targets};
 #[doc(hidden)]
 pub use aim_model::differences;
+#[doc(hidden)]
+pub use aim_model::number_constant;
 pub use aim_model::{Axes, LimitsFrom, Real, Role, Scalar};
 #[cfg(feature = "std")]
 pub use dyn_aim::DynAim;

@@ -35,7 +35,7 @@ pub type DRigid = glam::DAffine3;
 /// Items that derived code refers to. Not meant for hand-written code.
 #[doc(hidden)]
 pub mod __private {
-    pub use aim_model::{Real, Scalar, differences};
+    pub use aim_model::{Real, Scalar, differences, number_constant};
 }
 
 /// Runs the examples of the book's page as tests.

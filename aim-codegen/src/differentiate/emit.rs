@@ -211,6 +211,7 @@ impl Companions<'_> {
             #[allow(
                 dead_code,
                 unreachable_pub,
+                unused_qualifications,
                 unused_variables,
                 unused_mut,
                 unused_assignments,

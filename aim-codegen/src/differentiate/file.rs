@@ -152,7 +152,7 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         Meta::List(list) => list.tokens.clone(),
         _ => proc_macro2::TokenStream::new(),
     };
-    let options = Options::parse(arguments, report).without_loops();
+    let options = Options::parse(arguments, report).in_another_language();
     let items = module.map(Items::of).unwrap_or_default();
     let arguments = Arguments::check(&function.sig, &options, &items, report);
     let derived = Derived::all(function, &options, &arguments, &items, search, report)?;

@@ -6,8 +6,8 @@
 use std::rc::Rc;
 
 use aim_symbolic::{Count, Graph, Op, Program, Scalar, Value, Want};
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote, quote_spanned};
 
 use super::lower::{At, KeptLoop, Outside, State};
 use super::needed::Needed;
@@ -21,6 +21,8 @@ pub(super) struct Kept {
     /// Sources of the inputs that are not numbers of arguments; they follow the arguments' inputs. An element with a
     /// computed index has the program that computes the index.
     outside: Vec<(Outside, Option<Rc<Program>>)>,
+    /// The paths of constants among them.
+    constants: Vec<syn::Path>,
     /// Number of variables.
     variables: usize,
     /// Final states of the outermost loops that have derivatives.
@@ -113,6 +115,7 @@ impl Kept {
         Self {
             outside: outside.collect(),
             loops: all.iter().enumerate().map(stage).collect(),
+            constants: needed.constants.clone(),
             variables: variables.len(),
             left: left(all, None, all.len()),
         }
@@ -145,6 +148,17 @@ impl Kept {
                 Outside::Before(l, k) | Outside::After(l, k) => {
                     let state = state(l, k);
                     quote!(#state)
+                }
+                Outside::Constant(index) => {
+                    let path = &self.constants[index];
+                    // The compiler reports another type at the name that the user wrote.
+                    let written = path.segments.last().map_or_else(Span::call_site, |name| name.ident.span());
+                    let value = quote_spanned!(written=> number_constant::<::core::primitive::#name, _>(#path));
+                    number.constant(quote!(#private::#value), private)
+                }
+                Outside::Cast(index) => {
+                    let path = &self.constants[index];
+                    number.constant(quote!(::core::primitive::f64::from(#path as ::core::primitive::#name)), private)
                 }
                 Outside::Element { slice, at, number: component } => {
                     let ((called, element), value) = (&slices[slice], local("element"));

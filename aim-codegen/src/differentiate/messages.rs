@@ -477,8 +477,8 @@ const OF_STD: &str = "the standard library is not read: write what it does in it
 const MODULE: &str = "put both into one module with `#[differentiate]` on it, as in `#[differentiate] mod m { … }`";
 
 /// Help for a constant that the attribute does not see.
-const CONSTANT: &str = "write its `const` inside of the function, or beside it in the `#[differentiate] mod m { … }`: the attribute sees \
-                        nothing outside of what it stands on, also not what `use super::…` brings";
+const CONSTANT: &str = "write its `const` inside of the function, or beside it in the `#[differentiate] mod m { … }`: from outside of that, \
+                        a function reads constants that are numbers of its own type, and nothing else";
 
 /// Replacements for functions that are known but not supported.
 const INSTEAD: &[(&str, &str)] = &[

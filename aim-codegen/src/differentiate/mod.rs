@@ -226,6 +226,9 @@ impl Derived {
         if options.may_keep_loops() {
             translation = translation.keeping_loops();
         }
+        if options.may_read_constants() {
+            translation = translation.reading_constants();
+        }
         let body = translation.function(&function.block, &function.sig.output, patterns, &arguments.faulty);
         let result = arguments.result.as_ref()?;
         for (companion, place) in &options.companions {

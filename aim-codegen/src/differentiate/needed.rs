@@ -25,6 +25,7 @@ pub(super) struct Needed {
     pub(super) g: Graph,
     pub(super) loops: Vec<KeptLoop>,
     pub(super) outside: Vec<(Outside, Scalar)>,
+    pub(super) constants: Vec<syn::Path>,
 }
 
 impl Needed {
@@ -75,6 +76,6 @@ impl Needed {
         };
         let loops = algebra.loops.iter().map(of_loop).collect();
         let outside = algebra.outside.iter().filter_map(of_outside).collect();
-        Self { loops, outside, g: pruned.graph }
+        Self { loops, outside, constants: algebra.constants.clone(), g: pruned.graph }
     }
 }

@@ -32,8 +32,8 @@ pub(super) struct Options {
     /// Place of the request for companions over numbers in lanes.
     pub(super) lanes: Option<Place>,
     pub(super) krate: Option<TokenStream>,
-    /// `false` if emitted code may not contain loops.
-    loops: bool,
+    /// `false` if the companions are written in another language.
+    in_rust: bool,
 }
 
 /// A variable, as the attribute names it.
@@ -76,7 +76,7 @@ impl Options {
             check: settings.read_value("check", report, check),
             lanes: None,
             krate,
-            loops: true,
+            in_rust: true,
         }
     }
 
@@ -92,14 +92,19 @@ impl Options {
         Self { krate: self.krate.or_else(|| Some(quote!(::#facade))), ..self }
     }
 
-    /// Disables loops, for languages in which emitted code has none.
-    pub(super) fn without_loops(self) -> Self {
-        Self { loops: false, ..self }
+    /// For companions in another language, which have no loops and see no Rust constants.
+    pub(super) fn in_another_language(self) -> Self {
+        Self { in_rust: false, ..self }
+    }
+
+    /// Returns `true` if the companions may read constants that stand where they do.
+    pub(super) fn may_read_constants(&self) -> bool {
+        self.in_rust
     }
 
     /// Returns `true` if all requested companions may contain loops.
     pub(super) fn may_keep_loops(&self) -> bool {
-        self.loops && self.companions.is_empty() && self.lanes.is_none()
+        self.in_rust && self.companions.is_empty() && self.lanes.is_none()
     }
 
     /// Returns the part of a variable that derivatives are taken with respect to.
@@ -132,7 +137,7 @@ impl Options {
             check: settings.read_value("check", report, check),
             lanes: settings.read_value("lanes", report, presence),
             krate: settings.read_value("crate", report, read::path),
-            loops: true,
+            in_rust: true,
         }
     }
 }

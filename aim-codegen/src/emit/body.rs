@@ -40,6 +40,12 @@ impl Arithmetic<'_> {
             Self::F32 => quote!(::core::primitive::f32),
         }
     }
+
+    /// Converts an expression of type `f64`.
+    pub(crate) fn constant(self, value: TokenStream, private: &TokenStream) -> TokenStream {
+        let number = self.number();
+        quote!(<#number as #private::Scalar>::constant(#value))
+    }
 }
 
 impl fmt::Debug for Body<'_> {

@@ -1,4 +1,4 @@
-//! Operation counts of derived programs, and the checked-in code that is generated.
+//! Operation counts of derived programs, custom objectives, and the runtime's generated trajectory kernels.
 
 mod counts;
 mod objectives;

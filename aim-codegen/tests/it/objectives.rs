@@ -1,4 +1,4 @@
-//! An objective of one's own: a constant, and every back end has it.
+//! A custom objective is a constant that every back end emits.
 
 use aim_codegen::emit::{self, Rig};
 use aim_codegen::objective::{Chain, FirstLink, Scope};
@@ -8,7 +8,7 @@ use aim_symbolic::{Graph, Scalar};
 
 use crate::counts::rig;
 
-/// The square of the distance from the effector to the target.
+/// Squared distance from the effector to the target.
 const SQUARED_DISTANCE: Objective = Objective {
     name: "chain_squared_distance",
     title: "squared distance and gradient",
@@ -55,7 +55,7 @@ fn a_first_link_that_is_the_identity_is_not_read() {
             .map(|link| aim_codegen::objective::CHAIN_RESIDUAL_JACOBIAN.kernels(&spec, link).remove(0).program);
         assert!(identity.count().total() < given.count().total(), "{}", identity.count());
         assert_eq!(given.inputs(), identity.inputs());
-        // The same numbers where it is the identity, to rounding.
+        // With an identity first link, both programs give the same results, up to rounding.
         let link = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         let (mut inputs, turned) = (link.to_vec(), [0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0, 0.02, 0.1, 0.05]);
         inputs.extend(turned.repeat(2));

@@ -1,7 +1,11 @@
 use aim::differentiate;
 use aim::glam::{EulerRot, Mat3, Quat, Vec3};
 
-const GAIN: f32 = 2.0;
+struct Outside;
+
+impl Outside {
+    const GAIN: f32 = 2.0;
+}
 
 fn helper(x: f32) -> f32 {
     x
@@ -69,7 +73,7 @@ fn long(x: f32) -> f32 {
 
 #[differentiate(wrt(x))]
 fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
-    let a = x.next_down() + helper(x) * GAIN;
+    let a = x.next_down() + helper(x) * Outside::GAIN;
     let b = v.any_orthonormal_vector().x + x.next_up();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
     let d = Quat::from_mat3(&m) * v;

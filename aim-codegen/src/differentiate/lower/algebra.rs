@@ -20,6 +20,8 @@ pub(crate) struct Algebra {
     pub(crate) outside: Vec<(Outside, Scalar)>,
     /// Kept loops.
     pub(crate) loops: Vec<KeptLoop>,
+    /// Constants that companions read, by their paths.
+    pub(crate) constants: Vec<syn::Path>,
     /// Names that are assumed to be mathematical constants, imported from elsewhere.
     pub(crate) taken_for_known: Vec<String>,
 }
@@ -51,6 +53,7 @@ impl Algebra {
             extents: HashMap::new(),
             outside: Vec::new(),
             loops: Vec::new(),
+            constants: Vec::new(),
             taken_for_known: Vec::new(),
         }
     }
@@ -72,6 +75,22 @@ impl Algebra {
             self.set_extent(input, 0.0, f64::INFINITY);
         }
         input
+    }
+
+    /// Returns the constants that companions read as numbers, and their inputs.
+    pub(crate) fn constants(&self) -> impl Iterator<Item = (syn::Path, Scalar)> {
+        self.outside.iter().filter_map(|&(which, input)| match which {
+            Outside::Constant(index) => Some((self.constants[index].clone(), input)),
+            _ => None,
+        })
+    }
+
+    /// Returns `x` after a cast to its own type: a constant that the companion reads is then of any type.
+    pub(crate) fn cast_constant(&mut self, x: Scalar) -> Scalar {
+        match self.outside.iter().find(|(_, input)| *input == x) {
+            Some(&(Outside::Constant(index), _)) => self.outside(Outside::Cast(index)),
+            _ => x,
+        }
     }
 
     /// Declares that an input is a whole number from `least` to `most`.

@@ -536,7 +536,8 @@ impl Translation<'_> {
             Some(Err((Fault::Text(text) | Fault::Refused(text), _))) => text,
             Some(Err((Fault::Arguments, function))) => {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
-                messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "))
+                let text = messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "));
+                return self.refuse_any(&arguments.iter().collect::<Vec<_>>(), *name, text);
             }
             None => unknown(),
         };

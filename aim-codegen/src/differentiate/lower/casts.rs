@@ -69,7 +69,9 @@ impl Translation<'_> {
             (Value::Unknown | Value::Never, ..) => value,
             (Value::Integer(_), "f32", Some(whole)) => Value::Scalar(self.algebra.number(in_single(whole))),
             (Value::Integer(x), "f32" | "f64", _) => Value::Scalar(*x),
-            (Value::Scalar(_), number, _) if self.precision.is_some_and(|known| known.name() == number) => value,
+            (Value::Scalar(x), number, _) if self.precision.is_some_and(|known| known.name() == number) => {
+                Value::Scalar(self.algebra.cast_constant(*x))
+            }
             // Truncating this constant may give another result in single precision.
             (Value::Scalar(x), ty, _) if is_integer(ty) && self.is_nearly_whole(*x) => {
                 self.refuse(&cast.as_token, messages::rounded_constants())

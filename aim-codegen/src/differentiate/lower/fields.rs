@@ -126,7 +126,7 @@ impl Translation<'_> {
                 let known: Vec<&str> = of.fields.iter().map(|(name, _)| name.as_str()).collect();
                 self.refuse(member, messages::unknown_struct_field(&name, &of.name, &known))
             }
-            _ => self.refuse(member, messages::unknown_field(&name, &base.describe())),
+            _ => self.refuse_known(base, member, messages::unknown_field(&name, &base.describe())),
         }
     }
 

@@ -47,7 +47,7 @@ mod tests;
 use std::rc::Rc;
 
 use quote::ToTokens;
-use syn::{Expr, UnOp};
+use syn::{Expr, Ident, UnOp};
 
 pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
@@ -72,7 +72,7 @@ impl Translation<'_> {
         block: &syn::Block,
         result: &syn::ReturnType,
         arguments: impl Iterator<Item = (&'p syn::Pat, Value)>,
-        faulty: &[syn::Ident],
+        faulty: &[Ident],
     ) -> Value {
         for (pattern, value) in arguments {
             self.bind(pattern, value);
@@ -199,7 +199,7 @@ impl Translation<'_> {
             None => None,
         };
         let value = value.or_else(|| self.unit_struct(&segments(&path.path)));
-        value.unwrap_or_else(|| {
+        value.or_else(|| self.constant_beside(path)).unwrap_or_else(|| {
             let text = match path.path.get_ident() {
                 Some(name) => {
                     let name = name.to_string();
@@ -212,6 +212,36 @@ impl Translation<'_> {
             };
             self.refuse(&path.path, text)
         })
+    }
+
+    /// Returns a constant that the macro cannot see, beside the function or imported there, as an input that the companion
+    /// reads. It has to be a number of the function's type, which the compiler checks, unless it is [cast](Self::cast).
+    ///
+    /// The path has to mean the same where the companion stands, so functions of inner modules cannot name such constants.
+    fn constant_beside(&mut self, path: &syn::ExprPath) -> Option<Value> {
+        let is_constant = |name: &str| {
+            name.contains(char::is_alphabetic) && name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_')
+        };
+        let is_module = |name: &String| name.starts_with(char::is_lowercase);
+        let scope = &self.frame.scope;
+        if !self.reads_constants || path.qself.is_some() || !scope.module.is_empty() {
+            return None;
+        }
+        let Meaning::Outside(path_in_module) = self.items.meaning(scope, &segments(&path.path)) else { return None };
+        let (name, modules) = path_in_module.split_last()?;
+        let is_hidden = scope.lengths.contains(name) || self.items.is_conditional(name);
+        if is_hidden || !is_constant(name) || !modules.iter().all(is_module) {
+            return None;
+        }
+        let span = path.path.segments.last()?.ident.span();
+        let idents = path_in_module.iter().map(|segment| syn::PathSegment::from(Ident::new(segment, span)));
+        let found = syn::Path { leading_colon: path.path.leading_colon, segments: idents.collect() };
+        let known = self.algebra.constants.iter().position(|known| segments(known) == path_in_module);
+        let index = known.unwrap_or_else(|| {
+            self.algebra.constants.push(found);
+            self.algebra.constants.len() - 1
+        });
+        Some(Value::Scalar(self.algebra.outside(Outside::Constant(index))))
     }
 
     /// Returns the value of a unit struct.
@@ -425,7 +455,8 @@ impl Translation<'_> {
             return self.refuse(place, messages::large_whole_number());
         }
         value.unwrap_or_else(|| {
-            self.refuse(place, messages::no_operation(operator, &left.describe(), &right.describe()))
+            let text = messages::no_operation(operator, &left.describe(), &right.describe());
+            self.refuse_any(&[left, right], place, text)
         })
     }
 

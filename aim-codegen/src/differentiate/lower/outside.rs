@@ -1,4 +1,5 @@
-//! Inputs that are not numbers of arguments: states and counters of kept loops, and elements of slices.
+//! Inputs that are not numbers of arguments: states and counters of kept loops, elements of slices, and constants that only
+//! the compiler sees.
 
 use aim_symbolic::Scalar;
 
@@ -13,6 +14,10 @@ pub(crate) enum Outside {
     Before(usize, usize),
     /// State of a loop after the last iteration: the loop's index and the state's.
     After(usize, usize),
+    /// The constant of this index in [`Algebra::constants`](super::algebra::Algebra::constants), a number.
+    Constant(usize),
+    /// The constant of this index, of any type that can be cast to a number.
+    Cast(usize),
 }
 
 /// Index of an element in a slice.

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use aim_symbolic::Node;
 use quote::ToTokens;
 use syn::Expr;
 
@@ -13,6 +14,7 @@ use crate::declare::report::text::Text;
 use crate::declare::tree::Notation;
 use crate::differentiate::items::Items;
 use crate::differentiate::messages;
+use crate::differentiate::names::segments;
 use crate::emit::Precision;
 
 /// Maximum number of loop iterations and recursive calls together.
@@ -37,6 +39,8 @@ pub(in crate::differentiate) struct Translation<'a> {
     pub(super) calls: Vec<Rc<Callable>>,
     /// Constants that are being evaluated.
     pub(super) constants: Vec<String>,
+    /// `true` if companions can read constants of the module that they are written into.
+    pub(super) reads_constants: bool,
     /// Number of loop iterations and recursive calls so far.
     pub(super) rounds_run: usize,
     /// `true` if the next iterator is consumed at once.
@@ -89,6 +93,7 @@ impl<'a> Translation<'a> {
             frame,
             calls: Vec::new(),
             constants: Vec::new(),
+            reads_constants: false,
             rounds_run: 0,
             is_drained: false,
             kept: Vec::new(),
@@ -98,6 +103,11 @@ impl<'a> Translation<'a> {
             endless: Vec::new(),
             given_up,
         }
+    }
+
+    /// Reads constants that stand beside the function, outside of the known items, when the companion runs.
+    pub(in crate::differentiate) fn reading_constants(self) -> Self {
+        Self { reads_constants: true, ..self }
     }
 
     /// Keeps loops of many iterations that may end early.
@@ -145,7 +155,26 @@ impl<'a> Translation<'a> {
     /// Reports an error about a value and returns an unknown value. If the value is unknown itself, an error was
     /// already reported.
     pub(super) fn refuse_known(&mut self, value: &Value, place: &impl ToTokens, text: Text) -> Value {
-        if value.is_unknown() { Value::Unknown } else { self.refuse(place, text) }
+        if value.is_unknown() { Value::Unknown } else { self.refuse_any(&[value], place, text) }
+    }
+
+    /// Reports an error about these values and returns an unknown value. A constant that was taken for a number, and
+    /// does not fit here as one, is reported in its place.
+    pub(super) fn refuse_any(&mut self, values: &[&Value], place: &impl ToTokens, text: Text) -> Value {
+        let constants: Vec<_> = self.algebra.constants().collect();
+        let mistaken = constants.into_iter().find(|(_, input)| {
+            values.iter().any(|value| match value {
+                Value::Scalar(x) => self.algebra.g.depends_on(Node::Scalar(*x), &[(*input).into()]),
+                _ => false,
+            })
+        });
+        match mistaken {
+            Some((path, _)) => {
+                let name = segments(&path).pop().unwrap_or_default();
+                self.refuse(&path, messages::outside_name(&name, &[]))
+            }
+            None => self.refuse(place, text),
+        }
     }
 
     pub(super) fn unsupported(&mut self, place: &impl ToTokens, what: &str, help: &str) -> Value {

@@ -1,4 +1,4 @@
-//! Rust: the kernels of a trajectory's cost, for the runtime's own use.
+//! Emits the kernels of a trajectory's cost as Rust, for the runtime's own use.
 
 use aim_codegen::emit::body::{Arithmetic, Body, counted, local};
 use aim_symbolic::Program;
@@ -7,7 +7,7 @@ use quote::{format_ident, quote};
 
 use super::objective::TrajectoryPrograms;
 
-/// The kernels as a module of the runtime.
+/// Returns the kernels as a module of the runtime.
 pub(crate) fn emit(programs: &TrajectoryPrograms) -> TokenStream {
     let place = function("place", "α and β.", &programs.place);
     let gradient = function("term_gradient", "The term and its nine derivatives.", &programs.term_gradient);

@@ -1,4 +1,4 @@
-//! The target constraint: a point of a trajectory in the frame of its neighbours, and what it costs to leave its place.
+//! Target constraint: the position of a trajectory's point relative to its neighbours, and the cost of leaving it.
 //!
 //! With `a = p₁ − p₀` and `A` the unit vector along `p₂ − p₀`:
 //!
@@ -8,28 +8,29 @@
 //! term = (α₀ − α)² + (β₀ − β)²
 //! ```
 //!
-//! The term has tips: a cone about β = 0, and no direction where the neighbours are at one place. Second derivatives grow
-//! without bound towards them and say nothing of what is beyond. What they are taken of has `√(|v|² + δ²)` for both
-//! lengths, and `β = |a − α A|`, which then is not quite the same.
+//! The term is not smooth everywhere: it has a cone at β = 0, and the chord has no direction if the neighbours
+//! coincide. Near these points second derivatives grow without bound and do not describe the function beyond. They are
+//! therefore derived from a rounded form with `√(|v|² + δ²)` for both lengths and `β = |a − α A|`, which is slightly
+//! different.
 
 use aim_symbolic::{Graph, Program, Scalar, Variable, Vector, VectorNode, Want};
 
-/// The programs of a trajectory's cost; the first inputs are p₀, p₁, p₂.
+/// Programs of a trajectory's cost. The first inputs are p₀, p₁, p₂.
 #[derive(Clone, Debug)]
 pub(crate) struct TrajectoryPrograms {
     /// α and β.
     pub(crate) place: Program,
-    /// The term and its nine derivatives; further inputs α₀ and β₀.
+    /// Term and its nine derivatives. Further inputs: α₀ and β₀.
     pub(crate) term_gradient: Program,
-    /// α and β, rounded; further input δ.
+    /// Rounded α and β. Further input: δ.
     pub(crate) rounded_place: Program,
-    /// The rounded term, its nine derivatives, and the lower triangle of its second derivatives, row by row; further inputs
-    /// δ, α₀ and β₀.
+    /// Rounded term, its nine derivatives, and the lower triangle of its second derivatives, row by row. Further
+    /// inputs: δ, α₀ and β₀.
     pub(crate) rounded_term_hessian: Program,
 }
 
 impl TrajectoryPrograms {
-    /// Derives them.
+    /// Derives all programs.
     pub(crate) fn derive() -> Self {
         let mut g = Graph::new();
         let (points, by) = points(&mut g);
@@ -52,7 +53,7 @@ impl TrajectoryPrograms {
     }
 }
 
-/// Three points, and their nine numbers.
+/// Returns the three points and their nine components.
 fn points(g: &mut Graph) -> ([Vector; 3], Vec<Variable>) {
     let points = ["p0", "p1", "p2"].map(|name| g.vector_input(name));
     (points, points.into_iter().flat_map(|point| components(g, point)).collect())
@@ -66,7 +67,7 @@ fn place(g: &mut Graph, [before, here, after]: [Vector; 3]) -> [Scalar; 2] {
     [g.dot(step, chord), g.norm(aside)]
 }
 
-/// The same with lengths that are nowhere 0.
+/// Returns rounded α and β, whose lengths are nowhere 0.
 fn rounded(g: &mut Graph, [before, here, after]: [Vector; 3], delta: Scalar) -> [Scalar; 2] {
     let least = g.mul(delta, delta);
     let length = |g: &mut Graph, v: Vector| {

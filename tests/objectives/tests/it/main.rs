@@ -4,6 +4,7 @@ mod aiming;
 mod branches;
 mod by_hand;
 mod companions;
+mod constants;
 mod counted;
 mod discrete;
 mod distances;

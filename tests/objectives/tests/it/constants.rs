@@ -1,0 +1,68 @@
+//! Constants that stand outside of what the attribute sees: companions read them where they stand.
+
+use aim::differentiate;
+use aim::glam::DVec3;
+
+const GRAVITY: f64 = 9.81;
+const DRAG_1: f64 = 0.3;
+static STIFFNESS: f64 = 40.0;
+const SPRINGS: usize = 3;
+
+mod units {
+    pub(super) const PER_MINUTE: f64 = 1.0 / 60.0;
+    pub(super) const G: f32 = 6.5;
+}
+
+#[differentiate(wrt(v, t), lanes, hessian, check = true)]
+fn thrown(v: f64, t: f64) -> f64 {
+    let slowed = v * (-DRAG_1 * t).exp();
+    slowed * t - 0.5 * GRAVITY * t * t + units::PER_MINUTE * t
+}
+
+#[differentiate(wrt(p), check = true)]
+fn hung(p: DVec3) -> f64 {
+    0.5 * self::STIFFNESS * SPRINGS as f64 * (p.length() - 1.0).powi(2) + GRAVITY * p.y
+}
+
+#[differentiate(check = true)]
+mod of_a_module {
+    use super::units::PER_MINUTE;
+
+    fn settled(x: f64) -> f64 {
+        super::GRAVITY * x / PER_MINUTE
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn sum(x: f64, values: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for value in values {
+            if *value < super::DRAG_1 {
+                continue;
+            }
+            sum += settled(x * value) * super::units::PER_MINUTE;
+        }
+        sum
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn single(x: f32) -> f32 {
+        use super::units::G;
+        let most = 2.0 * G;
+        (x * G).min(most) * (super::GRAVITY as f32 / 9.81)
+    }
+}
+
+#[test]
+fn values_are_those_of_the_functions() {
+    let (value, (by_v, by_t), second) = thrown_hessian(8.0, 0.5);
+    assert!((value - thrown(8.0, 0.5)).abs() < 1e-12);
+    assert!((by_v - 0.5 * (-0.15_f64).exp()).abs() < 1e-12);
+    let damped = 8.0 * (-0.15_f64).exp();
+    assert!((by_t - (damped * (1.0 - 0.15) - GRAVITY * 0.5 + units::PER_MINUTE)).abs() < 1e-12);
+    assert!((second[1][1] - (damped * (0.09 * 0.5 - 0.6) - GRAVITY)).abs() < 1e-12);
+    assert_eq!(thrown_gradient_lanes(8.0_f64, 0.5), thrown_gradient(8.0, 0.5));
+    assert!((hung_gradient(DVec3::Y).1.0 - DVec3::new(0.0, GRAVITY, 0.0)).length() < 1e-12);
+    assert_eq!(of_a_module::sum_gradient(1.0, &[0.1, 0.5, 2.0]).1.0, 2.5 * GRAVITY);
+    assert_eq!(of_a_module::single_gradient(1.0), (6.5, (6.5,)));
+    assert_eq!(of_a_module::single_gradient(3.0), (13.0, (0.0,)));
+}

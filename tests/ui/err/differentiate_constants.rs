@@ -1,0 +1,32 @@
+use aim::differentiate;
+use aim::glam::Vec3;
+
+const UP: Vec3 = Vec3::Y;
+const COUNT: usize = 3;
+const DEBUG: bool = true;
+
+#[differentiate(wrt(x))]
+fn part(x: f32) -> f32 {
+    (x * UP).y
+}
+
+#[differentiate(wrt(x))]
+fn argument(x: f32, v: Vec3) -> f32 {
+    x * v.dot(UP)
+}
+
+#[differentiate(wrt(x))]
+fn whole(x: f32) -> f32 {
+    x * (COUNT - 1) as f32
+}
+
+#[differentiate(wrt(x))]
+fn rounds(x: f32) -> f32 {
+    let mut sum = x;
+    for _ in 0..COUNT {
+        sum *= if DEBUG { x } else { 1.0 };
+    }
+    sum
+}
+
+fn main() {}
