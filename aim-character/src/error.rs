@@ -1,33 +1,33 @@
-//! Why something cannot be done with a character.
+//! The error type of this crate.
 
-/// Why a character has no rig of its own, or a rig is none of its, or nothing can be baked.
+/// Error of measuring a character, of fitting a rig to it, or of making a clip.
 ///
-/// `Display` is one line without the file's name: what is wrong and what to do.
+/// `Display` writes one line, without the name of the file: what is wrong and what to do about it.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The file, or names that no node has or several have.
+    /// The file cannot be read, or a name does not match exactly one node.
     #[error("{0}")]
     Model(#[from] aim_gltf::Error),
-    /// Nothing tells an eye, a head or a neck.
+    /// No eye, head or neck was recognised by name or by shape.
     #[error(
         "has no eye, head or neck that names or shape tell; name the chain from the effector inward with \
          `aim rig FILE --chain a,b,c`, or give a rig file with --rig"
     )]
     NoChain,
-    /// A rig's joints that are no chain in this document, and what was expected.
+    /// The joints of a rig do not form a chain in this document. The text says what was expected.
     #[error("the rig does not fit the file: {0}")]
     Chain(String),
-    /// A length, a rate or times of which no clip can be made, and what was expected.
+    /// The given length, frame rate or times do not make a clip. The text says what was expected.
     #[error("the clip cannot be written: {0}")]
     Clip(String),
-    /// The bone of the mannequin whose given axes are no orthonormal triple.
+    /// The axes given for the named bone of the mannequin are not orthonormal.
     #[error("the axes of \"{0}\" are not three unit vectors at right angles; give up, forward and left so")]
     Axes(String),
-    /// A named node moves nothing that is seen.
+    /// A node named for the chain is not among the measured bones.
     #[error("{node:?} carries no bone of a skin; name bones with --chain")]
     NoBone {
-        /// Its name.
+        /// Name of the node.
         node: String,
     },
 }

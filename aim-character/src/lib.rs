@@ -1,13 +1,15 @@
-//! Characters that are known only at run time.
+//! Measuring and aiming characters that are known only at run time.
 //!
-//! [`Measurement`] tells where a character faces and which way each bone's own axes point. [`propose`] finds a rig for it,
-//! [`Fit`] holds a declared one against it, [`declaration`] writes one down for its user, and [`InterpretedRig`] runs it.
-//! [`Live`] aims it over its animation frame by frame, [`bake()`] over a clip, [`Plausibility`] tells how that looks, and
-//! [`reach()`] leads a hand through points. [`mannequin`] makes a walking figure by code, in any of the 48 bone conventions
-//! and all frames between them.
+//! [`Measurement`] finds the direction a character faces and the directions of each bone's local axes. [`propose`]
+//! proposes a rig for it, [`Fit`] checks a declared rig against it, [`declaration`] writes a rig as TOML or Rust
+//! source, and [`InterpretedRig`] runs one. [`Live`] aims the character over its animation frame by frame, [`bake()`]
+//! does so for a whole clip, [`Plausibility`] rates how the result looks, and [`reach()`] moves a hand through given
+//! points. [`mannequin`] generates a walking figure whose bones have any of the 48 cardinal conventions, or any
+//! orthonormal frames between them.
 //!
-//! World space is glTF's: right-handed, +Y up, in the file's units (metres, if the file keeps to the rules). Matrices act on
-//! column vectors, `world ← node`. Angles whose names end in `_deg` are degrees, times are seconds.
+//! World space is that of glTF: right-handed, +Y up, in the file's units (metres, if the file follows the
+//! specification). Matrices act on column vectors, `world ← node`. Angles whose names end in `_deg` are in degrees,
+//! times in seconds.
 //!
 //! ```
 //! use aim_character::{ChainNodes, InterpretedRig, Live, Measurement, Moment, PAPER_AXES, mannequin, propose};
@@ -64,6 +66,6 @@ pub use rig::interpreted::InterpretedRig;
 pub use rig::proposal::{Proposal, propose};
 pub use skin::Palette;
 
-/// The rig of the mannequin that [`mannequin`] makes with [`PAPER_AXES`]: the file that
-/// `aim::rigs::Mannequin` is compiled from, as text.
+/// Text of the rig file of the mannequin that [`mannequin`] generates with [`PAPER_AXES`]; `aim::rigs::Mannequin` is
+/// compiled from the same file.
 pub const MANNEQUIN_RIG: &str = include_str!("../rigs/mannequin.toml");

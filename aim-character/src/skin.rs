@@ -1,14 +1,15 @@
-//! Meshes moved by their joints.
+//! Linear blend skinning of a document's meshes.
 
 use aim_gltf::{Skeleton, SkinnedPoint, Surface, carrier};
 use aim_runtime::glam::{DAffine3, DVec3};
 
-/// The node that moves each vertex most: its heaviest joint, or the node that shows it.
+/// Returns the node that moves each vertex most: its heaviest joint, or the node that shows it if it has none.
 pub(crate) fn carriers(skeleton: &Skeleton, points: &[SkinnedPoint]) -> Vec<usize> {
     points.iter().map(|point| carrier(skeleton, point)).collect()
 }
 
-/// Transforms that move vertices: world transforms of all nodes, and of each skin's joints after their inverse binds.
+/// World transforms that move vertices: those of all nodes, and those of each skin's joints multiplied by their inverse
+/// bind matrices.
 #[derive(Clone, Debug)]
 pub struct Palette<'a> {
     skeleton: &'a Skeleton,
@@ -17,7 +18,7 @@ pub struct Palette<'a> {
 }
 
 impl<'a> Palette<'a> {
-    /// For `world` ← node of every node: what [`Skeleton::world_f64`] gives.
+    /// Builds the palette from `world` ← node of every node, as [`Skeleton::world_f64`] returns it.
     #[must_use]
     pub fn new(skeleton: &'a Skeleton, world: &'a [DAffine3]) -> Self {
         let of = |skin: usize| {
@@ -27,13 +28,13 @@ impl<'a> Palette<'a> {
         Self { skeleton, world, skinned: (0..skeleton.skin_count()).map(of).collect() }
     }
 
-    /// The vertices of a surface in the world; skinned ones by linear blending.
+    /// Returns the vertices of a surface in world space. Skinned vertices are blended linearly.
     #[must_use]
     pub fn positions(&self, surface: &Surface) -> Vec<DVec3> {
         self.deform(surface.points())
     }
 
-    /// The same of any vertices.
+    /// Returns the given vertices in world space. Skinned vertices are blended linearly.
     pub(crate) fn deform(&self, points: &[SkinnedPoint]) -> Vec<DVec3> {
         let place = |point: &SkinnedPoint| {
             let position = point.position().as_dvec3();

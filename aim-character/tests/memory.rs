@@ -1,5 +1,5 @@
-//! Memory that characters of an interpreted rig take, counted by the allocator. A test binary of its own, because the
-//! allocator counts for the whole process.
+//! Memory used by the characters of an interpreted rig, measured by the allocator. This is a separate test binary
+//! because the allocator counts for the whole process.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static COUNTED: PeakAlloc = PeakAlloc;
 
-/// Characters of one rig hold it once, and their calls allocate nothing.
+/// Characters share one rig in memory, and their calls allocate nothing.
 #[test]
 fn characters_share_their_rig_and_calls_allocate_nothing() {
     const CROWD: usize = 1000;
@@ -23,7 +23,7 @@ fn characters_share_their_rig_and_calls_allocate_nothing() {
     let before = COUNTED.current_usage();
     crowd.extend((0..CROWD).map(|_| DynAim::new(Arc::clone(&rig))));
     let on_heap = (COUNTED.current_usage() - before) / CROWD;
-    // The state's angles and the corrections, four numbers for each joint.
+    // The state's angles, and the corrections of four numbers per joint.
     assert!(on_heap <= joints * (size_of::<Joint>() + 16), "{on_heap} bytes for a character");
     assert_eq!(size_of::<Memory>() + joints * size_of::<Joint>(), 64 + 24 * joints);
 
@@ -37,7 +37,7 @@ fn characters_share_their_rig_and_calls_allocate_nothing() {
             let held = COUNTED.current_usage();
             COUNTED.reset_peak_usage();
             character.snap(&pose, target, &settings);
-            // Also of what is behind, on the effector, out of this world or several targets.
+            // Nor for targets behind, at the effector, at extreme or invalid positions, or for several targets.
             let at_eye = pose.joints[0].translation.into();
             for point in [-target, -target, -target, at_eye, Vec3::splat(1e30), Vec3::NAN] {
                 character.aim(&pose, point, 1.0 / 60.0, &settings);

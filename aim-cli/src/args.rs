@@ -1,4 +1,4 @@
-//! The command line. Every command's help ends with an example.
+//! Command-line arguments. The help of every command contains an example.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use crate::plot::Size;
 use crate::reduction::{Millimetres, seconds};
 use crate::target::{Point, TargetSpec};
 
-/// Turns a character's eyes, neck and spine to a target, with derivatives derived for exactly your rig.
+/// Turns a character's eyes, neck and spine towards a target, with derivatives generated for exactly your rig.
 #[derive(Debug, Parser)]
 #[command(name = "aim", version, arg_required_else_help = true)]
 #[command(after_help = "Example:\n  aim demo\n\nExit codes: 0 done, 1 a check failed, 2 unusable input.")]
@@ -23,7 +23,8 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Have the bundled mannequin walk and run while a target orbits it; write aimed.glb, report.html, report.json and mannequin.glb.
+    /// Aim the bundled mannequin at an orbiting target while it walks and runs; write aimed.glb, report.html,
+    /// report.json and mannequin.glb.
     #[command(after_help = "Example:\n  aim demo --out aim-demo")]
     Demo(Demo),
     /// Show a model's bones with their measured axes and roles, and its clips.
@@ -35,28 +36,28 @@ pub(crate) enum Command {
     /// Write the solver derived for a rig.
     #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
     Generate(Generate),
-    /// Count the operations of what is emitted for a rig.
+    /// Count the operations in the code generated for a rig.
     #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
     Count(Count),
     /// Compare a rig's derived gradient and Jacobian with central differences, or a rig with a model.
     #[command(after_help = include_str!("help/check.txt").trim_ascii_end())]
     Check(Check),
-    /// Tell a rig's derivation step by step, as a page or as LaTeX.
+    /// Explain a rig's derivation step by step, as a web page or as LaTeX.
     #[command(after_help = include_str!("help/explain.txt").trim_ascii_end())]
     Explain(Explain),
-    /// Draw a joint's aim function over heading and pitch, with the solvers' ways over it.
+    /// Plot a joint's aim function over heading and pitch, with the paths of the solvers.
     #[command(after_help = include_str!("help/plot.txt").trim_ascii_end())]
     Plot(Plot),
     /// Aim a model over a clip and write an ordinary glTF animation.
     #[command(after_help = include_str!("help/bake.txt").trim_ascii_end())]
     Bake(Bake),
-    /// Open a window with a character that looks at a target: the mannequin, or a model's.
+    /// Open a window with a character that looks at a target: the bundled mannequin or a model.
     #[command(after_help = include_str!("help/view.txt").trim_ascii_end())]
     View(View),
-    /// Lead a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
+    /// Guide a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
     #[command(after_help = include_str!("help/reach.txt").trim_ascii_end())]
     Reach(Reach),
-    /// Tell what a model's clips cost, and make them smaller, loops, or in place.
+    /// Report the size of a model's clips, and make them smaller, loops, or in place.
     #[command(after_help = include_str!("help/clip.txt").trim_ascii_end())]
     Clip(Clip),
 }
@@ -65,7 +66,7 @@ pub(crate) enum Command {
 pub(crate) struct Demo {
     #[command(flatten)]
     pub(crate) aiming: Aiming,
-    /// The folder to write to; made if it is not there.
+    /// The folder to write to; created if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "aim-demo")]
     pub(crate) out: PathBuf,
 }
@@ -80,7 +81,7 @@ pub(crate) struct Inspect {
     /// Also write a page with drawings of the character and its rig's axes.
     #[arg(long, value_name = "OUT.html")]
     pub(crate) html: Option<PathBuf>,
-    /// The declaration that is drawn; the proposed one if not given.
+    /// The declaration whose axes are drawn; the proposed one if not given.
     #[arg(long, value_name = "RIG.toml", requires = "html")]
     pub(crate) rig: Option<PathBuf>,
     #[command(flatten)]
@@ -93,7 +94,7 @@ pub(crate) enum Notation {
     Toml,
     /// A struct with a derive.
     Rust,
-    /// The same, and the character to spawn in an app that uses `bevy_aim`.
+    /// A struct with a derive, and the character to spawn in an app that uses `bevy_aim`.
     Bevy,
 }
 
@@ -101,12 +102,12 @@ pub(crate) enum Notation {
 pub(crate) struct Rig {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The bones of the chain, from the effector inward; told by roles and names if not given.
+    /// The bones of the chain, from the effector inward; found by roles and names if not given.
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) chain: Vec<String>,
     #[command(flatten)]
     pub(crate) facing: Facing,
-    /// How to write it.
+    /// The output format.
     #[arg(long, value_enum, default_value_t = Notation::Toml)]
     pub(crate) format: Notation,
 }
@@ -124,19 +125,21 @@ pub(crate) enum Language {
 pub(crate) struct Generate {
     /// The rig's declaration, or a Rust file.
     pub(crate) rig: PathBuf,
-    /// The function of a Rust file that has the attribute `#[differentiate(wrt(…))]`: it and its derivatives, in C or WGSL.
+    /// A function in a Rust file with the attribute `#[differentiate(wrt(…))]`; emits it and its derivatives, in C or
+    /// WGSL.
     #[arg(long, value_name = "NAME")]
     pub(crate) function: Option<String>,
     /// The language to emit.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,
-    /// Instead of code, list which rules brought the operation counts from what to what, and where derivatives have no limit.
+    /// Instead of code, list the rewriting rules with the operation counts after each step, and the points where
+    /// derivatives have no limit.
     #[arg(long, conflicts_with_all = ["lang", "check"])]
     pub(crate) trace: bool,
-    /// Where to write it; standard output if not given.
+    /// The output file; standard output if not given.
     #[arg(short, long, value_name = "FILE", conflicts_with = "check")]
     pub(crate) output: Option<PathBuf>,
-    /// Write nothing; exit with 1 if FILE is not what would be emitted.
+    /// Write nothing; exit with code 1 if FILE differs from what would be emitted.
     #[arg(long, value_name = "FILE")]
     pub(crate) check: Option<PathBuf>,
 }
@@ -152,16 +155,16 @@ pub(crate) struct Count {
 
 #[derive(Debug, Args)]
 pub(crate) struct Check {
-    /// The rig's declaration; with --rig a model.
+    /// The rig's declaration, or, with --rig, a model.
     #[arg(value_name = "RIG.toml|FILE")]
     pub(crate) rig: PathBuf,
-    /// Instead of derivatives, say where this declaration and the model FILE contradict each other.
+    /// Instead of checking derivatives, report where this declaration and the model FILE contradict each other.
     #[arg(long = "rig", value_name = "RIG.toml", conflicts_with_all = ["samples", "flip_sign"])]
     pub(crate) model_rig: Option<PathBuf>,
-    /// How many random poses to compare.
+    /// Number of random poses to compare.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,
-    /// Turn the N-th addition of every program into a subtraction (or back) first, to see the check fail.
+    /// First turn the N-th addition of every program into a subtraction (or vice versa), to see the check fail.
     #[arg(long, value_name = "N")]
     pub(crate) flip_sign: Option<usize>,
 }
@@ -173,7 +176,8 @@ pub(crate) struct Plot {
     /// The joint that turns; the first, which carries the effector, if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) joint: Option<String>,
-    /// What to look at, in the joint's space, along its bone's axes; what needs every angle if not given.
+    /// The target, in the joint's space, along its bone's axes; if not given, a point that needs every angle of the
+    /// joint.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) target: Option<Point>,
     /// Draw a surface in space instead of contours.
@@ -182,14 +186,14 @@ pub(crate) struct Plot {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "1000x720")]
     pub(crate) size: Size,
-    /// Where to write it: SVG or, built with the feature `pictures`, PNG, by the name's ending.
+    /// The output file: SVG or, built with the feature `pictures`, PNG, by the file extension.
     #[arg(short, long, value_name = "OUT.svg|OUT.png")]
     pub(crate) output: PathBuf,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Paper {
-    /// A page that needs nothing but itself.
+    /// A self-contained HTML page.
     Html,
     /// A document for a LaTeX compiler.
     Latex,
@@ -199,21 +203,21 @@ pub(crate) enum Paper {
 pub(crate) struct Explain {
     /// The rig's declaration.
     pub(crate) rig: PathBuf,
-    /// Where to write it; standard output if not given.
+    /// The output file; standard output if not given.
     #[arg(short, long, value_name = "OUT.html|OUT.tex")]
     pub(crate) output: Option<PathBuf>,
-    /// How to write it; told by the ending of OUT if not given.
+    /// The output format; given by the extension of OUT if not given.
     #[arg(long, value_enum)]
     pub(crate) format: Option<Paper>,
-    /// How many random poses to compare with central differences.
+    /// Number of random poses to compare with central differences.
     #[arg(long, value_name = "N", default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,
 }
 
-/// Values of a type that does not parse itself, each with its word and its help.
+/// Values of a type without a parser, each with its word on the command line and its help text.
 type Choices<T> = [(T, &'static str, &'static str)];
 
-/// The solvers, and all of them side by side; their words are also those of reports.
+/// Values of `--solver`: each solver, and all of them side by side. Reports use the same words.
 pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
     (&[Solver::Natural], "natural", "Eyes leap, head and spine follow smoothly, and the eyes return"),
     (&[Solver::Exact], "exact", "All joints at once, with the least displacement that meets the target"),
@@ -221,6 +225,7 @@ pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
     (&[Solver::Natural, Solver::Exact, Solver::Ascent], "all", "All three, side by side"),
 ];
 
+/// Values of `--behind`.
 const BEHINDS: &Choices<Behind> = &[
     (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side"),
     (Behind::Plane, "plane", "Turn to it as a plane in front has it: at most 80° aside"),
@@ -229,18 +234,19 @@ const BEHINDS: &Choices<Behind> = &[
     (Behind::Release, "release", "Return to the animation"),
 ];
 
+/// Values of `--settle`.
 const SETTLES: &Choices<Settle> = &[
     (Settle::Snap, "snap", "On the target from the first frame"),
     (Settle::Animation, "animation", "From the animation"),
 ];
 
-/// Parses a part of a whole.
+/// Parses a number from 0 to 1.
 fn share(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
     number.ok_or_else(|| "expected a number from 0 to 1, such as 0.5".into())
 }
 
-/// Parses one name of several that commas separate; blanks beside commas are not of the name.
+/// Parses one name of a comma-separated list, without the blanks around it.
 fn bone_name(text: &str) -> Result<String, String> {
     match text.trim() {
         "" => Err("a name is missing; write names as a,b or in quotes as \"a, b\"".into()),
@@ -248,27 +254,27 @@ fn bone_name(text: &str) -> Result<String, String> {
     }
 }
 
-/// Parses a time for which to stay.
+/// Parses a number of seconds, at least 0.
 fn patience(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|seconds: &f32| *seconds >= 0.0);
     number.ok_or_else(|| "expected seconds from 0 on, such as 2".into())
 }
 
-/// Parses one of these words to its value.
+/// Parses one of the words in `all` to its value.
 fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValueParser<Value = T> {
     let words = all.iter().map(|(_, word, help)| PossibleValue::new(*word).help(*help));
-    // The words are the only ones that get here.
+    // `PossibleValuesParser` accepts only these words, so the fallback is never used.
     let value = |word: String| all.iter().find(|(_, known, _)| *known == word).unwrap_or(&all[0]).0;
     PossibleValuesParser::new(words).map(value)
 }
 
-/// Options of every command that aims.
+/// Options of the commands that aim.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Aiming {
-    /// The solver; natural where any joint of the rig has a role, else exact.
+    /// The solver; if not given, natural if any joint of the rig has a role, else exact.
     #[arg(long, value_parser = one_of(&SOLVERS[..3]))]
     pub(crate) solver: Option<&'static [Solver]>,
-    /// Aim the other eye at the target, too; else it turns as the first one does.
+    /// Aim the other eye at the target, too; otherwise it turns as the first one does.
     #[arg(long)]
     pub(crate) both_eyes: bool,
 }
@@ -289,10 +295,10 @@ pub(crate) struct Written {
     pub(crate) no_json: NoJson,
 }
 
-/// Of a command whose JSON is its report.
+/// Hidden option `--json` of the commands whose JSON output is their report.
 #[derive(Debug, Default, Args)]
 pub(crate) struct NoJson {
-    /// Always an error that names `--report`.
+    /// Always rejected, with an error that suggests `--report`.
     #[arg(long = "json", hide = true, num_args = 0, default_missing_value = "")]
     #[arg(value_parser = UnknownArgumentValueParser::suggest_arg("--report"))]
     no_json: Option<String>,
@@ -308,53 +314,57 @@ pub(crate) struct Bake {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to aim over; if not given, the first called idle, else the first.
+    /// The clip to aim over; if not given, the first whose name contains idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// Name of the written clip, which it replaces if it is there; if not given, the clip's with "_aimed", beside the clip, or with
-    /// "_aimed2" and so on where that is taken.
+    /// Name of the written clip, which replaces a clip of that name; if not given, the clip's name with "_aimed", or
+    /// with "_aimed2" and so on if that is taken.
     #[arg(long = "as", value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub(crate) name: Option<String>,
     #[command(flatten)]
     pub(crate) facing: Facing,
     #[command(flatten)]
     pub(crate) aiming: Aiming,
-    /// What is aimed: a bone of the rig's joints by name, or eyes, head, neck or chest; joints outside it return to rest. The
-    /// rig's effector if not given.
+    /// What to aim: a bone of the rig's joints by name, or eyes, head, neck or chest; joints further out return to
+    /// rest. The rig's effector if not given.
     #[arg(long, value_name = "WHAT", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub(crate) effector: Option<String>,
-    /// How far the gaze goes from the clip's to the target, 0 to 1.
+    /// How far the gaze moves from the clip's direction to the target's, 0 to 1.
     #[arg(long, value_name = "W", default_value_t = 1.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) weight: f32,
     /// How far the head takes over from the eyes, 0 to 1 (natural only).
     #[arg(long, value_name = "A", default_value_t = 0.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) attention: f32,
-    /// What becomes of a target behind the character.
+    /// What to do about a target behind the character.
     #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip")]
     pub(crate) behind: Behind,
-    /// Seconds for which a natural gaze stays with a target out of reach before it returns to the animation; for ever if not given.
+    /// Seconds for which a natural gaze follows a target out of reach before it returns to the animation; unlimited if
+    /// not given.
     #[arg(long, value_name = "S", value_parser = patience)]
     pub(crate) patience: Option<f32>,
-    /// How long the result is; the clip's length if not given, repeated if longer.
+    /// Length of the result, seconds; the clip's length if not given. The clip repeats if it is shorter.
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub(crate) seconds: Option<f32>,
-    /// Keys a second.
+    /// Keys per second.
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
-    /// Bones that stay with what carries the joint that they hang on, instead of those of the rig; `none` holds nothing.
+    /// Bones that hang on a joint but move with what carries that joint, instead of those that the rig holds; `none`
+    /// holds nothing.
     #[arg(long, value_name = "A,B|none", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) hold: Option<Vec<String>>,
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,
-    /// Make the result's first frame follow from its last: the clip's own seam is mended, in place and speed, where it jumps.
+    /// Make the result loop; where the clip itself jumps from its last frame to its first, in position or speed, its
+    /// seam is mended.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Leave out the keys without which no bone, and nothing looked at from 1 m away, is further off than this, in millimetres of
-    /// a 1.7 m figure: 1mm; 0mm leaves out only what changes nothing. It tells how far the clip as written is off: see Reduction below.
+    /// Leave out keys as long as no bone, and no point looked at 1 m away, moves by more than this, in millimetres of a
+    /// 1.7 m figure: 1mm; 0mm leaves out only keys that change nothing. Reports the error of the clip as written: see
+    /// Reduction below.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
-    /// Exit with 1 if the result looks wrong, although it is written: see Plausibility below.
+    /// Exit with code 1 if the result looks wrong; it is written nevertheless. See Plausibility below.
     #[arg(long)]
     pub(crate) strict: bool,
     #[command(flatten)]
@@ -365,33 +375,33 @@ pub(crate) struct Bake {
 pub(crate) struct Reach {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The clip; if not given, the first called idle, else the first.
+    /// The clip; if not given, the first whose name contains idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The node that is led: a hand or a foot. Its parent and grandparent follow.
+    /// The node to guide: a hand or a foot. Its parent and grandparent follow.
     #[arg(long, value_name = "NAME")]
     pub(crate) bone: String,
-    /// When it is to be there, seconds; once for each target.
+    /// Time at which the node is to be at the target, seconds; once for each target.
     #[arg(long, value_name = "S", required = true, allow_negative_numbers = true)]
     pub(crate) at: Vec<f32>,
-    /// Where it is to be, in the file's units; once for each time.
+    /// Target of the node, in the file's units; once for each time.
     #[arg(long, value_name = "X,Y,Z", required = true, allow_hyphen_values = true)]
     pub(crate) target: Vec<Point>,
-    /// Keys a second.
+    /// Keys per second.
     #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
     pub(crate) fps: f32,
     #[command(flatten)]
     pub(crate) written: Written,
 }
 
-/// Kinds of a root's motion.
+/// Kinds of root motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Extract {
     /// Along a straight line at constant speed, turning evenly.
     Linear,
     /// Along an arc at constant speed: a screw.
     Composite,
-    /// From frame to frame: all of it, so that the hips stay above one place.
+    /// Frame by frame: all of the motion, so that the hips stay above one place.
     Delta,
 }
 
@@ -399,31 +409,31 @@ pub(crate) enum Extract {
 pub(crate) struct Clip {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The clip; give it several times for several. All of them if not given.
+    /// The clip; repeat the option for several clips. All of them if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Vec<String>,
-    /// Take the way of the hips over the ground out of the clip, and tell it.
+    /// Take the motion of the hips over the ground out of the clip, and report it.
     #[arg(long, value_enum, value_name = "MOTION")]
     pub(crate) extract: Option<Extract>,
-    /// Make the clip's first frame follow from its last: its seam is mended, in place and speed, where it jumps.
+    /// Make the clip loop; where it jumps from its last frame to its first, in position or speed, its seam is mended.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Leave out the keys without which no bone is further off than this, in millimetres of a 1.7 m figure: 1mm; 0mm leaves out only
-    /// what changes nothing.
+    /// Leave out keys as long as no bone moves by more than this, in millimetres of a 1.7 m figure: 1mm; 0mm leaves out
+    /// only keys that change nothing.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
-    /// Times at which a reduced clip has the poses of the old one, seconds: contacts, transitions, poses that were approved.
+    /// Times at which a reduced clip keeps the original poses, seconds: contacts, transitions, approved poses.
     #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true, value_parser = seconds)]
     pub(crate) pin: Vec<f32>,
     #[command(flatten)]
     pub(crate) facing: Facing,
-    /// Where to write the model with the changed clips in the place of the old ones; may be FILE, which it then replaces.
+    /// Where to write the model with the changed clips in place of the old ones; may be FILE, which it then replaces.
     #[arg(long, value_name = "OUT.glb")]
     pub(crate) out: Option<PathBuf>,
-    /// Where to write what is told, and the root's motion, as JSON.
+    /// Where to write the report, with the root motion, as JSON.
     #[arg(long, value_name = "R.json")]
     pub(crate) report: Option<PathBuf>,
-    /// Where to write it as a page, with charts.
+    /// Where to write the report as a page, with charts.
     #[arg(long, value_name = "R.html")]
     pub(crate) html: Option<PathBuf>,
     #[command(flatten)]
@@ -444,11 +454,11 @@ pub(crate) enum Show {
     Lamp,
     /// A sloped floor, and feet planted on it.
     Slope,
-    /// Where the target has been.
+    /// Past positions of the target.
     Trail,
     /// Error and angles over time.
     Plots,
-    /// How long solving takes.
+    /// Time spent on solving.
     Timing,
     /// The panel.
     Panel,
@@ -469,35 +479,35 @@ pub(crate) struct View {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml", requires = "file")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to play; if not given, the first called idle, else the first.
+    /// The clip to play; if not given, the first whose name contains idle, else the first.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The solver, or all of them side by side; natural where any joint of the rig has a role, else exact.
+    /// The solver, or all of them side by side; if not given, natural if any joint of the rig has a role, else exact.
     #[arg(long, value_parser = one_of(SOLVERS))]
     pub(crate) solver: Option<&'static [Solver]>,
     /// How the target moves.
     #[arg(long, value_enum, default_value_t = TargetPath::Still)]
     pub(crate) path: TargetPath,
-    /// How many characters.
+    /// Number of characters.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub(crate) crowd: u16,
-    /// What to show at first.
+    /// What to show initially.
     #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
     #[arg(default_values_t = [Show::Gaze, Show::Trail, Show::Plots, Show::Timing, Show::Panel])]
     pub(crate) show: Vec<Show>,
-    /// On light ground.
+    /// Use a light background.
     #[arg(long)]
     pub(crate) light: bool,
     /// Take a picture of the window instead of staying open; no display is needed where xvfb-run is installed.
     #[arg(long, value_name = "OUT.png")]
     pub(crate) screenshot: Option<PathBuf>,
-    /// After how many frames of a sixtieth of a second the picture is taken.
+    /// Number of frames of 1/60 s after which the picture is taken.
     #[arg(long, value_name = "N", requires = "screenshot", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) frames: u32,
-    /// How large the picture is, pixels.
+    /// Size of the picture, pixels.
     #[arg(long, value_name = "WxH", requires = "screenshot", default_value = "1280x800")]
     pub(crate) size: Size,
-    /// Print what is seen on the picture as JSON: status, error, and where targets and gazes are, pixels.
+    /// Print what the picture shows as JSON: status, error, and the positions of targets and gazes, pixels.
     #[arg(long, requires = "screenshot")]
     pub(crate) json: bool,
 }

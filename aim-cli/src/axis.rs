@@ -1,26 +1,29 @@
-//! Axes of charts and plots: values, their places in a drawing, and round numbers among them.
+//! Linear axes of charts and plots, and round values for their ticks.
 
-/// A linear axis: its first and last value, and their places in the drawing.
+/// A linear map from values to coordinates of a drawing, given by its two ends.
 #[derive(Clone, Copy)]
 pub(crate) struct Axis {
+    /// Values at the two ends.
     pub(crate) values: [f64; 2],
+    /// Coordinates of the two ends in the drawing.
     pub(crate) places: [f64; 2],
 }
 
 impl Axis {
-    /// The place of a value.
+    /// Returns the coordinate of a value. Values beyond the ends are extrapolated.
     pub(crate) fn at(&self, value: f64) -> f64 {
         let [(lo, hi), (from, to)] = [self.values, self.places].map(|[a, b]| (a, b));
         from + (value - lo) / (hi - lo) * (to - from)
     }
 
-    /// The last value less the first.
+    /// Returns the last value minus the first.
     pub(crate) fn span(&self) -> f64 {
         self.values[1] - self.values[0]
     }
 }
 
-/// Round numbers between two, about `wanted` of them.
+/// Returns about `wanted` round numbers from `low` to `high`: multiples of 1, 2 or 5 times a power of ten. Empty if the
+/// interval is empty or not finite.
 pub(crate) fn nice(low: f64, high: f64, wanted: f64) -> Vec<f64> {
     let rough = (high - low) / wanted;
     if !(rough > 0.0 && rough.is_finite()) {
@@ -31,7 +34,7 @@ pub(crate) fn nice(low: f64, high: f64, wanted: f64) -> Vec<f64> {
     multiples(low, high, step.unwrap_or(10.0 * power))
 }
 
-/// The multiples of `step` between two, 64 at most.
+/// Returns the multiples of `step` from `low` to `high`, at most 64 of them.
 pub(crate) fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil();
     let all = std::iter::successors(Some(first), |k| Some(k + 1.0)).map(|k| k * step);

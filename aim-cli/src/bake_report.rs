@@ -1,4 +1,4 @@
-//! The report of a bake: every frame, and a summary.
+//! The report of a bake: all frames, and a summary.
 
 use std::path::Path;
 
@@ -18,16 +18,16 @@ use crate::words::Wanted;
 pub(crate) struct BakeReport {
     pub(crate) rig: String,
     pub(crate) solver: &'static str,
-    /// The one that was written.
+    /// Name of the written clip.
     pub(crate) clip: String,
-    /// The clip that was aimed over, or the rest pose.
+    /// Name of the clip that was aimed over, or "the rest pose".
     #[serde(skip)]
     pub(crate) over: String,
-    /// True if it is written in the place of a clip of its name.
+    /// `true` if the written clip replaces one of the same name.
     #[serde(skip)]
     replaces: bool,
     pub(crate) fps: f32,
-    /// Left out where it is whole.
+    /// Weight of the aim; omitted from the JSON if it is 1.
     #[serde(skip_serializing_if = "is_whole")]
     pub(crate) weight: f32,
     effector: EffectorReport,
@@ -35,14 +35,14 @@ pub(crate) struct BakeReport {
     pub(crate) aimed: Effector,
     pub(crate) frames: Vec<BakeFrame>,
     pub(crate) summary: BakeSummary,
-    /// How far what was written is from the frames, where keys were left out.
+    /// Errors of the written clip after keys were left out; `None` without `--reduce`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) reduction: Option<BakedReduction>,
     #[serde(serialize_with = "plausibility::block")]
     pub(crate) plausibility: Plausibility,
 }
 
-/// A bone, and a direction and a point in its local space.
+/// The effector: a bone, and a direction and an origin in its local space.
 #[derive(Debug, Serialize)]
 struct EffectorReport {
     #[serde(flatten)]
@@ -51,25 +51,25 @@ struct EffectorReport {
     origin: [f64; 3],
 }
 
-/// Subject of a report: `baked` with the rig `spec`.
+/// Input of [`BakeReport::new`]: the bake `baked` with the rig `spec`.
 pub(crate) struct Reported<'a> {
     pub(crate) spec: &'a RigSpec,
     pub(crate) effector: Effector,
-    /// The word of the solver.
+    /// Name of the solver, as on the command line.
     pub(crate) solver: &'static str,
     pub(crate) fps: f32,
     pub(crate) weight: f32,
-    /// The clip that was aimed over, or what else.
+    /// Name of the clip that was aimed over, or "the rest pose".
     pub(crate) over: &'a str,
-    /// True if there is a clip of the written one's name.
+    /// `true` if the document has a clip with the name of the written one.
     pub(crate) replaces: bool,
     pub(crate) skeleton: &'a Skeleton,
     pub(crate) chain: &'a ChainNodes,
-    /// The nodes that are held on the trunk.
+    /// Nodes that keep their place on the trunk, such as arms that hang on the neck.
     pub(crate) held: &'a [usize],
     pub(crate) baked: &'a Baked,
     pub(crate) reduction: Option<BakedReduction>,
-    /// Measured on what was written.
+    /// Plausibility of the written model.
     pub(crate) plausibility: Plausibility,
 }
 
@@ -77,17 +77,19 @@ pub(crate) struct Reported<'a> {
 pub(crate) struct BakeFrame {
     pub(crate) t: f32,
     pub(crate) target: [f64; 3],
-    /// From the target.
+    /// Angle between the gaze and the target, degrees.
     pub(crate) error_deg: f64,
-    /// From the [goal](Wanted::Goal), where that is another direction; what the status is of.
+    /// Angle between the gaze and the [goal](Wanted::Goal), degrees, which the status refers to. `None` if the target
+    /// itself is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     goal_error_deg: Option<f64>,
-    /// By how much the effector's joint is rolled about the gaze more than in the animation, positive to the left; see
+    /// Roll of the effector's joint about the gaze beyond that of the animation, degrees, positive to the left; see
     /// [`AimedFrame::roll_deg`].
     pub(crate) roll_deg: f64,
-    /// The other eye's error, where both are aimed.
+    /// Angle between the other eye's gaze and the target, degrees; `None` unless both eyes are aimed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) pair_error_deg: Option<f64>,
+    /// Angle between the other eye's gaze and its goal, degrees; `None` unless both eyes are aimed at a goal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pair_goal_error_deg: Option<f64>,
     pub(crate) status: &'static str,
@@ -96,23 +98,24 @@ pub(crate) struct BakeFrame {
 }
 
 impl BakeFrame {
-    /// The angle from what is [`wanted`](BakeReport::wanted), degrees.
+    /// Returns the angle between the gaze and the [wanted](BakeReport::wanted) direction, degrees.
     pub(crate) fn off_deg(&self) -> f64 {
         self.goal_error_deg.unwrap_or(self.error_deg)
     }
 
-    /// The same of the other eye.
+    /// Returns the angle between the other eye's gaze and the wanted direction, degrees; `None` unless both eyes are
+    /// aimed.
     pub(crate) fn pair_off_deg(&self) -> Option<f64> {
         self.pair_goal_error_deg.or(self.pair_error_deg)
     }
 }
 
-/// A bone, told apart from others of its name.
+/// A bone, identified by its name and, if several nodes share the name, its index.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Bone {
     #[serde(rename = "bone")]
     pub(crate) name: String,
-    /// The node's index in the file, where the name alone does not tell which it is.
+    /// Index of the node in the file; `None` if the name is unique.
     #[serde(skip_serializing_if = "Option::is_none")]
     node: Option<usize>,
 }
@@ -139,13 +142,13 @@ pub(crate) struct JointReport {
 pub(crate) struct BakeSummary {
     pub(crate) frames: usize,
     pub(crate) reached: usize,
-    /// What is reached, and what errors that are summed up here are from; left out where that is the target.
+    /// Direction that `reached` and the errors of this summary refer to; omitted from the JSON if it is the target.
     #[serde(skip_serializing_if = "Wanted::is_target")]
     pub(crate) of: Wanted,
     pub(crate) max_error_deg_reached: f64,
     pub(crate) max_rate_violation_deg_s: f64,
     pub(crate) max_limit_violation_deg: f64,
-    /// The largest roll to either side.
+    /// Largest added roll to either side, degrees.
     pub(crate) max_roll_deg: f64,
 }
 
@@ -154,7 +157,7 @@ fn is_whole(weight: &f32) -> bool {
     *weight >= 1.0
 }
 
-/// The word of the contract.
+/// Returns the word for a status in the JSON report, which users rely on.
 pub(crate) fn status_word(status: Status) -> &'static str {
     match status {
         Status::Reached => "reached",
@@ -227,24 +230,25 @@ impl BakeReport {
         }
     }
 
-    /// What statuses and [errors](BakeFrame::off_deg) are of.
+    /// Returns the direction that statuses and [errors](BakeFrame::off_deg) refer to.
     pub(crate) fn wanted(&self) -> Wanted {
         self.summary.of
     }
 
-    /// The statuses that frames have, in the order of [`Wanted::statuses`]: each with their number, and in words that follow it.
+    /// Returns the statuses that occur, in the order of [`Wanted::statuses`]: each with its number of frames and the
+    /// words that follow this number.
     pub(crate) fn counts(&self) -> Vec<(&'static str, usize, &'static str)> {
         let count = |word: &str| self.frames.iter().filter(|frame| frame.status == word).count();
         let counts = self.wanted().statuses().map(|(word, _, after, _)| (word, count(word), after));
         counts.filter(|(_, frames, _)| *frames > 0).collect()
     }
 
-    /// The words for a frame that is where it is wanted.
+    /// Returns the words for frames that reached the wanted direction.
     pub(crate) fn on_it(&self) -> &'static str {
         self.wanted().statuses().find(|(word, ..)| *word == "reached").map_or("", |(_, _, after, _)| after)
     }
 
-    /// The summary in words; `file` is what was written.
+    /// Returns the summary in words; `file` is the path of the written model.
     pub(crate) fn in_words(&self, file: &Path) -> String {
         let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
         let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}", file.display(), self.over, self.rig);
@@ -294,7 +298,8 @@ impl BakeSummary {
     }
 }
 
-/// By how much an angle's speed between two frames exceeds its rate at most, degrees a second.
+/// Returns the largest excess of an angle's speed between two frames over its rate, degrees per second; 0 if there is
+/// none.
 fn rate_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
     let mut worst: f64 = 0.0;
     for pair in frames.windows(2) {
@@ -308,6 +313,7 @@ fn rate_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
     worst.to_degrees()
 }
 
+/// Returns the change of an angle, radians, without its sign; for a free angle the shorter way around.
 fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
     let change = f64::from(after) - f64::from(before);
     match range {
@@ -319,7 +325,7 @@ fn change(range: Option<AngleRange>, before: f32, after: f32) -> f64 {
     }
 }
 
-/// By how much an angle leaves its range at most, degrees.
+/// Returns the largest distance of an angle from its range, degrees; 0 if every angle is in its range.
 fn limit_violation(spec: &RigSpec, frames: &[AimedFrame]) -> f64 {
     let all = frames.iter().flat_map(|frame| spec.joints.iter().zip(&frame.joints));
     all.flat_map(|(joint, at)| {

@@ -1,4 +1,4 @@
-//! Keys left out of a baked clip, with an eye on where it looks.
+//! Reduction of the keys of a baked clip, within a tolerance that also applies to the point looked at.
 
 use aim_animation::Clip;
 use aim_character::{Baked, ChainNodes, Measurement};
@@ -11,19 +11,20 @@ use crate::effector::Effector;
 use crate::reduction::{Kept, Millimetres, WrittenError, millimetre, reduced};
 use crate::words::{fixed, grouped, weights_in_words};
 
-/// How far away what is looked at counts, millimetres of a 1.7 m figure.
+/// Distance of the point looked at, millimetres of a 1.7 m figure.
 const LOOKED_AT_MM: f64 = 1000.0;
 
-/// How far a clip as written is from its frames.
+/// Errors of a reduced clip as written, compared with the clip with all of its keys.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct BakedReduction {
+    /// Tolerance, millimetres of a 1.7 m figure.
     tolerance_mm: f64,
-    /// Of what is furthest off.
+    /// Largest error of any bone, millimetres of a 1.7 m figure.
     error_mm: f64,
-    /// Of any morph weight, where there are some.
+    /// Largest error of any morph weight; `None` if there are none.
     #[serde(skip_serializing_if = "Option::is_none")]
     weights_error: Option<f64>,
-    /// Between the effector's gaze and that of any frame at most.
+    /// Largest angle between the effector's gazes in the two clips at any frame, degrees.
     gaze_error_deg: f64,
     /// Bytes of the clip's keys, before and after.
     key_bytes: [usize; 2],
@@ -43,7 +44,7 @@ impl BakedReduction {
     }
 }
 
-/// The gaze of a baked clip.
+/// The effector whose gaze a reduction preserves, with its model.
 pub(crate) struct Gaze<'a> {
     pub(crate) document: &'a Document,
     pub(crate) measurement: &'a Measurement,
@@ -52,7 +53,8 @@ pub(crate) struct Gaze<'a> {
 }
 
 impl Gaze<'_> {
-    /// The clip without the keys that a tolerance allows to leave out, also of what is looked at.
+    /// Returns the clip without the keys that the tolerance allows to be left out. The tolerance also applies to the
+    /// points at which the effector and the other eye look, [`LOOKED_AT_MM`] away.
     pub(crate) fn reduced(&self, clip: &Clip, tolerance: Millimetres) -> Result<Clip, String> {
         let unit = millimetre(self.measurement);
         let skeleton = self.document.skeleton();
@@ -66,7 +68,8 @@ impl Gaze<'_> {
         reduced(clip, self.document, &Kept { tolerance: tolerance.0 * unit, pins: &[], points: &points })
     }
 
-    /// How far the clip of the second model is from that of the first, which is the baked one; with its error as it was measured.
+    /// Compares the clip of the second model, which is reduced, with that of the first, which is the baked one. Returns
+    /// the block of the report, and the error to [check](WrittenError::check).
     pub(crate) fn told(
         &self,
         baked: &Baked,
@@ -99,7 +102,7 @@ impl Gaze<'_> {
         Ok((reduction, error))
     }
 
-    /// A point of the effector's gaze, and one further on.
+    /// Returns the effector's origin and a point one unit ahead of it along the gaze, with its bone at `world`.
     fn ray(&self, world: &DAffine3) -> [DVec3; 2] {
         let ray = &self.effector.ray;
         let [origin, forward] = [ray.origin, ray.frame.forward].map(DVec3::from_array);

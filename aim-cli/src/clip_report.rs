@@ -1,4 +1,4 @@
-//! The report of `aim clip`: what clips cost before and after they were changed, and a summary in words.
+//! The report of `aim clip`: the size of each clip before and after the change, and a summary in words.
 
 use std::path::PathBuf;
 
@@ -32,13 +32,13 @@ pub(crate) struct ClipCost {
     pub(crate) after: Side,
     pub(crate) root: Option<RootReport>,
     pub(crate) extracted: Option<Extracted>,
-    /// True if the seam was mended, false if it was none; `None` if it was not asked for.
+    /// `true` if the seam was mended, `false` if the clip looped already; `None` without `--loop`.
     pub(crate) mended: Option<bool>,
     pub(crate) reduced: Option<ReducedReport>,
     pub(crate) bones: Vec<BoneBytes>,
 }
 
-/// What a clip costs.
+/// Tracks, keys, bytes and seam of a clip.
 #[derive(Debug, Serialize)]
 pub(crate) struct Side {
     pub(crate) tracks: Tracks,
@@ -49,16 +49,16 @@ pub(crate) struct Side {
     pub(crate) seam: SeamReport,
 }
 
-/// Numbers of tracks.
+/// Numbers of tracks by kind.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Tracks {
     pub(crate) moving: usize,
-    /// Of one value that is not the one at rest.
+    /// Tracks of one value that differs from the rest pose.
     pub(crate) constant: usize,
     pub(crate) at_rest: usize,
 }
 
-/// The way of the hips from the first frame to the last, as a screw.
+/// Motion of the hips from the first frame to the last, as a screw.
 #[derive(Debug, Serialize)]
 pub(crate) struct RootReport {
     pub(crate) speed: f64,
@@ -67,18 +67,18 @@ pub(crate) struct RootReport {
     pub(crate) axis: [f32; 3],
     pub(crate) point: Option<[f32; 3]>,
     pub(crate) along: f32,
-    /// The length of the way, sway included, in the file's units.
+    /// Length of the path of the hips, sway included, in the file's units.
     pub(crate) distance: f64,
 }
 
-/// A motion that was taken out of a clip.
+/// Root motion that was extracted from a clip.
 #[derive(Debug, Serialize)]
 pub(crate) struct Extracted {
     pub(crate) motion: String,
-    /// True where there was nothing to take out, and the clip stays as it is.
+    /// `true` if there was no motion to extract, so that the clip stays unchanged.
     pub(crate) nothing: bool,
     pub(crate) seconds: f32,
-    /// The length of its way, in the file's units.
+    /// Length of the motion's path, in the file's units.
     pub(crate) distance: f64,
     pub(crate) translation: [f32; 3],
     pub(crate) turn_deg: f64,
@@ -86,7 +86,7 @@ pub(crate) struct Extracted {
     pub(crate) path: Vec<Place>,
 }
 
-/// The motion at a time.
+/// Transform of an extracted motion at a time.
 #[derive(Debug, Serialize)]
 pub(crate) struct Place {
     t: f32,
@@ -94,11 +94,11 @@ pub(crate) struct Place {
     rotation: [f32; 4],
 }
 
-/// What was left of a clip's keys, and how far it is off.
+/// Result of a reduction: the request, and the error of the clip as written.
 #[derive(Debug, Serialize)]
 pub(crate) struct ReducedReport {
     pub(crate) tolerance_mm: f64,
-    /// True of what was not asked for, and is told as what could be done.
+    /// `true` if no change was requested and this is only a proposal.
     pub(crate) proposed: bool,
     pub(crate) pins: Vec<f32>,
     pub(crate) error_mm: f64,
@@ -107,17 +107,18 @@ pub(crate) struct ReducedReport {
     pub(crate) weights_error: Option<f64>,
 }
 
-/// The bytes of keys of a bone before and after, by property.
+/// Bytes of a bone's keys before and after, by property.
 #[derive(Debug, Serialize)]
 pub(crate) struct BoneBytes {
     pub(crate) bone: String,
-    /// The bone's number.
+    /// Index of the bone.
     #[serde(skip)]
     pub(crate) number: usize,
     pub(crate) before: Kinds,
     pub(crate) after: Kinds,
 }
 
+/// Bytes of keys, by property.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(crate) struct Kinds {
     pub(crate) translation: f64,
@@ -191,7 +192,7 @@ impl Side {
 }
 
 impl RootReport {
-    /// The way is sampled at some times of the clip.
+    /// Measures the motion of the hips along `path`, and the length of the path at `times`.
     pub(crate) fn new(path: &RootPath, measurement: &Measurement, times: &[f32]) -> Self {
         let screw = Motion::composite(path).screw();
         let speed = f64::from(screw.speed_s());
@@ -218,7 +219,7 @@ impl RootReport {
 }
 
 impl Extracted {
-    /// Sampled as often as the path of the root; `height` is the character's.
+    /// Samples `motion`, of the kind named by `word`, at `times`. `height` is the character's, in the file's units.
     pub(crate) fn new(motion: &Motion, word: &str, times: &[f32], height: f64) -> Self {
         let places: Vec<Place> = times
             .iter()
@@ -240,18 +241,18 @@ impl Extracted {
     }
 }
 
-/// True of a place that nobody sees to be another one: a hundred-thousandth of the character's height away, turned by 10⁻⁴ radians.
+/// Returns `true` if a transform is too small to see: at most 1e-5 of the character's height and 1e-4 radians.
 fn is_nothing(place: Transform, height: f64) -> bool {
     place.translation.as_dvec3().length() <= 1e-5 * height && aim_runtime::rotation::angle(place.rotation) <= 1e-4
 }
 
-/// The length of a way.
+/// Returns the length of the polyline through `places`.
 fn distance(places: impl Iterator<Item = Transform>) -> f64 {
     let points: Vec<DVec3> = places.map(|place| place.translation.as_dvec3()).collect();
     points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
 
-/// The bytes of each bone's keys before and after, those first that have most in the end.
+/// Returns the bytes of each bone's keys before and after, largest after the change first.
 pub(crate) fn bone_bytes(document: &Document, [before, after]: [&ClipSize; 2]) -> Vec<BoneBytes> {
     let mut bones = std::collections::BTreeMap::<usize, [Kinds; 2]>::new();
     for (side, size) in [before, after].into_iter().enumerate() {
@@ -279,7 +280,7 @@ pub(crate) fn bone_bytes(document: &Document, [before, after]: [&ClipSize; 2]) -
     bytes
 }
 
-/// The times at which a clip has keys, and those at its ends.
+/// Returns the times of a clip's keys and of its ends, sorted, each once.
 pub(crate) fn sampled(clip: &Clip) -> Vec<f32> {
     let mut times = key_times(clip);
     times.extend([0.0, clip.length_s()]);
@@ -289,7 +290,7 @@ pub(crate) fn sampled(clip: &Clip) -> Vec<f32> {
 }
 
 impl ClipReport {
-    /// What was done, a sentence a line; `preview` is told as what would be.
+    /// Returns the summary in words; if `is_preview`, as a proposal.
     pub(crate) fn in_words(&self, is_preview: bool) -> String {
         let mut out = self.table(is_preview);
         for cost in &self.clips {
@@ -371,7 +372,7 @@ impl ClipReport {
 }
 
 impl ClipCost {
-    /// What became of the seam; `None` if it was not to be mended.
+    /// Returns the result of `--loop` in words; `None` without that option.
     pub(crate) fn loop_in_words(&self) -> Option<String> {
         Some(match (self.mended?, &self.reduced) {
             (true, Some(_)) => "mended: its seam fades within 0.25 s".into(),
@@ -396,7 +397,7 @@ impl ReducedReport {
     }
 }
 
-/// A share in percent; of nothing none.
+/// Returns `part` as a percentage of `of`; empty if `of` is 0.
 pub(crate) fn percent(part: usize, of: usize) -> String {
     if of == 0 {
         String::new()

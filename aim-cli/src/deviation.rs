@@ -1,4 +1,4 @@
-//! [`Deviation`]: how far a clip is from another one, by forward kinematics in double precision.
+//! [`Deviation`]: the distance between two clips, by forward kinematics in double precision.
 
 use aim_animation::{Clip, Track};
 use aim_gltf::{Document, Skeleton};
@@ -6,25 +6,25 @@ use aim_runtime::glam::{DAffine3, DVec3};
 
 use crate::reduction::WrittenError;
 
-/// The distance of a clip from another one over time: the largest of all bones' joints and ends.
+/// Distance between two clips over time: the largest one between corresponding joints and bone ends.
 pub(crate) struct Deviation {
-    /// Seconds.
+    /// Times of the samples, seconds.
     pub(crate) times: Vec<f64>,
-    /// In the file's units.
+    /// Largest distance at each of the times, in the file's units.
     pub(crate) distances: Vec<f64>,
-    /// The bone that is furthest off, and the time.
+    /// Bone with the largest distance, and its time in seconds; `None` if no bone differs.
     pub(crate) worst: Option<(usize, f64)>,
-    /// The largest difference of any morph weight; `None` of a clip without any.
+    /// Largest difference of any morph weight; `None` if the first clip animates none.
     pub(crate) weights: Option<f64>,
 }
 
-/// Times between two keys.
+/// Number of samples between two keys.
 const BETWEEN: u8 = 8;
-/// Samples at most; of more keys each is one, or some of them.
+/// Approximate maximum number of samples. Beyond it, only the keys are sampled, or only every n-th key.
 const MOST_SAMPLES: usize = 40_000;
 
 impl Deviation {
-    /// At every key of either clip, and at eight times between two.
+    /// Measures at every key of either clip and at [`BETWEEN`] times between two keys, within [`MOST_SAMPLES`].
     pub(crate) fn measure(document: &Document, [before, after]: [&Clip; 2]) -> Self {
         let skeleton = document.skeleton();
         let ends = ends(skeleton);
@@ -47,19 +47,20 @@ impl Deviation {
         Self { times: times.into_iter().map(f64::from).collect(), distances, worst: worst.1, weights }
     }
 
-    /// As it is told of a clip that was reduced; `millimetre` is one of a 1.7 m figure in the file's units.
+    /// Returns the deviation as the error of a reduced clip; `millimetre` is one of a 1.7 m figure in the file's units.
     pub(crate) fn written_error(&self, document: &Document, millimetre: f64) -> WrittenError {
         let place = |(bone, t): (usize, f64)| (document.skeleton().names()[bone].clone(), t);
         WrittenError { mm: self.most() / millimetre, at: self.worst.map(place), weights: self.weights }
     }
 
-    /// The largest distance.
+    /// Returns the largest distance, in the file's units.
     pub(crate) fn most(&self) -> f64 {
         self.distances.iter().copied().fold(0.0, f64::max)
     }
 }
 
-/// The largest difference of any weight of the first clip from that of the second, which has a track of each.
+/// Returns the largest difference of any morph weight at `times`; infinite if the second clip lacks a track of the
+/// first. `None` if the first has no tracks of morph weights.
 fn weights_off([before, after]: [&Clip; 2], times: &[f32]) -> Option<f64> {
     let of_scalar = |(scalar, was): &(usize, Track<f32>)| {
         let (_, is) = after.scalars().iter().find(|(known, _)| known == scalar)?;
@@ -73,7 +74,7 @@ fn weights_off([before, after]: [&Clip; 2], times: &[f32]) -> Option<f64> {
     before.scalars().iter().map(|track| of_scalar(track).unwrap_or(f64::INFINITY)).reduce(f64::max)
 }
 
-/// The times of all keys of a clip, each once, in order.
+/// Returns the times of all keys of a clip, sorted, each once.
 pub(crate) fn key_times(clip: &Clip) -> Vec<f32> {
     let mut times: Vec<f32> = clip.scalars().iter().flat_map(|(_, track)| track.times().iter().copied()).collect();
     for tracks in clip.tracks() {
@@ -84,12 +85,13 @@ pub(crate) fn key_times(clip: &Clip) -> Vec<f32> {
     times
 }
 
-/// The times of a bone's keys, not in order.
+/// Returns the times of a bone's keys, unsorted.
 pub(crate) fn bone_times(tracks: &aim_animation::BoneTracks) -> impl Iterator<Item = f32> + '_ {
     let vectors = [&tracks.translation, &tracks.scale].into_iter().flatten().flat_map(Track::times);
     vectors.chain(tracks.rotation.iter().flat_map(Track::times)).copied()
 }
 
+/// Returns the times of the clips' keys, of their ends, and of samples in between.
 fn sample_times(clips: [&Clip; 2]) -> Vec<f32> {
     let mut keys: Vec<f32> = clips.iter().flat_map(|clip| key_times(clip)).chain([0.0, clips[0].length_s()]).collect();
     keys.sort_by(f32::total_cmp);
@@ -107,9 +109,11 @@ fn sample_times(clips: [&Clip; 2]) -> Vec<f32> {
     times
 }
 
-/// The ends of each bone, in its own space: beside its joint on its three axes, its length away on both sides.
+/// Returns the ends of each bone, in its own space: six points at its length from its joint, in both directions of its
+/// three axes.
 ///
-/// A bone's length is the distance to its farthest child, that of a leaf its parent's, as [`Reduction`](aim_animation::Reduction) has it.
+/// A bone's length is the distance to its farthest child, or, for a leaf, its parent's length, as in
+/// [`Reduction`](aim_animation::Reduction).
 fn ends(skeleton: &Skeleton) -> Vec<[DVec3; 6]> {
     let world: Vec<DAffine3> = skeleton.world_f64(skeleton.rest());
     let apart = |a: usize, b: usize| world[a].translation.distance(world[b].translation);

@@ -1,4 +1,4 @@
-//! What a bake aims: the rig's effector, or one of its joints.
+//! [`Effector`]: what a bake aims, the rig's effector or one of its joints.
 
 use aim_character::ChainNodes;
 use aim_codegen::{EffectorSpec, RigSpec, Role};
@@ -7,26 +7,29 @@ use aim_gltf::Skeleton;
 use crate::failure::{Failure, Result};
 use crate::words::listed;
 
-/// A joint that is aimed.
+/// A joint to aim, with its origin and direction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effector {
-    /// The joint, counted from the rig's effector inward: the value of [`Settings::effector`](aim_runtime::Settings::effector).
+    /// Index of the joint, counted from the rig's effector inward: the value of
+    /// [`Settings::effector`](aim_runtime::Settings::effector).
     pub(crate) joint: usize,
-    /// Its point and direction, in the joint's bone space.
+    /// Origin and direction, in the joint's bone space.
     pub(crate) ray: EffectorSpec,
 }
 
 impl Effector {
-    /// The rig's own for joint 0, else the joint's bone: its forward from its origin.
+    /// Returns the rig's effector for joint 0, otherwise the forward direction of the joint's bone from the bone's
+    /// origin.
     pub(crate) fn of(spec: &RigSpec, joint: usize) -> Self {
         let own = || EffectorSpec { frame: spec.joints[joint].frame, origin: [0.0; 3] };
         Self { joint, ray: if joint == 0 { spec.effector } else { own() } }
     }
 
-    /// What is meant by a word of the command line: the name of a joint's bone, or what it is of.
+    /// Returns the joint for a value of `--effector`: the name of a joint's bone, or a word such as `head` for the
+    /// outermost joint of a role.
     ///
     /// # Errors
-    /// A word that no joint of the rig answers to.
+    /// The rig has no joint with that bone or role.
     pub(crate) fn named(word: &str, spec: &RigSpec, skeleton: &Skeleton, chain: &ChainNodes) -> Result<Self> {
         let bone = |joint: usize| skeleton.names()[chain.joints[joint]].as_str();
         let joints = 0..spec.joints.len();
@@ -48,6 +51,6 @@ impl Effector {
     }
 }
 
-/// Words for the outermost joint of a role.
+/// Words of `--effector` for the outermost joint of each role.
 const ROLES: [(Role, &str); 4] =
     [(Role::Eye, "eyes"), (Role::Head, "head"), (Role::Neck, "neck"), (Role::Chest, "chest")];

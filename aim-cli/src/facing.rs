@@ -1,4 +1,4 @@
-//! Options that overrule the measured facing.
+//! Options that override the measured facing.
 
 use std::path::Path;
 
@@ -8,19 +8,22 @@ use clap::Args;
 
 use crate::failure::{Failure, Result};
 
-/// Axes of the file's world in which the user states the character.
+/// World axes of the file that the user states to be the character's forward and up.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub(crate) struct Facing {
     /// The axis that the character faces in the file (+Z, -X …); measured if not given.
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub(crate) forward: Option<SignedAxis>,
-    /// The axis that is the character's up in the file; measured if not given.
+    /// The character's up axis in the file; measured if not given.
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub(crate) up: Option<SignedAxis>,
 }
 
 impl Facing {
-    /// Measures a document as stated, and warns of what it says of itself that makes no sense.
+    /// Measures a document with the stated axes, and prints a warning for each invalid number in its look-at settings.
+    ///
+    /// # Errors
+    /// The stated forward lies along the character's up.
     pub(crate) fn measure(self, file: &Path, document: &Document) -> Result<Measurement> {
         let [up, forward] = [self.up, self.forward].map(|axis| axis.map(SignedAxis::vector));
         let measurement = Measurement::stated(document, Stated { up, forward });
@@ -48,7 +51,7 @@ impl Facing {
     }
 }
 
-/// Prints a warning where most of what a file tells is against the stated forward.
+/// Prints a warning if most of the file's evidence, by weight, contradicts the stated forward.
 fn warn_of_evidence(stated: SignedAxis, file: &Path, document: &Document, measurement: &Measurement) {
     let weight = |agrees: bool| -> f64 {
         let told = measurement.evidence.iter().filter(|said| said.clue != Clue::Stated && said.forward.is_some());

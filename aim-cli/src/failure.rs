@@ -1,4 +1,4 @@
-//! Why a command ended: exit code 1 for a check that failed, 2 for input that cannot be used.
+//! Failures of commands: exit code 1 for a failed check, 2 for unusable input.
 
 use std::fmt;
 use std::path::Path;
@@ -12,29 +12,29 @@ pub(crate) type Result<T = ()> = std::result::Result<T, Failure>;
 /// A failed command, with the message that the user sees.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A check was made and did not hold.
+    /// A check failed.
     Check(String),
-    /// Something given cannot be used.
+    /// An input cannot be used.
     Input(String),
 }
 
 impl Failure {
-    /// Unusable input, in a sentence that says what to do.
+    /// Creates a failure for unusable input. The message says what to do.
     pub(crate) fn input(message: impl Into<String>) -> Self {
         Self::Input(message.into())
     }
 
-    /// Unusable input in a file.
+    /// Creates a failure for unusable input in a file.
     pub(crate) fn in_file(path: &Path, problem: impl fmt::Display) -> Self {
         Self::Input(format!("{}: {problem}", path.display()))
     }
 
-    /// The same of an error, for [`Result::map_err`].
+    /// Returns a function that turns errors into failures for a file, for use with `map_err`.
     pub(crate) fn of<E: fmt::Display>(path: &Path) -> impl Fn(E) -> Self {
         move |problem| Self::in_file(path, problem)
     }
 
-    /// The exit code of the contract.
+    /// Returns the exit code: 1 for a failed check, 2 for unusable input.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Check(_) => ExitCode::from(1),
@@ -50,7 +50,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Declarations say where they are wrong themselves.
+/// The diagnostics of a declaration already name its file, line and column.
 impl From<Diagnostics> for Failure {
     fn from(errors: Diagnostics) -> Self {
         Self::Input(errors.render())

@@ -1,4 +1,4 @@
-//! Reading and writing files: whole or not at all.
+//! Reads and writes files. Files are written completely or not at all.
 
 use std::fs;
 use std::path::Path;
@@ -14,13 +14,13 @@ pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
     Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
 }
 
-/// Reads a text file, or says what to give instead.
+/// Reads a text file. The error message ends with `instead`, which says what to give.
 pub(crate) fn read_text(path: &Path, instead: &str) -> Result<String> {
     fs::read_to_string(path)
         .map_err(|error| Failure::in_file(path, format!("cannot be read as text ({error}); {instead}")))
 }
 
-/// The ending of a file's name, in small letters.
+/// Returns the extension of a file in lower case; empty if there is none.
 pub(crate) fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
@@ -30,7 +30,8 @@ pub(crate) fn load_model(path: &Path) -> Result<Document> {
     Document::load(path).map_err(|error| Failure::input(error.in_file(path)))
 }
 
-/// The size of a model's file; of one whose parts lie beside it or are text, of the same as one binary file.
+/// Returns the size in bytes of a model as one binary file. If the file is text or has external parts, this is the size
+/// it would have.
 pub(crate) fn bytes_as_binary(path: &Path, document: &Document) -> Result<usize> {
     let is_binary = || {
         use std::io::Read;
@@ -45,7 +46,7 @@ pub(crate) fn bytes_as_binary(path: &Path, document: &Document) -> Result<usize>
     document.with_clips(&[]).map(|model| model.len()).map_err(Failure::of(path))
 }
 
-/// Writes a file, whole or not at all.
+/// Writes a file completely or not at all.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result {
     write_all(&[(path, bytes)])
 }
@@ -55,14 +56,14 @@ pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result {
     aim_gltf::write_files(files).map_err(|error| Failure::input(error.to_string()))
 }
 
-/// JSON text, indented, with a line end.
+/// Returns indented JSON text that ends with a newline.
 pub(crate) fn to_json(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value)
         .map_err(|error| Failure::input(format!("the result does not fit into JSON: {error}")))?;
     Ok(text + "\n")
 }
 
-/// Prints to standard output; a reader that stopped listening (`| head`) is no failure.
+/// Prints to standard output. A reader that closes the pipe (`| head`) is not an error.
 pub(crate) fn print(text: &str) -> Result {
     use std::io::{ErrorKind, Write};
     match std::io::stdout().write_all(text.as_bytes()) {

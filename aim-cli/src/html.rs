@@ -1,5 +1,5 @@
-//! `report.html`: one page that needs nothing but itself (no network, no script), for screens light and dark and for
-//! paper. The same bake gives the same bytes; names from files are escaped wherever they appear.
+//! HTML reports: self-contained pages without network access or scripts, for light and dark screens and for paper. The
+//! same bake gives the same bytes. Names from files are always escaped.
 
 mod chart;
 mod charts;
@@ -28,7 +28,7 @@ pub(crate) use subject::BakePage;
 pub(crate) use takes::Takes;
 pub(crate) use trajectory::page as trajectory_page;
 
-/// The page about one bake.
+/// Returns the page about one bake.
 pub(crate) fn page(subject: &BakePage<'_>) -> String {
     let BakePage { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.over);

@@ -1,4 +1,4 @@
-//! The `aim` command as a library: [`run`] parses arguments, runs one command, and says how it ended.
+//! The `aim` command as a library: [`run`] parses the arguments, runs one command and returns its exit code.
 
 mod args;
 mod axis;
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-/// Runs the command that the process was started with.
+/// Runs the command given by the process arguments. Prints a failure to standard error.
 pub fn run() -> ExitCode {
     let arguments = args::Arguments::parse();
     match commands::run(arguments.command) {

@@ -1,4 +1,4 @@
-//! Checks of output paths: nothing is written over what a command reads, and no two things into one file.
+//! Checks of output paths: no command overwrites one of its inputs or writes two outputs to one file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,36 +10,37 @@ use crate::args::Written;
 use crate::failure::{Failure, Result};
 use crate::files;
 
-/// The input and output files of one call.
+/// Input and output files of one run.
 #[derive(Default)]
 pub(crate) struct Outputs {
+    /// Canonical paths, each with its description in messages.
     taken: Vec<(PathBuf, String)>,
 }
 
 impl Outputs {
-    /// Starts with files that are read, if given, each with its name in messages: nothing may be written over them.
+    /// Starts with the given input files, each with its description in messages. They must not be overwritten.
     pub(crate) fn reading<'a>(inputs: impl IntoIterator<Item = (Option<&'a PathBuf>, &'a str)>) -> Self {
         let taken = inputs.into_iter().filter_map(|(path, what)| Some((place(path?), what.to_owned())));
         Self { taken: taken.collect() }
     }
 
-    /// Adds the files that a model refers to.
+    /// Adds the files that a model refers to as inputs.
     pub(crate) fn reading_parts_of(mut self, model: &Document) -> Self {
         let parts = model.external_files();
         self.taken.extend(parts.iter().map(|file| (place(file), "a part of the model".to_owned())));
         self
     }
 
-    /// Adds a file that is going to be written because of `option`.
+    /// Adds the output file that `option` writes.
     ///
     /// # Errors
-    /// The file is one of the others, or its folder is not there.
+    /// The file is already used as another input or output, or its folder does not exist.
     pub(crate) fn writes(&mut self, path: &Path, option: &str) -> Result {
         let at = place(path);
         if let Some((_, what)) = self.taken.iter().find(|(taken, _)| *taken == at) {
             return Err(Failure::in_file(path, format!("is used twice: it is {what}; give {option} another name")));
         }
-        // Told before the work, not after it.
+        // Reported before the work instead of after it.
         if let Err(source) = at.parent().map_or(Ok(()), |folder| fs::metadata(folder.join(".")).map(drop)) {
             return Err(Failure::input(aim_gltf::Error::Write { path: path.to_owned(), source }.to_string()));
         }
@@ -47,10 +48,10 @@ impl Outputs {
         Ok(())
     }
 
-    /// Adds the files of a command that changes a model; `--out`, and nothing else, may replace the model that was read.
+    /// Adds the output files of a command that changes a model. Only `--out` may replace the model that was read.
     ///
     /// # Errors
-    /// A file is one of the others, or has the ending of something else.
+    /// A file is used twice, its folder does not exist, or its extension is that of another format.
     pub(crate) fn write_model(mut self, targets: Targets<'_>, model: &Path) -> Result {
         let Targets { out, report, html } = targets;
         if out.is_none_or(|out| place(out) != place(model)) {
@@ -78,14 +79,14 @@ impl Outputs {
     }
 }
 
-/// The files that a command writes, where they are asked for.
+/// Output files of a command that changes a model; `None` for those not requested.
 #[derive(Clone, Copy)]
 pub(crate) struct Targets<'a> {
-    /// The model.
+    /// The model, as a binary glTF file.
     pub(crate) out: Option<&'a Path>,
-    /// The result, as JSON.
+    /// The report, as JSON.
     pub(crate) report: Option<&'a Path>,
-    /// The result, as a page.
+    /// The report, as a page.
     pub(crate) html: Option<&'a Path>,
 }
 
@@ -103,13 +104,13 @@ impl Targets<'_> {
 }
 
 impl Written {
-    /// The files.
+    /// Returns the output files.
     pub(crate) fn targets(&self) -> Targets<'_> {
         Targets { out: Some(&self.out), report: self.report.as_deref(), html: self.html.as_deref() }
     }
 }
 
-/// Path of a file with links followed; of a file that does not exist yet, those of its folder.
+/// Returns the canonical path of a file. If the file does not exist yet, only the links in its folder are resolved.
 fn place(path: &Path) -> PathBuf {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     absolute.canonicalize().unwrap_or_else(|_| match (absolute.parent(), absolute.file_name()) {

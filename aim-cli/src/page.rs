@@ -1,14 +1,14 @@
-//! The shell of every page that the command writes: one file that needs no network and no script. The same content gives
-//! the same bytes.
+//! The common HTML frame of all pages that the command writes. A page is one file without network access or scripts.
+//! The same content gives the same bytes.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// A page in the style of reports.
+/// Returns a page in the style of reports.
 pub(crate) fn report(title: &str, content: &Markup) -> String {
     page(title, include_str!("html/style.css"), content)
 }
 
-/// A page with that title, style sheet and main content.
+/// Returns a page with this title, style sheet and main content.
 pub(crate) fn page(title: &str, style: &str, content: &Markup) -> String {
     html! {
         (DOCTYPE)

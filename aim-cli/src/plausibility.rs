@@ -1,4 +1,4 @@
-//! How plausible a bake looks: the report's block, in words, and as a check.
+//! Plausibility of a bake: as a block of the report, in words, and as a check.
 
 use std::path::Path;
 
@@ -9,7 +9,8 @@ use serde::ser::SerializeMap;
 use crate::failure::{Failure, Result};
 use crate::words::{fixed, listed, trimmed};
 
-/// The block `plausibility` of a report: every criterion's worst value, or null where nothing tells it.
+/// Serialises the block `plausibility` of a report: the worst value of each criterion, or null if it could not be
+/// measured.
 pub(crate) fn block<S: Serializer>(measured: &Plausibility, serializer: S) -> std::result::Result<S::Ok, S::Error> {
     let mut block = serializer.serialize_map(Some(Criterion::ALL.len()))?;
     for criterion in Criterion::ALL {
@@ -23,19 +24,20 @@ pub(crate) fn block<S: Serializer>(measured: &Plausibility, serializer: S) -> st
     block.end()
 }
 
-/// One criterion, ready to be shown.
+/// One criterion, formatted for display.
 pub(crate) struct Row {
     pub(crate) name: &'static str,
-    /// Its worst value; a dash where nothing tells it.
+    /// Worst value; a dash if the criterion could not be measured.
     pub(crate) value: String,
-    /// The limit, if there is one.
+    /// Limit; `None` if there is none.
     pub(crate) limit: Option<String>,
-    /// When the worst is reached.
+    /// Time of the worst value.
     pub(crate) when: Option<String>,
+    /// `true` if the worst value is beyond the limit.
     pub(crate) is_exceeded: bool,
 }
 
-/// All criteria.
+/// Returns a row for each criterion.
 pub(crate) fn rows(measured: &Plausibility) -> impl Iterator<Item = Row> + '_ {
     Criterion::ALL.into_iter().map(|criterion| {
         let (worst, limit) = (measured.worst(criterion), criterion.must(measured.is_humanoid));
@@ -72,7 +74,7 @@ fn shown(criterion: Criterion, value: f64) -> String {
     }
 }
 
-/// What is too much, each with its limit and when it is worst; empty where all is well.
+/// Returns the exceeded criteria in words, each with its limit and the time of its worst value.
 fn exceeded(measured: &Plausibility) -> Vec<String> {
     let too_much = rows(measured).filter(|row| row.is_exceeded);
     too_much
@@ -83,7 +85,7 @@ fn exceeded(measured: &Plausibility) -> Vec<String> {
         .collect()
 }
 
-/// Everything in one sentence, and what is too much in another.
+/// Returns a line with all criteria, and, if any are exceeded, a second line with those.
 pub(crate) fn in_words(measured: &Plausibility) -> String {
     let all: Vec<String> = rows(measured).map(|row| format!("{} {}", row.name, row.value)).collect();
     let mut out = format!("how it looks: {}", all.join(", "));
@@ -94,10 +96,10 @@ pub(crate) fn in_words(measured: &Plausibility) -> String {
     out
 }
 
-/// Insists on every limit.
+/// Checks that no limit is exceeded.
 ///
 /// # Errors
-/// Each value beyond its limit; `file` has been written all the same.
+/// A value is beyond its limit; the message lists all of them. `file` has been written nevertheless.
 pub(crate) fn insist(measured: &Plausibility, file: &Path) -> Result {
     let exceeded = exceeded(measured);
     if exceeded.is_empty() {

@@ -1,7 +1,7 @@
-//! `aim plot`: the aim function of one joint as a picture, with the solvers' ways over it.
+//! `aim plot`: the aim function of one joint as a picture, with the paths of the solvers.
 //!
-//! Every value is the rig's derived program's, every way is the runtime's; here both are only drawn. The same rig gives
-//! the same bytes.
+//! All values come from the rig's derived program and all paths from the runtime; this module only draws them. The same
+//! rig gives the same bytes.
 
 mod bands;
 mod contours;
@@ -16,15 +16,15 @@ mod surface;
 pub(crate) use picture::{PlotPicture, Size};
 pub(crate) use subject::JointPlot;
 
-/// The aim over both angles as contours, over the only angle of a hinge as a curve.
+/// Draws the aim over both angles as contours, or over the only angle of a hinge as a curve.
 pub(crate) fn flat(subject: &JointPlot, size: Size) -> PlotPicture {
     if subject.is_hinge() { curve::picture(subject, size) } else { contours::picture(subject, size) }
 }
 
-/// The aim over both angles as a surface in space.
+/// Draws the aim over both angles as a surface in space.
 ///
 /// # Errors
-/// The joint has one angle only.
+/// The joint has only one angle.
 pub(crate) fn surface(subject: &JointPlot, size: Size) -> Result<PlotPicture, String> {
     if subject.is_hinge() {
         return Err(format!(

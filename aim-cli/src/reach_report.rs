@@ -51,28 +51,28 @@ pub(crate) struct ReachSummary {
     pub(crate) max_error: f64,
 }
 
-/// Largest distance from a target that counts as reached, in lengths of the limb.
+/// Largest distance from a target at which it counts as reached, in lengths of the limb.
 const REACHED: f64 = 1e-4;
 
 impl ReachFrame {
-    /// Distance from where the deformed trajectory wants the bone.
+    /// Returns the distance of the written bone from the deformed trajectory, in the file's units.
     pub(crate) fn error(&self) -> f64 {
         DVec3::from(self.after).distance(self.wanted.into())
     }
 
-    /// Distance from where the bone was.
+    /// Returns the distance of the written bone from its original place, in the file's units.
     pub(crate) fn moved(&self) -> f64 {
         DVec3::from(self.after).distance(self.before.into())
     }
 }
 
 impl ReachReport {
-    /// Largest distance from a target that counts as reached.
+    /// Returns the largest distance from a target at which it counts as reached, in the file's units.
     pub(crate) fn tolerance(&self) -> f64 {
         REACHED * self.length
     }
 
-    /// `clip` is of `written`, the model as it was written: what the report claims is so in the file.
+    /// Creates the report from `clip` in `written`, the model as it was written, so that the report describes the file.
     pub(crate) fn new(bone: &str, plan: &ReachPlan<'_>, reached: &Reached, written: &Document, clip: &Clip) -> Self {
         let limb = plan.limb;
         let skeleton = written.skeleton();
@@ -133,7 +133,7 @@ impl ReachReport {
         }
     }
 
-    /// The result for each target and for the limb, one sentence a line.
+    /// Returns the result for each target and for the limb, one sentence per line.
     pub(crate) fn in_words(&self) -> String {
         let mut words = String::new();
         for target in &self.targets {

@@ -1,4 +1,4 @@
-//! Reduction of clips as users ask for it, in millimetres of a 1.7 m figure.
+//! Reduction of clips within a tolerance in millimetres of a 1.7 m figure.
 
 use std::path::Path;
 use std::str::FromStr;
@@ -11,11 +11,11 @@ use aim_runtime::glam::Vec3;
 use crate::failure::Failure;
 use crate::words::{fixed, trimmed};
 
-/// A length of a 1.7 m figure, millimetres: 0 to [`MOST_MM`].
+/// A tolerance in millimetres of a 1.7 m figure, from 0 to [`MOST_MM`].
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub(crate) struct Millimetres(pub(crate) f64);
 
-/// The largest tolerance, millimetres.
+/// Largest tolerance, millimetres.
 const MOST_MM: f64 = 1000.0;
 
 impl FromStr for Millimetres {
@@ -41,38 +41,39 @@ impl FromStr for Millimetres {
     }
 }
 
-/// Parses one of several times that commas separate.
+/// Parses one time of a comma-separated list, seconds; the unit `s` is optional.
 pub(crate) fn seconds(text: &str) -> Result<f32, String> {
     let number = text.trim();
     let number = number.strip_suffix('s').map_or(number, str::trim_end);
     number.parse().map_err(|_| "expected seconds separated by commas, such as 0.2,0.42".into())
 }
 
-/// A millimetre of a 1.7 m figure, in a file's units: a part of the character's height, or of a metre where nothing has a height.
+/// Returns a millimetre of a 1.7 m figure in a file's units: 1/1700 of the character's height, or 0.001 if it has no
+/// height.
 pub(crate) fn millimetre(measurement: &Measurement) -> f64 {
     if measurement.height > 0.0 { measurement.height / 1700.0 } else { 1e-3 }
 }
 
-/// A request to reduce a clip.
+/// Accuracy that a reduced clip has to keep.
 pub(crate) struct Kept<'a> {
-    /// The largest distance from where it was, in the units of the skeleton's space.
+    /// Largest allowed distance of a bone from its original place, in the units of the skeleton's space.
     pub(crate) tolerance: f64,
-    /// Times whose poses stay, seconds.
+    /// Times at which the poses stay unchanged, seconds.
     pub(crate) pins: &'a [f32],
-    /// Points of bones, in the bone's space, that count as their ends do: what an eye looks at.
+    /// Points to which the tolerance also applies, each with its bone and in that bone's space: where an eye looks.
     pub(crate) points: &'a [(usize, Vec3)],
 }
 
-/// The length of a point's bone beside its distance.
+/// Length of the auxiliary bone at a point, as a share of the point's distance from its bone.
 const SHORT: f32 = 0.02;
 
-/// A clip of the document with as few keys as a tolerance allows.
+/// Returns a clip of the document with as few keys as the tolerance allows.
 pub(crate) fn reduced(clip: &Clip, document: &Document, kept: &Kept<'_>) -> Result<Clip, String> {
     let Kept { tolerance, pins, points } = *kept;
     let skeleton = document.skeleton();
     let bones = skeleton.names().iter().zip(skeleton.parents()).zip(skeleton.rest());
     let bones = bones.map(|((name, parent), rest)| Bone::new(name, *parent).with_rest(*rest));
-    // A point is a bone at rest on its bone, with a short one on it: that of a leaf would be as long as its parent.
+    // Each point becomes an auxiliary bone at rest, with a short child: a leaf would be as long as its parent.
     let point = |(number, (bone, point)): (usize, &(usize, Vec3))| {
         let on = |parent: usize, at: Vec3| Bone::new("", Some(parent)).with_rest(Transform::from_translation(at));
         [on(*bone, *point), on(skeleton.len() + 2 * number, *point * SHORT)]
@@ -88,7 +89,8 @@ pub(crate) fn reduced(clip: &Clip, document: &Document, kept: &Kept<'_>) -> Resu
     Ok(held(with_smaller_weights(reduced, clip, document), document))
 }
 
-/// The tolerance of morph weights beside one of lengths: that of [`Reduction`], and none where nothing is to change.
+/// Returns the tolerance of morph weights for a tolerance of lengths: the default of [`Reduction`], or 0 if nothing may
+/// change.
 pub(crate) fn weight_tolerance(tolerance: f64) -> f64 {
     if tolerance > 0.0 { 1e-3 } else { 0.0 }
 }
@@ -96,19 +98,20 @@ pub(crate) fn weight_tolerance(tolerance: f64) -> f64 {
 /// The error of a reduced clip as written.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct WrittenError {
-    /// Of the bone that is furthest off, millimetres of a 1.7 m figure.
+    /// Largest error of any bone, millimetres of a 1.7 m figure.
     pub(crate) mm: f64,
-    /// The bone's name, and the time in seconds.
+    /// Name of that bone, and the time in seconds.
     pub(crate) at: Option<(String, f64)>,
-    /// Of any morph weight.
+    /// Largest error of any morph weight; `None` if there are none.
     pub(crate) weights: Option<f64>,
 }
 
 impl WrittenError {
-    /// That a clip is within its tolerance, but for rounding: a hundredth of it, and a thousandth of a millimetre or millionth of a weight.
+    /// Checks that a clip is within its tolerance, with an allowance for rounding: a hundredth of the tolerance, but at
+    /// least a thousandth of a millimetre or a millionth of a weight.
     ///
     /// # Errors
-    /// It is not.
+    /// The error is larger, or not a number.
     pub(crate) fn check(&self, file: &Path, clip: &str, tolerance: Millimetres) -> Result<(), Failure> {
         let is_above =
             |error: f64, limit: f64, rounding: f64| error.is_nan() || error > limit + f64::max(0.01 * limit, rounding);
@@ -136,8 +139,9 @@ fn narrow(value: f64) -> f32 {
     value as f32
 }
 
-/// The reduced clip with the old tracks of each mesh whose weights they are written smaller with: a file has keys of all weights
-/// of a mesh at the times of each, so that knots of their own may be more.
+/// Returns the reduced clip, with the original tracks for each mesh whose morph weights take less space with them. A
+/// file stores the weights of all targets of a mesh at the key times of each, so separate key times can increase the
+/// size.
 fn with_smaller_weights(mut reduced: Clip, old: &Clip, document: &Document) -> Clip {
     for node in 0..document.skeleton().len() {
         let targets = document.morph_scalars(node);
@@ -152,7 +156,8 @@ fn with_smaller_weights(mut reduced: Clip, old: &Clip, document: &Document) -> C
     reduced
 }
 
-/// The numbers that a file has for the weights of a mesh: at each time one, or a value and two velocities, of each target.
+/// Returns how many numbers a file stores for the morph weights of a mesh: at each key time, the time itself and for
+/// each target a value, or a value and two velocities if any track is cubic.
 fn weight_numbers(tracks: &[(usize, Track<f32>)], targets: usize) -> usize {
     let mut times: Vec<u32> =
         tracks.iter().flat_map(|(_, track)| track.times().iter().map(|time| time.to_bits())).collect();
@@ -162,7 +167,8 @@ fn weight_numbers(tracks: &[(usize, Track<f32>)], targets: usize) -> usize {
     times.len() * (1 + targets * if is_cubic { 3 } else { 1 })
 }
 
-/// A clip with a key at its end, from which a file has its length. No track that moves is replaced.
+/// Returns the clip with a key at its end, because the last key defines its length in a file. The motion stays the
+/// same.
 fn held(clip: Clip, document: &Document) -> Clip {
     let vectors =
         clip.tracks().iter().flat_map(|tracks| [&tracks.translation, &tracks.scale]).flatten().map(Track::end_s);
@@ -175,10 +181,11 @@ fn held(clip: Clip, document: &Document) -> Clip {
     with_end(&clip, document).unwrap_or(clip)
 }
 
-/// A clip that ends before its length with one more track, or key, that ends there.
+/// Returns a clip that ends before its length with an additional track, or key, that ends there; `None` if there is no
+/// bone to animate.
 fn with_end(clip: &Clip, document: &Document) -> Option<Clip> {
     let (skeleton, length, new) = (document.skeleton(), clip.length_s(), || clip.clone());
-    // A track of one value has a second key.
+    // First choice: a second key on a track with one key.
     for tracks in clip.tracks() {
         let bone = tracks.bone;
         if let Some(track) = tracks.rotation.as_ref().and_then(|track| still(track, length)) {
@@ -191,7 +198,7 @@ fn with_end(clip: &Clip, document: &Document) -> Option<Clip> {
             return Some(new().with_scale(bone, track));
         }
     }
-    // Else a bone that moves stays at rest in what it has no track of.
+    // Otherwise, a constant track at rest for a property that an animated bone has no track of.
     for tracks in clip.tracks() {
         let Some(rest) = skeleton.rest().get(tracks.bone) else { continue };
         if tracks.translation.is_none() {
@@ -201,7 +208,7 @@ fn with_end(clip: &Clip, document: &Document) -> Option<Clip> {
             return Some(new().with_scale(tracks.bone, constant(rest.scale, length)?));
         }
     }
-    // Else a track keeps its last value until the end.
+    // Otherwise, a track repeats its last value at the end.
     for tracks in clip.tracks() {
         if let Some(track) = &tracks.translation {
             return Some(new().with_translation(tracks.bone, prolonged(track, length)?));
@@ -210,24 +217,24 @@ fn with_end(clip: &Clip, document: &Document) -> Option<Clip> {
     if let Some((scalar, track)) = clip.scalars().first() {
         return Some(new().with_scalar(*scalar, prolonged(track, length)?));
     }
-    // Of a clip that has no tracks the first bone of the file stays at rest.
+    // Otherwise, there are no tracks: the first bone of the file stays at rest.
     let bone = (0..skeleton.len()).find(|bone| skeleton.is_in_file(*bone))?;
     Some(new().with_rotation(bone, constant(skeleton.rest().get(bone)?.rotation, length)?))
 }
 
-/// A track of one key with one at the end, too; `None` of others.
+/// Returns a track of one key with a second one at `length_s`; `None` for other tracks.
 fn still<T: Value>(track: &Track<T>, length_s: f32) -> Option<Track<T>> {
     if let [value] = track.values() { constant(*value, length_s) } else { None }
 }
 
-/// A value from 0 to the end.
+/// Returns a constant track from 0 to `length_s`.
 fn constant<T: Value>(value: T, length_s: f32) -> Option<Track<T>> {
     let times = if length_s > 0.0 { vec![0.0, length_s] } else { vec![0.0] };
     let values = vec![value; times.len()];
     Track::step(times, values).ok()
 }
 
-/// A track that ends before `length_s` with its last value once more, then.
+/// Returns a track that ends before `length_s` with its last value repeated at that time.
 fn prolonged<T: Value>(track: &Track<T>, length_s: f32) -> Option<Track<T>> {
     let last = *track.values().last()?;
     let times: Vec<f32> = track.times().iter().copied().chain([length_s]).collect();

@@ -1,4 +1,4 @@
-//! [`SeamReport`]: how the end of a clip differs from its beginning, and of which bone.
+//! [`SeamReport`]: the difference between the end and the beginning of a clip, with the bones that differ most.
 
 use aim_animation::{Clip, Gap};
 use aim_character::{Measurement, on_the_spot};
@@ -8,14 +8,15 @@ use serde::Serialize;
 use crate::reduction::millimetre;
 use crate::words::fixed;
 
-/// A number, and the bone that has it.
+/// Largest value, and the bone that has it.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct Most {
     pub(crate) most: f64,
     pub(crate) bone: Option<String>,
 }
 
-/// The seam of a clip without the way of its hips; translations in millimetres of a 1.7 m figure.
+/// Seam of a clip without the motion of its hips: differences in place and speed. Translations are in millimetres of a
+/// 1.7 m figure, rotations in degrees.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(crate) struct SeamReport {
     pub(crate) mm: Most,
@@ -25,7 +26,7 @@ pub(crate) struct SeamReport {
 }
 
 impl SeamReport {
-    /// Of a clip in which the hips cannot be followed, of the clip as it is.
+    /// Measures the seam of a clip, including the motion of its hips if that cannot be determined.
     pub(crate) fn new(document: &Document, measurement: &Measurement, clip: &Clip) -> Self {
         let clip = on_the_spot(document, measurement, clip).unwrap_or_else(|_| clip.clone());
         let skeleton = document.skeleton();

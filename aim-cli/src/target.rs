@@ -1,4 +1,4 @@
-//! Targets of a bake: the SPEC of `bake --target`.
+//! Targets of a bake: the values of `bake --target`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,13 +13,14 @@ use crate::failure::{Failure, Result};
 /// A target as the user wrote it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum TargetSpec {
-    /// A point of the world.
+    /// A point in the world.
     Point(DVec3),
-    /// Around the effector in the bind pose, in metres of a 1.7 m character.
+    /// A circle around the effector in the bind pose: radius and height in metres of a 1.7 m character, and seconds per
+    /// turn.
     Orbit { radius: f64, height: f64, seconds: f64 },
-    /// A node of the file.
+    /// A node of the file, by name.
     Node(String),
-    /// Rows of t, x, y, z.
+    /// Path of a CSV file with the columns t, x, y, z.
     File(PathBuf),
 }
 
@@ -46,7 +47,7 @@ impl FromStr for TargetSpec {
     }
 }
 
-/// A point of the world as the user wrote it.
+/// A point as the user wrote it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point(pub(crate) DVec3);
 
@@ -65,16 +66,20 @@ fn three_numbers(text: &str) -> Option<[f64; 3]> {
     numbers.try_into().ok()
 }
 
-/// True if single precision, in which files have their numbers, can hold it.
+/// Returns `true` if a number fits into single precision, which files use.
 fn is_usable(x: f64) -> bool {
     x.abs() <= f64::from(f32::MAX)
 }
 
-/// A target's place in the world at a time, seconds, with the file's nodes at these places.
+/// Function that returns the target's place in the world, given a time in seconds and the world transforms of the
+/// file's nodes.
 pub(crate) type Target = Box<dyn Fn(f64, &[DAffine3]) -> DVec3>;
 
 impl TargetSpec {
-    /// Finds the target in `document`. `effector_bind` is the effector's origin in the bind pose.
+    /// Resolves the target in `document`. `effector_bind` is the effector's origin in the bind pose.
+    ///
+    /// # Errors
+    /// There is no such node, or the CSV file cannot be read or parsed.
     pub(crate) fn resolve(
         &self,
         file: &Path,
@@ -105,6 +110,7 @@ impl TargetSpec {
     }
 }
 
+/// Returns the point of a path at time `t`: linear between rows, constant before the first and after the last.
 fn on_path(rows: &[(f64, DVec3)], t: f64) -> DVec3 {
     let after = rows.partition_point(|(time, _)| *time <= t);
     match (after.checked_sub(1).map(|i| rows[i]), rows.get(after)) {
@@ -122,9 +128,9 @@ fn read_path(path: &Path) -> Result<Vec<(f64, DVec3)>> {
     parse_path(&text).map_err(fail)
 }
 
-/// The rows of a CSV file with the columns t,x,y,z; empty lines do not count.
+/// Parses the rows of a CSV file with the columns t,x,y,z, sorted by t. Empty lines are ignored.
 fn parse_path(text: &str) -> std::result::Result<Vec<(f64, DVec3)>, String> {
-    // Spreadsheets begin with a byte-order mark.
+    // Spreadsheets write a byte-order mark first.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let cells = |line: &str| line.split(',').map(|cell| cell.trim().trim_matches('"').to_owned()).collect::<Vec<_>>();
     let mut lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());

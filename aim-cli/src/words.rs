@@ -1,12 +1,13 @@
-//! Numbers and statuses as people read them; the same number always becomes the same text.
+//! Formatting of numbers and statuses for readers. The same number always gives the same text.
 
 use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
 
-/// A status in words: the contract's word, ours, ours behind a number of frames, what it means.
+/// Words for a status: its name in JSON, its name for readers, the words that follow a number of frames, and its
+/// meaning.
 pub(crate) type StatusWords = (&'static str, &'static str, &'static str, &'static str);
 
-/// Statuses in the order in which they are listed.
+/// Words for all statuses, in the order of listings.
 const STATUSES: [StatusWords; 5] = [
     ("reached", "on target", "on target", "within the tolerance of the target"),
     ("rate_limited", "on the way", "on the way", "within reach as soon as the rates allow"),
@@ -15,7 +16,7 @@ const STATUSES: [StatusWords; 5] = [
     ("degenerate", "no direction", "without a direction", "the target or the pose has no direction to aim along"),
 ];
 
-/// Those of a weight below 1 that are other words.
+/// Words for `reached` if the weight is below 1.
 const OF_THE_GOAL: StatusWords = (
     "reached",
     "on the goal",
@@ -23,17 +24,18 @@ const OF_THE_GOAL: StatusWords = (
     "within the tolerance of the goal, which the weight leaves of the way",
 );
 
-/// The direction that statuses and errors are measured from.
+/// Direction that statuses and errors refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Wanted {
-    /// That to the target.
+    /// Direction to the target.
     Target,
-    /// The part of the way from the animated gaze to the target that a weight below 1 asks for.
+    /// Direction between the animated gaze and the target, as far as a weight below 1 asks for.
     Goal,
 }
 
 impl Wanted {
+    /// Returns what an aim of this weight wants.
     pub(crate) fn at_weight(weight: f32) -> Self {
         if weight < 1.0 { Self::Goal } else { Self::Target }
     }
@@ -43,7 +45,7 @@ impl Wanted {
         *self == Self::Target
     }
 
-    /// As a noun.
+    /// Returns the name of the direction, as a noun.
     pub(crate) fn noun(self) -> &'static str {
         match self {
             Self::Target => "target",
@@ -51,30 +53,30 @@ impl Wanted {
         }
     }
 
-    /// All statuses, in the order in which they are listed.
+    /// Returns the words for all statuses, in the order of listings.
     pub(crate) fn statuses(self) -> impl Iterator<Item = StatusWords> {
         STATUSES
             .into_iter()
             .map(move |words| if self == Self::Goal && words.0 == OF_THE_GOAL.0 { OF_THE_GOAL } else { words })
     }
 
-    /// A status in our words; one that is not known in its own.
+    /// Returns a status's name for readers; an unknown status is returned unchanged.
     pub(crate) fn status(self, word: &str) -> &str {
         self.statuses().find(|(own, ..)| *own == word).map_or(word, |(_, ours, ..)| ours)
     }
 }
 
-/// A small patch of a status's colour.
+/// Returns a small patch in the colour of a status.
 pub(crate) fn chip(status: &str) -> Markup {
     html! { svg.patch viewBox="0 0 10 10" aria-hidden="true" { rect class={ "status " (status) } width="10" height="10" rx="2" {} } }
 }
 
-/// A coordinate of a drawing: one decimal, nothing superfluous.
+/// Formats a coordinate of a drawing with at most one decimal.
 pub(crate) fn n(value: f64) -> String {
     trimmed(value, 1)
 }
 
-/// A straight line of a drawing, in that class; nothing if one of its ends is not finite.
+/// Returns a line of a drawing with that class; empty if one of its ends is not finite.
 pub(crate) fn segment(class: &str, from: DVec3, to: DVec3) -> Markup {
     html! {
         @if from.is_finite() && to.is_finite() {
@@ -83,35 +85,35 @@ pub(crate) fn segment(class: &str, from: DVec3, to: DVec3) -> Markup {
     }
 }
 
-/// The attribute `points` of these points of a drawing.
+/// Returns the SVG attribute `points` for these points.
 pub(crate) fn points(points: impl IntoIterator<Item = DVec3>) -> String {
     points.into_iter().map(|p| format!("{},{}", n(p.x), n(p.y))).collect::<Vec<_>>().join(" ")
 }
 
-/// With that many decimals, less the zeros at the end.
+/// Formats a number with at most that many decimals, without trailing zeros.
 pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
     let text = fixed(value, decimals);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
-/// The error of morph weights, as the end of a sentence about something else; nothing where there are none.
+/// Returns the error of morph weights as a clause that continues a sentence; empty if there are none.
 pub(crate) fn weights_in_words(error: Option<f64>) -> String {
     error.map_or_else(String::new, |error| format!(", weights at most {} off", fixed(error, 4)))
 }
 
-/// With exactly that many decimals; zero has no sign.
+/// Formats a number with exactly that many decimals; zero has no sign.
 pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     let is_zero = text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     if is_zero { text[1..].to_owned() } else { text }
 }
 
-/// For reading: [`trimmed`], with the minus sign of print.
+/// Formats a number like [`trimmed`], with a typographic minus sign.
 pub(crate) fn shown(value: f64, decimals: usize) -> String {
     trimmed(value, decimals).replace('-', "−")
 }
 
-/// An angle: more decimals where it is small.
+/// Formats an angle in degrees, with more decimals if it is small.
 pub(crate) fn degrees(value: f64) -> String {
     let decimals = match value.abs() {
         x if x < 1.0 => 3,
@@ -121,7 +123,7 @@ pub(crate) fn degrees(value: f64) -> String {
     format!("{}°", fixed(value, decimals))
 }
 
-/// Something that ought to be nothing: its size to two digits, such as `4.9 × 10⁻⁵°/s`.
+/// Formats an error that should be 0: below 0.001 with two digits, such as `4.9 × 10⁻⁵°/s`.
 pub(crate) fn tiny(value: f64, unit: &str) -> String {
     if value >= 1e-3 || value <= 0.0 {
         return format!("{}{unit}", trimmed(value, 3));
@@ -130,7 +132,7 @@ pub(crate) fn tiny(value: f64, unit: &str) -> String {
     format!("{}{gap}{unit}", scientific(value))
 }
 
-/// To two digits, such as `1.3 × 10⁻¹²`.
+/// Formats a number with two digits, such as `1.3 × 10⁻¹²`.
 pub(crate) fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     match text.split_once('e') {
@@ -147,12 +149,12 @@ fn raised(power: &str) -> String {
     power.chars().map(raised).collect()
 }
 
-/// A power of ten on an axis: small ones as such, `10⁻⁵`.
+/// Formats a power of ten on an axis; below 0.001 as a power, such as `10⁻⁵`.
 pub(crate) fn power_of_ten(value: f64) -> String {
     if value >= 0.99e-3 { shown(value, 3) } else { format!("10{}", raised(&fixed(value.log10(), 0))) }
 }
 
-/// `+X`, or the components of a vector that is no axis.
+/// Formats a unit vector: as `+X` if it is a signed axis, otherwise by its components.
 pub(crate) fn axis(v: [f64; 3]) -> String {
     let along = ["X", "Y", "Z"].into_iter().zip(v).find(|(_, component)| component.abs() > 1.0 - 1e-9);
     match along {
@@ -161,30 +163,30 @@ pub(crate) fn axis(v: [f64; 3]) -> String {
     }
 }
 
-/// The smallest and the largest of some numbers; of none the largest number and the smallest.
+/// Returns the smallest and the largest of some numbers; if there are none, `(f64::MAX, f64::MIN)`.
 pub(crate) fn span(numbers: impl IntoIterator<Item = f64>) -> (f64, f64) {
     numbers.into_iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)))
 }
 
-/// A number of things; exact below 2^52.
+/// Converts a count to a float; exact below 2^52.
 #[expect(clippy::cast_precision_loss, reason = "frames, letters and pixels are far fewer")]
 pub(crate) fn count(value: usize) -> f64 {
     value as f64
 }
 
-/// A whole number, with commas between thousands: `1,234,567`.
+/// Formats a whole number with commas between thousands: `1,234,567`.
 pub(crate) fn grouped(number: usize) -> String {
     let digits = number.to_string();
     let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
     groups.collect::<Vec<_>>().join(",")
 }
 
-/// `1 frame`, `2 frames`.
+/// Returns a count with its noun: `1 frame`, `2 frames`.
 pub(crate) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Names in a row: `a`, `a and b`, `a, b and c`.
+/// Joins names: `a`, `a and b`, `a, b and c`.
 pub(crate) fn listed(names: &[&str]) -> String {
     match names {
         [] => String::new(),

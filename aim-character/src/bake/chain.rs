@@ -1,4 +1,4 @@
-//! [`ChainNodes`]: the nodes of a file that the joints of a rig are.
+//! [`ChainNodes`]: the nodes of a file that correspond to the joints of a rig.
 
 use aim_gltf::Skeleton;
 use aim_runtime::Description;
@@ -7,32 +7,34 @@ use crate::error::Error;
 use crate::measure::Measurement;
 use crate::measure::limbs::limbs_on;
 
-/// A node that hangs on a joint of a chain and keeps its place on what carries the joint.
+/// A node below a joint of the chain that moves with the joint's carrier (usually the chest) instead of with the joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hold {
-    /// The joint, counted from the effector inward.
+    /// Index of the joint in the chain, counted from the effector inward.
     pub joint: usize,
-    /// The node.
+    /// Index of the held node.
     pub node: usize,
 }
 
-/// The nodes that a rig's joints are in a file.
+/// The nodes of a file that correspond to the joints of a rig.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChainNodes {
-    /// One node a joint, from the effector inward.
+    /// Node of each joint, from the effector inward.
     pub joints: Vec<usize>,
-    /// The other eye: turned in the world as joint 0 is.
+    /// Node of the other eye, which turns with joint 0 or is aimed itself.
     pub other_eye: Option<usize>,
-    /// The nodes that are held; `None` to find them: the arms that hang on head or neck.
+    /// Held nodes; `None` to hold the arms that are descendants of head or neck.
     pub holds: Option<Vec<Hold>>,
 }
 
 impl ChainNodes {
-    /// Finds the nodes by name: for each joint the first of `bones` that the file has.
+    /// Finds the nodes by name: for each joint, the first of its `bones` that matches exactly one node.
+    ///
+    /// `bones` lists the candidate names of each joint, from the effector inward.
     ///
     /// # Errors
-    /// A bone or other eye that is not there or not unique; joints that are not each other's descendants; another eye
-    /// that is not beside joint 0 but above or below it.
+    /// Fails if a joint has no candidate that matches exactly one node, if the other eye does not match exactly one, if
+    /// a joint is not a descendant of the next one, or if joint 0 and the other eye are ancestor and descendant.
     pub fn find<'a>(
         skeleton: &Skeleton,
         bones: impl IntoIterator<Item = &'a [String]>,
@@ -60,11 +62,14 @@ impl ChainNodes {
         Ok(Self { joints, other_eye, holds: None })
     }
 
-    /// With these nodes held, each given by the joint that it hangs on and by name.
+    /// Sets the held nodes, each given by the joint that it descends from and by its name.
     ///
     /// # Errors
-    /// A name that no node has, or several; a node that is named twice, that does not hang on its joint, that carries a joint
-    /// or the other eye, or that hangs on another one that is held.
+    /// Fails if a name does not match exactly one node or occurs twice, or if a node does not descend from its joint,
+    /// is an ancestor of a joint or of the other eye, or descends from another held node.
+    ///
+    /// # Panics
+    /// Panics if a joint's index is not below the number of joints.
     pub fn with_holds<'a>(
         mut self,
         skeleton: &Skeleton,
@@ -98,7 +103,8 @@ impl ChainNodes {
         Ok(self)
     }
 
-    /// The nodes to hold while a rig turns the chain's: those that were named, else the arms on the innermost joint of head and neck.
+    /// Returns the nodes to hold while a rig turns the chain: those that were set, otherwise the arms on the innermost
+    /// joint of head and neck.
     pub(crate) fn held(
         &self,
         description: &Description<'_>,
@@ -114,13 +120,13 @@ impl ChainNodes {
         self.holds.clone().or_else(found).unwrap_or_default()
     }
 
-    /// Every node that is turned: the joints from the effector inward, then the other eye.
+    /// Returns every node that the rig turns: the joints from the effector inward, then the other eye.
     pub(crate) fn turned(&self) -> impl Iterator<Item = usize> + '_ {
         self.joints.iter().copied().chain(self.other_eye)
     }
 }
 
-/// The node of the first of these names that one node has; else what is wrong with the first name.
+/// Returns the node of the first name that matches exactly one node; otherwise the error for the first name.
 fn find_first(skeleton: &Skeleton, names: &[String]) -> Result<usize, Error> {
     let mut found = names.iter().map(|name| Ok(skeleton.find(name)?));
     let first = found.next().unwrap_or(Err(Error::Chain("a joint without any bone name".into())));

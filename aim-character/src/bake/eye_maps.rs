@@ -1,4 +1,5 @@
-//! Eyes that turn by the range maps of a VRM file: aiming solves for the angle to the target, and [`EyeMaps`] turns the bones.
+//! Eyes that turn by the range maps of a VRM file. The solver aims the gaze at the target, and [`EyeMaps`] then turns
+//! the bones by as much as the maps give for that gaze.
 
 use aim_animation::Transform;
 use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
@@ -8,8 +9,10 @@ use crate::bake::chain::ChainNodes;
 use crate::measure::roles::Role;
 use crate::measure::{BoneAxes, BoneFrame, Measurement};
 
-/// The maps of an eye's headings to the right and to the left, and of its pitches down and up: of an eye that looks by morph
-/// targets to their weights, of the bone of a VRM file's eye to its angles. `None` of what turns as it looks.
+/// Returns the range maps of an eye: headings to the right and to the left, pitches down and up.
+///
+/// For an eye that looks by morph targets, the maps give weights; for an eye bone of a VRM file, angles. `None` for a
+/// bone that turns by the full angle of its gaze.
 #[must_use]
 pub fn range_maps(document: &Document, bone: &BoneAxes) -> Option<[RangeMap; 4]> {
     if let Some(eye) = document.skeleton().morph_eyes().iter().find(|eye| eye.node == bone.node) {
@@ -31,12 +34,12 @@ pub(crate) struct EyeMaps(Vec<MappedEye>);
 struct MappedEye {
     node: usize,
     frame: BoneFrame,
-    /// To the right, to the left, down, up.
+    /// Range maps to the right, to the left, down and up.
     maps: [RangeMap; 4],
 }
 
 impl EyeMaps {
-    /// The mapped eyes among what the chain turns: none unless the file is a VRM file whose bones look.
+    /// Finds the mapped eyes among the chain's nodes; none unless the file is a VRM file whose eyes look by bones.
     pub(crate) fn find(document: &Document, measurement: &Measurement, chain: &ChainNodes) -> Self {
         let eye = |node: usize| {
             let bone = measurement.bone(node).filter(|bone| document.skeleton().is_in_file(bone.node))?;
@@ -49,17 +52,18 @@ impl EyeMaps {
         self.0.is_empty()
     }
 
-    /// The eyes' local rotations.
+    /// Returns the eyes' local rotations.
     pub(crate) fn rotations(&self, pose: &[Transform]) -> Vec<Quat> {
         self.0.iter().map(|eye| pose[eye.node].rotation).collect()
     }
 
-    /// Replaces the turn of each eye since it had the rotation `before`, which is to where it looks, by what its map makes of it.
+    /// Replaces each eye's rotation since `before`, which points it at the target, by the output of its range maps for
+    /// that rotation.
     pub(crate) fn apply(&self, before: &[Quat], pose: &mut [Transform]) {
         for (eye, before) in self.0.iter().zip(before) {
             let trs = &mut pose[eye.node];
             let before = before.as_dquat();
-            // The rotation acts outside the node's own scale.
+            // The rotation is applied after the node's own scale, so negative scales flip the axes.
             let sign = trs.scale.signum().as_dvec3();
             let [up, forward, left] = [eye.frame.up, eye.frame.forward, eye.frame.left].map(|axis| axis * sign);
             let frame = BoneFrame { up, forward, left };
@@ -78,13 +82,13 @@ impl EyeMaps {
 }
 
 impl BoneFrame {
-    /// Heading and pitch, radians, of the direction to which `turn`, in the bone's space, brings its forward.
+    /// Returns heading and pitch, radians, of the forward direction after `turn`, a rotation in the bone's space.
     pub(crate) fn angles(&self, turn: DQuat) -> [f64; 2] {
         let gaze = turn * self.forward;
         [gaze.dot(self.left).atan2(gaze.dot(self.forward)), gaze.dot(self.up).clamp(-1.0, 1.0).asin()]
     }
 
-    /// The turn by a pitch and then a heading, radians.
+    /// Returns the rotation by a pitch, then by a heading, both in radians.
     pub(crate) fn turn(&self, [heading, pitch]: [f64; 2]) -> DQuat {
         let turn = |to: DVec3, angle: f64| DQuat::from_axis_angle(self.forward.cross(to).normalize(), angle);
         turn(self.left, heading) * turn(self.up, pitch)

@@ -1,4 +1,4 @@
-//! [`Live`]: one chain of one character, aimed frame by frame over whatever its animation does.
+//! [`Live`]: one chain of one character, aimed frame by frame over its animation.
 
 use aim_animation::{AimChain, AimChainError, AimFrame, Clip, Transform};
 use aim_gltf::{Document, Skeleton};
@@ -13,12 +13,17 @@ use crate::error::Error;
 use crate::measure::Measurement;
 use crate::measure::frame::orthonormal;
 
-/// One chain of a character of a [`Document`], aimed in each frame after its animation: an [`AimChain`] with what a file says of
-/// eyes, and a judge in double precision.
+/// One chain of a character of a [`Document`], aimed in each frame after the animation.
 ///
-/// A frame is: the animation's pose and its nodes in the world; [`animated`](Self::animated) of them; a call of
-/// [`DynAim::aim`] or [`DynAim::snap`] with [`AimFrame::pose`]; then [`aimed`](Self::aimed), which puts the corrections into the
-/// pose. A pose of another length than the skeleton is not aimed.
+/// It extends [`AimChain`] by the eyes that the file describes and by results measured in double precision. The steps
+/// of a frame are:
+///
+/// - Sample the pose and compute its world transforms.
+/// - Call [`animated`](Self::animated) with them.
+/// - Call [`DynAim::aim`] or [`DynAim::snap`] with [`AimFrame::pose`].
+/// - Call [`aimed`](Self::aimed), which writes the corrections into the pose.
+///
+/// A pose whose length differs from the skeleton's is not aimed.
 #[derive(Clone, Debug)]
 pub struct Live {
     chain: AimChain,
@@ -31,67 +36,67 @@ pub struct Live {
 /// Inputs of one aimed frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {
-    /// Seconds, for the record.
+    /// Time of the frame, seconds. It is only copied to the result.
     pub t: f32,
-    /// The target in the world.
+    /// Target in world space.
     pub target: DVec3,
-    /// Every node in the world, animated.
+    /// Animated world transform of every node.
     pub world: &'a [DAffine3],
-    /// The result of [`Live::animated`].
+    /// Result of [`Live::animated`].
     pub joints: &'a AimFrame,
-    /// The solver's outcome.
+    /// Outcome of the solver.
     pub outcome: Outcome,
-    /// The aimed joint: [`Settings::effector`](aim_runtime::Settings::effector).
+    /// Aimed joint: [`Settings::effector`](aim_runtime::Settings::effector).
     pub effector: usize,
 }
 
-/// One joint in one frame.
+/// Result for one joint in one frame.
 #[derive(Clone, Copy, Debug)]
 pub struct JointFrame {
     /// Added heading, radians.
     pub heading: f32,
     /// Added pitch, radians.
     pub pitch: f32,
-    /// The heading and pitch, radians, by which the animation turns the joint out of its bind pose, where its ranges are
-    /// counted from that.
+    /// Heading and pitch, radians, by which the animation turns the joint from its bind pose; `None` unless the joint's
+    /// ranges are counted from the bind pose.
     pub led: Option<[f64; 2]>,
-    /// True if an angle is at an end of its range.
+    /// `true` if an angle is at an end of its range.
     pub at_limit: bool,
-    /// True if an angle is on its way back into its range.
+    /// `true` if an angle is outside its range and returning to it.
     pub recovering: bool,
 }
 
-/// One frame.
+/// Result of one aimed frame.
 #[derive(Clone, Debug)]
 pub struct AimedFrame {
-    /// Seconds.
+    /// Time of the frame, seconds.
     pub t: f32,
-    /// The target in the world.
+    /// Target in world space.
     pub target: DVec3,
-    /// Between the effector and the direction to the target by the forward kinematics of the file as it is written (but for
-    /// the range maps of a VRM file's eyes, which come after it), degrees; 90 where either has no direction.
+    /// Angle between the effector's direction and the direction to the target, degrees, computed by forward kinematics
+    /// of the written pose before the range maps of a VRM file's eyes are applied. 90 if either direction is undefined.
     pub error_deg: f64,
-    /// By how much the aimed joint is rolled about the gaze more than in the animation, degrees, positive to the character's
-    /// left: a roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 where either lies
-    /// along the gaze (within 1°). The character's up is the world's as long as the character stands.
+    /// Roll of the aimed joint about its gaze, less the roll in the animation, degrees, positive to the character's
+    /// left. The roll is the angle, seen along the gaze, from the character's up to the bone's up. 0 if either of them
+    /// lies within 1° of the gaze. The character's up is the world's while the character stands.
     pub roll_deg: f64,
-    /// The same as [`error_deg`](Self::error_deg) of the other eye, if both are aimed: it looks as joint 0 does in the
-    /// bind pose, from the mirrored point.
+    /// [`error_deg`](Self::error_deg) of the other eye, if both eyes are aimed. In the bind pose the other eye looks in
+    /// the same direction as joint 0, from the mirrored point.
     pub pair_error_deg: Option<f64>,
-    /// The solver's outcome.
+    /// Outcome of the solver.
     pub outcome: Outcome,
-    /// Each joint, from the effector inward.
+    /// Results of the joints, from the effector inward.
     pub joints: Vec<JointFrame>,
-    /// The file's nodes in the world, aimed.
+    /// World transforms of the file's nodes after aiming.
     pub world: Vec<DAffine3>,
 }
 
 impl Live {
-    /// For a rig whose joints are the chain's nodes. With `both_eyes` the other eye is aimed itself, where the chain has
-    /// one; else it turns as joint 0 does.
+    /// Prepares a rig whose joints are the chain's nodes. If `both_eyes` is set and the chain has another eye, that eye
+    /// is aimed itself; otherwise it turns as joint 0 does.
     ///
     /// # Errors
-    /// Nodes that are no chain of the document.
+    /// Fails if the nodes do not form a chain of the document.
     pub fn new(
         rig: &dyn Rig,
         document: &Document,
@@ -125,8 +130,8 @@ impl Live {
         })
     }
 
-    /// The local transforms of all nodes at a time of a clip, or at rest, as [`Skeleton::pose`] has them; eyes that look by morph
-    /// targets are turned to where the weights have them.
+    /// Returns the local transforms of all nodes at a time of a clip, or at rest, like [`Skeleton::pose`]. Eyes that
+    /// look by morph targets are turned to the direction that their weights give.
     #[must_use]
     pub fn pose(&self, skeleton: &Skeleton, clip: Option<&Clip>, seconds: f32) -> Vec<Transform> {
         let mut pose = clip.map_or_else(|| skeleton.rest().to_vec(), |clip| skeleton.pose(clip, seconds));
@@ -134,31 +139,32 @@ impl Live {
         pose
     }
 
-    /// Turns the eyes that look by morph targets to where the weights at a time of a clip have them: before
-    /// [`animated`](Self::animated), for a pose that comes from elsewhere than [`pose`](Self::pose).
+    /// Turns the eyes that look by morph targets to the direction that their weights give at a time of a clip. Needed
+    /// before [`animated`](Self::animated) for a pose that does not come from [`pose`](Self::pose).
     pub fn pose_morph_eyes(&self, clip: Option<&Clip>, seconds: f32, pose: &mut [Transform]) {
         self.morphs.pose(clip, seconds, pose);
     }
 
-    /// The weights of the morph targets that turn the eyes as an aimed pose has them, over those at a time of a clip: each
-    /// with its number among [`Document::morph_scalars`].
+    /// Returns the morph target weights for the directions of the eyes in an aimed pose, changed from those at a time
+    /// of a clip. Each comes with its index among [`Document::morph_scalars`].
     pub fn morph_weights(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<(usize, f32)> {
         self.morphs.scalars().zip(self.morphs.aimed(clip, seconds, pose)).collect()
     }
 
-    /// The eyes that look by morph targets.
+    /// Returns the eyes that look by morph targets.
     pub(crate) fn morphs(&self) -> &MorphEyes {
         &self.morphs
     }
 
-    /// The nodes that keep their place on what carries the joint that they hang on: [`ChainNodes::holds`], in their order.
+    /// Returns the [held](ChainNodes::holds) nodes in their order. They move with the carrier of the joint that they
+    /// descend from.
     pub fn held(&self) -> impl Iterator<Item = usize> + '_ {
         self.chain.held()
     }
 
-    /// True if a node moves with what looks while joint `effector` is aimed: if it hangs on that joint or one outside it, on an
-    /// eye, the head or the neck. A gaze cannot catch up with such a node. What is [held](Self::held) and hangs on a neck does
-    /// not move with it.
+    /// Returns `true` if a node moves with the gaze while joint `effector` is aimed: its nearest turned ancestor (or
+    /// the node itself) is that joint or one nearer the effector, or an eye, the head or the neck. A gaze cannot catch
+    /// up with such a node. [Held](Self::held) nodes and their descendants do not move with it.
     #[must_use]
     pub fn looks_with(&self, skeleton: &Skeleton, node: usize, effector: usize) -> bool {
         let moving = skeleton.ancestry(node).find_map(|at| {
@@ -168,19 +174,20 @@ impl Live {
         moving.unwrap_or(false)
     }
 
-    /// The joints as the solvers take them, for a pose and its nodes in the world. Where both eyes are aimed, the other
-    /// one is first turned as joint 0 is: the eyes of animations are seldom parallel.
+    /// Returns the joints in the form that the solvers take, for a pose and its world transforms. If both eyes are
+    /// aimed, the other eye is first turned parallel to joint 0, because animated eyes are seldom parallel.
     #[must_use]
     pub fn animated(&self, pose: &mut [Transform], world: &[DAffine3]) -> AimFrame {
         let mut frame = self.chain.frame();
-        // Another length is left unaimed.
+        // A pose of another length is left unaimed.
         let _ = self.chain.gather(&mut frame, pose, &mut rounded(world));
         frame
     }
 
-    /// Puts the rig's corrections into the pose, moves what is [held](Self::held) back, and tells what came of it. Eyes of a VRM file
-    /// then turn by its range maps: errors and angles are those of where the character looks, which is what the maps start from;
-    /// pose and [`world`](AimedFrame::world) have the bones as the maps turn them.
+    /// Writes the rig's corrections into the pose, moves [held](Self::held) nodes back, and measures the result.
+    ///
+    /// The eyes of a VRM file then turn by its range maps. Errors and angles refer to the gaze before the maps, which
+    /// is their input; the pose and [`world`](AimedFrame::world) hold the bones after the maps.
     pub fn aimed<R: Rig>(
         &self,
         character: &DynAim<R>,
@@ -191,7 +198,7 @@ impl Live {
         let &Moment { t, target, world: animated, joints, outcome, effector } = moment;
         let sights = &self.sights;
         let eyes = self.maps.rotations(pose);
-        // Another length is left unaimed.
+        // A pose of another length is left unaimed.
         let _ = self.chain.apply(joints, character.into(), pose, &mut joints.model().to_vec());
         let world = skeleton.world_f64(pose);
         let mut frame = AimedFrame {
@@ -211,13 +218,14 @@ impl Live {
         frame
     }
 
-    /// The character's up in the world: that of the world as long as the character stands.
+    /// Returns the character's up in the world: the up of the standing character, or one fixed to the trunk while it
+    /// lies.
     pub(crate) fn up(&self, world: &[DAffine3]) -> DVec3 {
         self.chain.up(&rounded(world)).unwrap_or_default().as_dvec3()
     }
 
-    /// Point and direction (of length one) that joint `effector` looks from and along, in the world; of joint 0 those of the
-    /// rig's effector. The other eye's too, where it is aimed or follows and joint 0 is what looks.
+    /// Returns the point and the unit direction from and along which joint `effector` looks, in world space; for joint
+    /// 0, those of the rig's effector. For joint 0 the other eye's follow, if the chain has one.
     #[must_use]
     pub fn gazes(&self, effector: usize, world: &[DAffine3]) -> Vec<[DVec3; 2]> {
         let pair = self.sights.other_eye.as_ref().filter(|_| effector == 0);
@@ -225,7 +233,7 @@ impl Live {
     }
 }
 
-/// Transforms in the precision of the solvers.
+/// Converts transforms to the solvers' single precision.
 pub(crate) fn rounded(world: &[DAffine3]) -> Vec<Affine3A> {
     world.iter().map(DAffine3::as_affine3a).collect()
 }
@@ -241,8 +249,8 @@ fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Optio
     joints.collect()
 }
 
-/// The heading and pitch, radians, by which the animation turns a joint with an absolute range out of its bind pose,
-/// as seen from the next joint; `None` where ranges are relative.
+/// Returns the heading and pitch, radians, by which the animation turns a joint from its bind pose relative to the next
+/// joint inward; `None` unless the joint's ranges are counted from the bind pose.
 fn led(rig: &dyn Rig, joint: usize, animated: &AimFrame) -> Option<[f64; 2]> {
     let description = rig.description();
     let pose = animated.pose();

@@ -1,9 +1,12 @@
-//! Aims a rig over a clip, frame by frame, and makes the clip that does it. It differs from its source in the chain's rotations,
-//! the transforms of held bones, and the weights of eyes that are morph targets.
+//! Baking: aims a rig over a clip, frame by frame, and makes a new clip of the result. The new clip differs from its
+//! source in the chain's rotations, the transforms of held bones, and the weights of eyes that are morph targets.
 //!
-//! `chain.rs` finds the nodes of a rig's joints, `live.rs` aims them for a frame, with what `sights.rs` tells of where they look,
-//! `eye_maps.rs` and `morph_eyes.rs` of eyes that do not simply turn. `plausibility/` measures how
-//! that looks; `seam.rs` makes loops of clips; `reach.rs` leads a limb instead.
+//! - `chain.rs` finds the nodes of a rig's joints.
+//! - `live.rs` aims them in one frame; `sights.rs` holds the points and directions of their gaze; `eye_maps.rs` and
+//!   `morph_eyes.rs` handle eyes that turn by range maps or look by morph targets.
+//! - `plausibility/` measures how the result looks.
+//! - `seam.rs` makes loops of clips.
+//! - `reach.rs` leads a limb through points instead.
 
 pub(crate) mod chain;
 pub(crate) mod eye_maps;
@@ -27,56 +30,61 @@ use crate::measure::Measurement;
 use aim_animation::{Clip, Track, Value};
 use aim_gltf::Document;
 
-/// Beginning of a bake.
+/// State of the rig in the first frame of a bake.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Settle {
-    /// On the target, without regard to rates.
+    /// On the target, regardless of rates.
     Snap,
-    /// From the animation: every angle 0.
+    /// At the animation: every added angle is 0.
     Animation,
 }
 
-/// A request to bake.
+/// Inputs of [`bake()`].
 #[derive(Clone, Copy, Debug)]
 pub struct Plan<'a> {
     /// The file.
     pub document: &'a Document,
-    /// The clip that is aimed over; without one the rest pose stands still.
+    /// The clip to aim over; `None` for the rest pose.
     pub clip: Option<&'a Clip>,
-    /// The file measured.
+    /// Measurement of the file.
     pub measurement: &'a Measurement,
-    /// The nodes of the rig.
+    /// Nodes of the rig's joints.
     pub chain: &'a ChainNodes,
-    /// True to aim the other eye itself, instead of turning it as joint 0 turns. It is then turned not from its
-    /// own animation, but from the direction of joint 0: the eyes of animations are seldom parallel.
+    /// `true` to aim the other eye itself, instead of turning it as joint 0 turns. It then starts from the direction of
+    /// joint 0 rather than from its own animation, because animated eyes are seldom parallel.
     pub both_eyes: bool,
     /// Length of the baked clip, seconds.
     pub seconds: f32,
-    /// Keys a second.
+    /// Keys per second.
     pub fps: f32,
-    /// Beginning of the bake.
+    /// State of the rig in the first frame.
     pub settle: Settle,
-    /// True to repeat the clip, recording only the last round, until it ends as it began.
+    /// `true` to make a loop: the clip is repeated until it ends in the state in which it began, at most eight times,
+    /// and only the last round is recorded.
     pub looped: bool,
     /// Settings of the solver.
     pub settings: Settings,
-    /// The node that the target is at, if it is at one. Where aiming moves that node (a hand, by the chest), the target is
-    /// looked for again where it is then; but a node [on what looks](Live::looks_with) is aimed at where the animation has it.
+    /// Node at which the target is, if any. If aiming moves that node (a hand, by the chest), the target is searched
+    /// iteratively at the moved position. A node that [moves with the gaze](Live::looks_with) is aimed at in its
+    /// animated position instead.
     pub target_node: Option<usize>,
 }
 
-/// A baked clip.
+/// Result of [`bake()`].
 #[derive(Clone, Debug)]
 pub struct Baked {
-    /// The clip: the source's channels, the chain's rotations replaced, places and rotations of what is [held](Live::held), and
-    /// the weights of eyes that look by morph targets.
+    /// The clip: the source's tracks, with the chain's rotations, the translations and rotations of [held](Live::held)
+    /// nodes, and the weights of eyes that look by morph targets replaced.
     pub clip: Clip,
-    /// The result of each frame.
+    /// Result of each frame.
     pub frames: Vec<AimedFrame>,
 }
 
-/// Aims `rig` over the plan's clip. `target` gives the target in the world from the time in seconds and the nodes in the
-/// world: animated, or aimed where the plan has a [`target_node`](Plan::target_node); `progress` is told of every finished frame.
+/// Aims `rig` over the plan's clip.
+///
+/// `target` returns the target in world space from the time in seconds and the nodes' world transforms: animated ones,
+/// or aimed ones while a [`target_node`](Plan::target_node) is searched. `progress` is called after every frame with
+/// the number of finished frames and of all frames.
 ///
 /// ```
 /// use aim_character::{InterpretedRig, Measurement, PAPER_AXES, Plan, Settle, bake, chain_nodes, mannequin, propose};
@@ -109,7 +117,8 @@ pub struct Baked {
 /// ```
 ///
 /// # Errors
-/// A length or frame rate that makes no frames.
+/// Fails if length and frame rate do not make between one frame and one hour at 144 Hz, or if the nodes do not form a
+/// chain of the document.
 pub fn bake<R: Rig>(
     rig: &mut DynAim<R>,
     plan: &Plan<'_>,
@@ -119,11 +128,12 @@ pub fn bake<R: Rig>(
     let times = key_times(plan.seconds, plan.fps)?;
     let skeleton = plan.document.skeleton();
     let live = Live::new(&rig.rig, plan.document, plan.measurement, plan.chain, plan.both_eyes)?;
-    // x ← the node's place with the gaze on x: a fixed point, as a hand moves less than the gaze that it draws.
+    // Fixed-point iteration: target ← position of the node while the gaze is on the target. It converges because a hand
+    // moves less than the gaze that moves it.
     let follows = plan.target_node.is_some_and(|node| !live.looks_with(skeleton, node, plan.settings.effector));
     let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
     let sample = |t: f32| live.pose(skeleton, source.as_ref(), t);
-    // Eyes that look by morph targets are no nodes of the file: their weights are written.
+    // Eyes that look by morph targets are not nodes of the file: their weights are written instead.
     let turned = plan.chain.turned().chain(live.held());
     let turned: Vec<usize> = turned.filter(|node| skeleton.is_in_file(*node)).collect();
     let mut rotations: Vec<Vec<Quat>> = vec![Vec::with_capacity(times.len()); turned.len()];
@@ -148,7 +158,8 @@ pub fn bake<R: Rig>(
                 let goal = target_ws.as_vec3();
                 let outcome = match (before, pass, plan.settle) {
                     (Some(before), ..) => rig.aim(&joints.pose(), goal, t - before, &plan.settings),
-                    // The pass before ended here, perhaps in another pose: no time for an angle to move, but a frame.
+                    // The previous round ended here, perhaps in another pose: a time step so small that no angle moves,
+                    // but the frame is solved.
                     (None, 1.., _) => rig.aim(&joints.pose(), goal, f32::MIN_POSITIVE, &plan.settings),
                     (None, 0, Settle::Animation) => rig.aim(&joints.pose(), goal, 0.0, &plan.settings),
                     (None, 0, Settle::Snap) => rig.snap(&joints.pose(), goal, &plan.settings),
@@ -202,14 +213,15 @@ pub fn bake<R: Rig>(
     Ok(Baked { clip, frames })
 }
 
-/// Most rounds in which a target that aiming moves is looked for, and the angle within which it is found.
+/// Largest number of iterations in the search for a target that aiming moves.
 const MOST_SEARCHES: u32 = 24;
+/// Change of the direction to the target below which the search ends, radians.
 const FOUND_RAD: f64 = 0.01 / 180.0 * core::f64::consts::PI;
 
-/// Largest number of rounds of a loop; one whose clip or target jumps at the seam may never end as it begins.
+/// Largest number of rounds of a loop. A clip or target that jumps at the seam may never end as it begins.
 const MOST_ROUNDS: u32 = 8;
 
-/// True if the joints are back at the angles they began with, whole turns aside.
+/// Returns `true` if the joints are back at their first angles, up to whole turns.
 fn closes(began: &[Joint], ended: &[Joint]) -> bool {
     const NEAR_RAD: f32 = 1e-5;
     let apart = |a: f32, b: f32| (a - b - TAU * ((a - b) / TAU).round()).abs();
@@ -218,9 +230,10 @@ fn closes(began: &[Joint], ended: &[Joint]) -> bool {
         < NEAR_RAD
 }
 
-/// The most keys that one bake makes: an hour at 144 Hz.
+/// Largest number of keys in a bake: an hour at 144 Hz.
 const MOST_KEYS: f32 = 144.0 * 3600.0;
 
+/// Returns the times of the keys, the last one at `seconds`.
 pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
     let keys = seconds * fps;
     if !(seconds > 0.0 && fps > 0.0 && (1.0..=MOST_KEYS).contains(&keys)) {
@@ -239,12 +252,12 @@ fn no_keys(seconds: f32, fps: f32) -> Error {
     ))
 }
 
-/// A linear track of these keys.
+/// Returns a linear track of keys at these times.
 pub(crate) fn line<T: Value>(times: &Arc<[f32]>, keys: Vec<T>) -> Result<Track<T>, Error> {
     Track::linear(times.clone(), keys).map_err(|error| Error::Clip(error.to_string()))
 }
 
-/// The sign of a quaternion that interpolates the short way from the one before.
+/// Returns the rotation with the sign that interpolates the short way from the previous one.
 pub(crate) fn continuous(before: Option<&Quat>, rotation: Quat) -> Quat {
     if before.is_some_and(|before| before.dot(rotation) < 0.0) { -rotation } else { rotation }
 }

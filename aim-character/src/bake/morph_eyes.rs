@@ -1,4 +1,4 @@
-//! Weights of the morph targets that eyes look by, and where they look.
+//! Eyes that look by morph targets: weights of the targets, and the directions of gaze that they give.
 
 use core::ops::Range;
 use std::collections::BTreeMap;
@@ -13,9 +13,9 @@ use crate::num;
 /// The eyes of a chain that look by morph targets.
 #[derive(Debug, Clone)]
 pub(crate) struct MorphEyes {
-    /// Each with the axes of its node.
+    /// Each eye, with the axes of its node.
     eyes: Vec<(MorphEye, BoneFrame)>,
-    /// For the nodes that show them, the weights where no clip has any, and the numbers of their scalars.
+    /// For each node that shows the eyes, the weights without a clip and the indices of its scalars.
     at_rest: BTreeMap<usize, (Vec<f32>, Range<usize>)>,
 }
 
@@ -32,17 +32,17 @@ impl MorphEyes {
         Self { at_rest: at_rest.collect(), eyes }
     }
 
-    /// The nodes whose weights the eyes set.
+    /// Returns the nodes whose weights the eyes set.
     fn nodes(&self) -> impl Iterator<Item = usize> + '_ {
         self.at_rest.keys().copied()
     }
 
-    /// The numbers of the scalars that the eyes set.
+    /// Returns the indices of the scalars that the eyes set.
     pub(crate) fn scalars(&self) -> impl Iterator<Item = usize> + '_ {
         self.at_rest.values().flat_map(|(_, scalars)| scalars.clone())
     }
 
-    /// Turns each eye to where the weights at a time of a clip have it.
+    /// Turns each eye to the direction that the weights at a time of a clip give.
     pub(crate) fn pose(&self, clip: Option<&Clip>, seconds: f32, pose: &mut [Transform]) {
         for (eye, frame) in &self.eyes {
             let angles = angles(eye, |bind| f64::from(self.weights(clip, seconds, bind.node)[bind.target]));
@@ -52,8 +52,8 @@ impl MorphEyes {
         }
     }
 
-    /// The weights of each of the [scalars](Self::scalars), in their order: those of a clip, changed by what `pose` turns the
-    /// eyes further. No weight leaves 0…1 by that.
+    /// Returns the weights of the [scalars](Self::scalars), in their order: those of the clip, changed by the rotation
+    /// of the eyes in `pose` since then. The change takes no weight out of 0…1.
     pub(crate) fn aimed(&self, clip: Option<&Clip>, seconds: f32, pose: &[Transform]) -> Vec<f32> {
         let animated: BTreeMap<usize, Vec<f32>> =
             self.nodes().map(|node| (node, self.weights(clip, seconds, node))).collect();
@@ -75,7 +75,7 @@ impl MorphEyes {
         aimed.into_values().flatten().collect()
     }
 
-    /// All weights of a node at a time of a clip.
+    /// Returns all weights of a node at a time of a clip.
     fn weights(&self, clip: Option<&Clip>, seconds: f32, node: usize) -> Vec<f32> {
         let (at_rest, scalars) = &self.at_rest[&node];
         let mut weights = at_rest.clone();
@@ -86,14 +86,14 @@ impl MorphEyes {
     }
 }
 
-/// The weights, 0…1, of what looks right, left, down and up, at a heading and a pitch in radians.
+/// Returns the weights, 0…1, of looking right, left, down and up at a heading and a pitch in radians.
 fn weights(eye: &MorphEye, [heading, pitch]: [f64; 2]) -> [f64; 4] {
     let ways = [-heading, heading, -pitch, pitch].map(f64::to_degrees);
     core::array::from_fn(|at| eye.ways[at].map.apply(ways[at]).min(1.0))
 }
 
-/// The heading and pitch, radians, at which the targets have these weights: what they look one way less what they look the
-/// other way.
+/// Returns the heading and pitch, radians, that the weights give: angle to the left less angle to the right, angle up
+/// less angle down.
 fn angles(eye: &MorphEye, weight: impl Fn(&MorphBind) -> f64) -> [f64; 2] {
     let [right, left, down, up] = eye.ways.each_ref().map(|way| {
         let of_expression = way.binds.first().map_or(0.0, |bind| weight(bind) / bind.weight);

@@ -1,4 +1,5 @@
-//! Leads a hand or foot through given points at given times: its trajectory is deformed as a whole, its limb follows.
+//! Leads a hand or foot through given points at given times: deforms its trajectory as a whole and makes the limb
+//! follow.
 
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use aim_animation::Transform;
 use aim_gltf::Document;
 use aim_gltf::Skeleton;
 
-/// A bone that is led, and the two above it that follow.
+/// A bone that is led through points, and the two bones above it that follow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LimbNodes {
     /// Upper arm or thigh.
@@ -27,10 +28,10 @@ pub struct LimbNodes {
 }
 
 impl LimbNodes {
-    /// The bone of that name, its parent and its grandparent.
+    /// Finds the bone by name; the other two are its parent and grandparent.
     ///
     /// # Errors
-    /// A bone that is not there, not unique, or without two bones above it.
+    /// Fails if the name does not match exactly one bone, or if the bone has fewer than two ancestors.
     pub fn find(skeleton: &Skeleton, bone: &str) -> Result<Self, Error> {
         let tip = skeleton.find(bone)?;
         let mut above = skeleton.ancestry(tip).skip(1);
@@ -41,27 +42,27 @@ impl LimbNodes {
     }
 }
 
-/// A point that the bone has to pass at a time.
+/// A point through which the bone passes at a given time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
-    /// Seconds, within the clip.
+    /// Time within the clip, seconds.
     pub at: f32,
-    /// In the world.
+    /// Position in world space.
     pub target: DVec3,
 }
 
-/// A request to lead a bone through points.
+/// Inputs of [`reach()`].
 #[derive(Clone, Copy, Debug)]
 pub struct ReachPlan<'a> {
     /// The file.
     pub document: &'a Document,
-    /// The clip.
+    /// The clip to change.
     pub clip: &'a Clip,
-    /// The bones.
+    /// The bones of the limb.
     pub limb: LimbNodes,
-    /// The points, at least one; no two within a frame.
+    /// Points to pass, at least one; no two within one frame.
     pub goals: &'a [Goal],
-    /// Keys a second. One key is moved to the time of each goal.
+    /// Keys per second. For each goal one key is moved to the goal's time.
     pub fps: f32,
 }
 
@@ -70,44 +71,44 @@ pub struct ReachPlan<'a> {
 pub struct Arrival {
     /// The goal.
     pub goal: Goal,
-    /// Its frame.
+    /// Index of the goal's frame.
     pub frame: usize,
-    /// The point that the bone was led to: the target, or the nearest point within the limb's reach at that time.
+    /// Point to which the bone was led: the target, or the point nearest to it within the limb's reach at that time.
     pub aimed: DVec3,
     /// Reach of the target: within it, too far or too near.
     pub reach: TwoBoneStatus,
 }
 
-/// One frame. Points are in the world.
+/// Result for one frame, in world space.
 #[derive(Clone, Copy, Debug)]
 pub struct LimbFrame {
-    /// Seconds.
+    /// Time of the frame, seconds.
     pub t: f32,
-    /// The bone as animated.
+    /// Animated position of the bone.
     pub before: DVec3,
-    /// The bone on the deformed trajectory.
+    /// Position of the bone on the deformed trajectory.
     pub wanted: DVec3,
-    /// Result of the limb's solver.
+    /// Status of the limb's solver.
     pub status: TwoBoneStatus,
 }
 
-/// A clip in which the bone comes through its goals.
+/// Result of [`reach()`]: a clip in which the bone passes its goals.
 #[derive(Clone, Debug)]
 pub struct Reached {
-    /// The clip: the source's channels, the rotations of the three bones replaced.
+    /// The clip: the source's tracks, with the rotations of the three bones replaced.
     pub clip: Clip,
-    /// The limb's length in the first frame, in the world.
+    /// Length of the limb in the first frame, in world units.
     pub length: f64,
-    /// Each goal.
+    /// Result of each goal.
     pub arrivals: Vec<Arrival>,
-    /// The deformation.
+    /// Outcome of the deformation.
     pub outcome: Outcome,
-    /// The result of each frame.
+    /// Result of each frame.
     pub frames: Vec<LimbFrame>,
 }
 
-/// Deforms the trajectory of the plan's bone and has the limb follow it: the plane that it bends in and the bone's
-/// orientation in the world stay those of the animation.
+/// Deforms the trajectory of the plan's bone and makes the limb follow it. The plane in which the limb bends and the
+/// bone's orientation in the world stay those of the animation.
 ///
 /// ```
 /// use aim_character::{Goal, LimbNodes, PAPER_AXES, ReachPlan, mannequin, reach};
@@ -128,7 +129,8 @@ pub struct Reached {
 /// ```
 ///
 /// # Errors
-/// A frame rate that makes no frames; a goal outside the clip, or within a frame of another; a limb without length.
+/// Fails if the frame rate makes no frames, if a goal lies outside the clip or within a frame of another goal, or if a
+/// bone of the limb has no length.
 pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
     let (times, goal_frames) = frame_times(plan)?;
     let skeleton = plan.document.skeleton();
@@ -166,7 +168,7 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
     Ok(Reached { clip, length, arrivals, outcome, frames })
 }
 
-/// The times of keys, one of them that of each goal, and which.
+/// Returns the times of the keys, including those of the goals, and the index of each goal's key.
 fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> {
     let seconds = plan.clip.length_s();
     let fail = |problem: String| Err(Error::Clip(problem));
@@ -178,7 +180,7 @@ fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> 
             let (at, clip) = (goal.at, plan.clip.name());
             return fail(format!("{at} s is not within the clip {clip:?}, which ends at {seconds} s"));
         }
-        // The clip's own ends stay where they are.
+        // The first and last keys keep their times.
         let nearest = times.partition_point(|&t| t < goal.at).min(last);
         let frame = match nearest {
             _ if times[nearest] == goal.at => nearest,
@@ -203,7 +205,8 @@ fn bones([root, middle, tip]: [DVec3; 3]) -> [f64; 2] {
     [root.distance(middle), middle.distance(tip)]
 }
 
-/// The point nearest to the target that the limb reaches from where its root is, and whether that is the target.
+/// Returns the point nearest to the target that the limb can reach from its present root, and whether that is the
+/// target.
 fn within_reach(limb: [DVec3; 3], target: DVec3) -> (DVec3, TwoBoneStatus) {
     let [upper, lower] = bones(limb);
     let (way, near, far) = (target - limb[0], (upper - lower).abs(), upper + lower);
@@ -215,8 +218,9 @@ fn within_reach(limb: [DVec3; 3], target: DVec3) -> (DVec3, TwoBoneStatus) {
     }
 }
 
-/// The trajectory as animated, and deformed: seen from the limb's root, which walks along with the character, and in units
-/// of the limb, where single precision is finest. What does not move stays exactly where it is.
+/// Returns the animated and the deformed trajectory. The deformation is computed relative to the limb's root, which
+/// moves with the character, in units of the limb's length, for the best precision in `f32`. Points that do not move
+/// are returned exactly.
 fn deform(limbs: &[[DVec3; 3]], times: &[f32], arrivals: &[Arrival], length: f64) -> (Vec<DVec3>, Vec<DVec3>, Outcome) {
     let seen = |point: DVec3, frame: usize| ((point - limbs[frame][0]) / length).as_vec3();
     let points: Vec<DVec3> = limbs.iter().map(|limb| limb[2]).collect();
@@ -235,12 +239,13 @@ fn deform(limbs: &[[DVec3; 3]], times: &[f32], arrivals: &[Arrival], length: f64
     (points, wanted, outcome)
 }
 
-/// Largest number of times a limb is solved in a frame: more than once only if scales in the chain shear its rotations.
+/// Largest number of times a limb is solved in one frame; more than once only if scales in the chain shear the
+/// rotations.
 const MOST_ROUNDS: usize = 8;
-/// As near as is worth another round, of the limb's length.
+/// Distance from the target, as a share of the limb's length, at which no further round is needed.
 const NEAR: f64 = 1e-6;
 
-/// Turns the limb so that its tip is at `wanted`, the tip itself oriented as before.
+/// Turns the limb so that its tip is at `wanted`. The tip keeps its orientation in the world.
 fn follow(skeleton: &Skeleton, limb: LimbNodes, pose: &mut [Transform], wanted: DVec3, length: f64) -> TwoBoneStatus {
     let animated = parent_frame(skeleton, &skeleton.world_f64(pose), limb.tip);
     let mut status = TwoBoneStatus::Degenerate;
@@ -265,9 +270,9 @@ fn follow(skeleton: &Skeleton, limb: LimbNodes, pose: &mut [Transform], wanted: 
     status
 }
 
-/// Turns a node in the world.
+/// Turns a node by a rotation given in world space.
 fn turn(skeleton: &Skeleton, pose: &mut [Transform], node: usize, turn: DQuat) {
     let model = rounded(&skeleton.world_f64(pose));
-    // Of equal lengths.
+    // Both slices have the skeleton's length.
     let _ = skeleton.turn_in_model(node, turn.as_quat(), &model, pose);
 }

@@ -1,7 +1,7 @@
-//! The seam of a clip that is to be a loop: found, and mended in place and speed.
+//! The seam between the end of a looping clip and its beginning: measured, and mended in position and speed.
 //!
-//! A clip that goes ahead ends where it does not begin. What its hips have gone and turned is taken out before, and given
-//! back after: the next round begins there.
+//! A clip that travels does not end where it begins. The travel of the hips is removed before mending and restored
+//! afterwards, so that the next cycle begins where this one ends.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -17,35 +17,40 @@ use crate::error::Error;
 use crate::measure::Measurement;
 use crate::measure::roles::Role;
 
-/// Samples a second.
+/// Sampling rate, samples per second.
 const RATE: f32 = 60.0;
-/// The time before and after the seam over which what is mended fades, seconds.
+/// Time before and after the seam over which the mending fades out, seconds.
 const WINDOW_S: f32 = 0.25;
-/// As far as no one sees: a part of the height, radians, factors of scale, weights of morph targets.
+/// Largest invisible difference: as a share of the height, in radians, as a factor of scale, or in weights of morph
+/// targets.
 const CLOSED: f32 = 1e-4;
-/// The jump in speed at the seam beside the largest one anywhere else in the clip, of which samples beside keys see a half.
+/// Ratio between the change of speed at the seam and the largest one elsewhere in the clip above which the seam is
+/// mended. It exceeds 2 because samples beside a key see only half of the change there.
 const JERK: f32 = 2.5;
-/// A way of the hips that is meant, a part of the height, and a turn, radians.
+/// Least displacement of the hips that is taken for travel, as a share of the height.
 const TRAVEL: f32 = 0.05;
+/// Least rotation of the hips that is taken for travel, radians.
 const TRAVEL_RAD: f32 = 0.1;
 
-/// A clip whose end goes over into its beginning.
+/// A clip whose end continues into its beginning.
 #[derive(Clone, Debug)]
 pub struct MendedLoop {
-    /// The clip.
+    /// The mended clip.
     pub clip: Clip,
-    /// The seam that was mended, without the way of the hips.
+    /// The seam before mending, without the travel of the hips.
     pub seam: Seam,
 }
 
-/// Mends a clip that is to be a loop: its end goes over into its beginning without a jump in place or speed. `None` where it does
-/// so already: it is left as it is.
+/// Mends a looping clip so that its end continues into its beginning without a jump in position or speed. Returns
+/// `None` if it already does.
 ///
-/// A clip whose hips come out elsewhere than they begin, by more than a twentieth of the height or 6°, goes on from there in the
-/// next round: that way stays. Tracks become cubic; those of what carries the hips have 60 keys a second then.
+/// If the hips end more than a twentieth of the height, or 6°, from where they begin, that travel is kept, and the next
+/// cycle starts from there. Mended tracks become cubic. For a clip that travels, the tracks of the bones that carry the
+/// travel get 60 keys per second.
 ///
 /// # Errors
-/// A clip that moves the hips to where no numbers are, or that has more samples, 60 a second, than a bake has keys at most.
+/// Fails if the clip moves the hips to a non-finite position, or if at 60 samples per second it has more samples than a
+/// bake may have keys.
 pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<MendedLoop>, Error> {
     check_length(clip)?;
     let skeleton = document.skeleton();
@@ -66,11 +71,11 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
     Ok(Some(MendedLoop { clip, seam }))
 }
 
-/// The way of the hips over a clip, their shadow on the ground, 60 samples a second. `None` of what has no hips, and of a clip without
-/// length.
+/// Returns the path of the hips over a clip: their projection on the ground, 60 samples per second. `None` for a
+/// character without hips, or a clip without length.
 ///
 /// # Errors
-/// A clip that moves the hips to where no numbers are, or that has more samples than a bake has keys at most.
+/// Fails if the clip moves the hips to a non-finite position, or if it has more samples than a bake may have keys.
 pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Option<RootPath>, Error> {
     check_length(clip)?;
     let Some(hips) = measurement.with_role(Role::Hips).map(|bone| bone.node) else { return Ok(None) };
@@ -82,27 +87,29 @@ pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) ->
     }
 }
 
-/// A clip as its seam is judged: without the way of hips that come out elsewhere than they begin, by more than a twentieth of the
-/// height or 6°.
+/// Returns a clip without its travel, as [`mended_loop`] judges its seam: if the hips end more than a twentieth of the
+/// height, or 6°, from where they begin, that movement is removed.
 ///
 /// # Errors
-/// As [`root_path`].
+/// See [`root_path`].
 pub fn on_the_spot(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Clip, Error> {
     let travel = Travel::find(document, measurement, clip, size(measurement))?;
     travel.map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))
 }
 
-/// A clip without a movement of its root, as [`Motion::remove`] takes it out of poses: what carries the character has cubic tracks
-/// of 60 keys a second then. Bones on which nothing of the clip hangs, such as cameras and lights, stay where they are.
+/// Returns a clip without a movement of its root, as [`Motion::remove`] removes it from poses.
+///
+/// The tracks of the bones that carry the character become cubic, with 60 keys per second. Branches without tracks that
+/// are no part of the character, such as cameras and lights, stay where they are.
 ///
 /// # Errors
-/// A clip that is moved to where no numbers are, or that has more samples than a bake has keys at most.
+/// Fails if the clip moves bones to a non-finite position, or if it has more samples than a bake may have keys.
 pub fn in_place(document: &Document, clip: &Clip, motion: Motion) -> Result<Clip, Error> {
     check_length(clip)?;
     Travel::new(document.skeleton(), clip, motion).moved(clip, Way::Out)
 }
 
-/// The height, or 1 where there is none.
+/// Returns the character's height, or 1 if it is unknown.
 fn size(measurement: &Measurement) -> f32 {
     if measurement.height > 0.0 { crate::num::narrow(measurement.height) } else { 1.0 }
 }
@@ -111,11 +118,11 @@ fn check_length(clip: &Clip) -> Result<(), Error> {
     if clip.length_s() * RATE > MOST_KEYS { Err(no_keys(clip.length_s(), RATE)) } else { Ok(()) }
 }
 
-/// True if something changes its speed at the seam more than anywhere else.
+/// Returns `true` if any bone's change of speed at the seam clearly exceeds its largest one elsewhere.
 fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
     let mut steps = vec![Steps::default(); skeleton.len()];
     let mut before: Option<Vec<Transform>> = None;
-    // Two poses at a time: a long clip has very many.
+    // Keeps two poses at a time, because a long clip has very many.
     for time in sample_times(clip.length_s()) {
         let pose = skeleton.pose(clip, time);
         for (steps, (from, to)) in steps.iter_mut().zip(before.iter().flatten().zip(&pose)) {
@@ -126,7 +133,7 @@ fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
     steps.iter().any(Steps::jerk)
 }
 
-/// The ways of a bone from sample to sample: the first, the last, and the largest difference of one from the one before.
+/// Displacements of a bone from sample to sample: the first, the last, and the largest change between neighbours.
 #[derive(Clone, Copy, Default)]
 struct Steps {
     ends: Option<[[Vec3; 2]; 2]>,
@@ -141,7 +148,7 @@ impl Steps {
         self.ends = Some([first, step]);
     }
 
-    /// True if the first differs from the last much more than others from the ones before.
+    /// Returns `true` if the first displacement differs from the last much more than any two neighbours differ.
     fn jerk(&self) -> bool {
         let seam = self.ends.map_or([0.0; 2], |[first, last]| change(last, first));
         (0..2).any(|kind| seam[kind] > JERK * self.most[kind] + CLOSED)
@@ -152,13 +159,13 @@ fn change(from: [Vec3; 2], to: [Vec3; 2]) -> [f32; 2] {
     [0, 1].map(|kind| (to[kind] - from[kind]).length())
 }
 
-/// The way from one transform to the next, and the turn.
+/// Returns the displacement (in units of `size`) and the rotation vector between two transforms.
 fn way(from: &Transform, to: &Transform, size: f32) -> [Vec3; 2] {
     let turn = aim_runtime::rotation::log(product(to.rotation, from.rotation.conjugate()));
     [(to.translation - from.translation) / size, turn]
 }
 
-/// Evenly spaced times from the beginning to the end.
+/// Returns evenly spaced times from the beginning to the end.
 fn sample_times(length_s: f32) -> Vec<f32> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
     let steps = (length_s * RATE).ceil().clamp(4.0, 1e6) as u32;
@@ -166,23 +173,23 @@ fn sample_times(length_s: f32) -> Vec<f32> {
     (0..=steps).map(|step| crate::num::narrow(f64::from(length_s) * part(step))).collect()
 }
 
-/// Which way the movement of the root is applied.
+/// Direction of applying the movement of the root: removing it (`Out`) or restoring it (`Back`).
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
     Out,
     Back,
 }
 
-/// The way that the hips go in a clip, and what carries them.
+/// The travel of the hips in a clip, and the bones that carry it.
 struct Travel<'a> {
     skeleton: &'a Skeleton,
     motion: Motion,
-    /// The bones with tracks that hang on none with tracks, and the rest pose of their parents in the world.
+    /// Topmost bones with tracks, each with the rest transform of its parent in the world.
     carriers: Vec<(usize, Affine3A)>,
 }
 
 impl<'a> Travel<'a> {
-    /// `None` where the clip stays where it is.
+    /// Finds the travel; `None` if the hips end where they begin.
     fn find(document: &'a Document, measurement: &Measurement, clip: &Clip, size: f32) -> Result<Option<Self>, Error> {
         let Some(path) = root_path(document, measurement, clip)? else { return Ok(None) };
         let [begin, end] = [0.0, clip.length_s()].map(|time| path.at(time));
@@ -190,7 +197,7 @@ impl<'a> Travel<'a> {
         if begin.translation.distance(end.translation) <= TRAVEL * size && turn <= TRAVEL_RAD {
             return Ok(None);
         }
-        // Along a screw the next round goes on as fast as this one, also round a corner.
+        // Along a screw motion the next cycle continues at the same speed, also round a bend.
         Ok(Some(Self::new(document.skeleton(), clip, Motion::composite(&path))))
     }
 
@@ -203,7 +210,8 @@ impl<'a> Travel<'a> {
         Self { skeleton, motion, carriers }
     }
 
-    /// The clip with this movement taken out, or given back: `P⁻¹ · M(t)^∓¹ · P · local` of each carrier, P what it hangs on.
+    /// Returns the clip with the movement removed or restored: `P⁻¹ · M(t)^∓¹ · P · local` for each carrier, where P is
+    /// its parent.
     fn moved(&self, clip: &Clip, which: Way) -> Result<Clip, Error> {
         let (length, times) = (clip.length_s(), sample_times(clip.length_s()));
         let step = times[1] - times[0];
@@ -219,7 +227,8 @@ impl<'a> Travel<'a> {
             let places: Vec<Vec3> = keys.iter().map(|key| key.translation).collect();
             let mut turns: Vec<Quat> = Vec::new();
             keys.iter().for_each(|key| turns.push(continuous(turns.last(), key.rotation)));
-            // What is to be mended still ends anyhow; what is mended goes on in the next round as in this one, a whole way on.
+            // Values beyond both ends, for the tangents there. While the ends do not match yet, they are extrapolated.
+            // After mending, the neighbouring cycles supply them, displaced by the whole movement.
             let (beyond_places, beyond_turns) = if which == Way::Out {
                 (beyond(&places), beyond(&turns))
             } else {
@@ -237,20 +246,21 @@ impl<'a> Travel<'a> {
     }
 }
 
-/// A bone on a parent, moved by a rigid motion of the model.
+/// Returns a bone's local transform after a rigid motion of the model; `on` is the transform of its parent.
 fn placed(on: Affine3A, by: Transform, local: Transform) -> Transform {
     let moved = on.inverse() * by.to_affine() * on * Transform { scale: Vec3::ONE, ..local }.to_affine();
     Transform { scale: local.scale, ..Transform::from_affine(&moved).unwrap_or(local) }
 }
 
-/// The values before the first of some and after the last, on the parabola through three.
+/// Extrapolates values by one step before the first and after the last, on the parabola through the three nearest.
 fn beyond<T: Copy + Sub<Output = T> + Add<Output = T> + Mul<f32, Output = T>>(values: &[T]) -> [T; 2] {
     let parabola = |a: T, b: T, c: T| (a - b) * 3.0 + c;
     let last = values.len() - 1;
     [parabola(values[0], values[1], values[2]), parabola(values[last], values[last - 1], values[last - 2])]
 }
 
-/// A cubic track through values at even times, given the values before and after: its tangents are central differences.
+/// Returns a cubic track through values at even times. Its tangents are central differences; `before` and `after` are
+/// the values beyond the ends.
 fn smooth<T>(times: &[f32], values: &[T], [before, after]: [T; 2]) -> Result<Track<T>, Error>
 where
     T: Value + Sub<Output = T> + Mul<f32, Output = T>,

@@ -1,4 +1,5 @@
-//! [`Sights`]: where the joints and the other eye look from and along, by which results are judged, and how a gaze is rolled.
+//! [`Sights`]: the points and directions from and along which joints look. They measure the error and the roll of a
+//! gaze.
 
 use core::f64::consts::TAU;
 
@@ -11,20 +12,20 @@ use crate::measure::Measurement;
 use crate::measure::frame::orthonormal;
 use crate::measure::roles::Role;
 
-/// A direction nearer than this to the gaze does not tell a roll (sine of 1°).
+/// Sine of the least angle (1°) between the gaze and an up direction for which a roll is defined.
 const TELLS_ROLL: f64 = 0.017_452;
 
 /// Sights of the nodes of a chain.
 #[derive(Clone, Debug)]
 pub(crate) struct Sights {
-    /// Of each joint; that of joint 0 is the effector's.
+    /// Sight of each joint; that of joint 0 is the effector's.
     joints: Vec<Sight>,
     pub(crate) other_eye: Option<Sight>,
-    /// Each joint that is of eyes, head or neck, or is joint 0.
+    /// For each joint, whether it is an eye, the head, the neck, or joint 0.
     looks: Vec<bool>,
 }
 
-/// A point, a direction and the up that tells its roll, of a node and in the node's space.
+/// Point, forward and up of a gaze, fixed to a node and in the node's space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sight {
     node: usize,
@@ -34,7 +35,8 @@ pub(crate) struct Sight {
 }
 
 impl Sight {
-    /// Degrees between the direction and that to `target`; 90 if either has no direction.
+    /// Returns the angle between the forward direction and the direction to `target`, degrees; 90 if either is
+    /// undefined.
     pub(crate) fn error_deg(&self, world: &[DAffine3], target: DVec3) -> f64 {
         let forward = self.forward(world);
         let to_target = target - world[self.node].transform_point3(self.origin);
@@ -46,7 +48,7 @@ impl Sight {
         world[self.node].transform_vector3(self.forward)
     }
 
-    /// The point and the direction, of length one, in the world.
+    /// Returns the point and the unit direction of the gaze in world space.
     pub(crate) fn gaze(&self, world: &[DAffine3]) -> [DVec3; 2] {
         [world[self.node].transform_point3(self.origin), self.forward(world).normalize_or_zero()]
     }
@@ -73,22 +75,22 @@ impl Sights {
         }
     }
 
-    /// True of a node that is turned and looks while joint `effector` is aimed, or carries what does in the head; `None` if it is not
-    /// turned.
+    /// Returns `true` for a turned node that moves with the gaze while joint `effector` is aimed: that joint or one
+    /// nearer the effector, an eye, the head or the neck. `None` if the node is not turned.
     pub(crate) fn looks(&self, node: usize, effector: usize) -> Option<bool> {
         let is_other = || self.other_eye.is_some_and(|eye| eye.node == node).then_some(true);
         let joint = self.joints.iter().position(|sight| sight.node == node);
         joint.map(|joint| joint <= effector || self.looks[joint]).or_else(is_other)
     }
 
-    /// Sight of joint `aimed`, as the solvers read
-    /// [`Settings::effector`](aim_runtime::Settings::effector): past the last joint is the last.
+    /// Returns the sight of joint `aimed`; past the last joint, that of the last, like
+    /// [`Settings::effector`](aim_runtime::Settings::effector).
     pub(crate) fn sight(&self, aimed: usize) -> &Sight {
         &self.joints[aimed.min(self.joints.len() - 1)]
     }
 
-    /// By how much joint `effector` is rolled more when aimed than when animated, degrees, positive to the left of a character with
-    /// this up; 0 where either has no roll.
+    /// Returns the roll of joint `effector` when aimed, less that when animated, degrees, positive to the left of a
+    /// character with this up; 0 if either roll is undefined.
     pub(crate) fn roll_deg(&self, effector: usize, up: DVec3, [animated, aimed]: [&[DAffine3]; 2]) -> f64 {
         let sight = self.sight(effector);
         let roll = |world: &[DAffine3]| roll(sight.forward(world), up, world[sight.node].transform_vector3(sight.up));
@@ -97,7 +99,8 @@ impl Sights {
     }
 }
 
-/// The bone that tells how the character as a whole is turned: the hips, if the chain hangs on them, else its root.
+/// Returns the bone that shows how the character as a whole is oriented: the hips if they are an ancestor of the chain,
+/// otherwise the chain's root.
 pub(crate) fn trunk(skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measurement) -> usize {
     let eye = chain.joints[0];
     let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
@@ -105,8 +108,8 @@ pub(crate) fn trunk(skeleton: &Skeleton, chain: &ChainNodes, measurement: &Measu
     hips.or_else(|| skeleton.ancestry(eye).last()).unwrap_or(eye)
 }
 
-/// Up in the world for a character that stands: the axis nearest to the joints' declared ups in the bind pose, as a file may hold a
-/// character that lies.
+/// Returns the up of the standing character in the world: the coordinate axis nearest to the joints' declared ups in
+/// the bind pose. It is not always +Y, because the character in a file may lie.
 pub(crate) fn standing_up(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measurement) -> DVec3 {
     let description = rig.description();
     let ups = description.joints().iter().zip(&chain.joints).map(|(info, &node)| {
@@ -118,13 +121,13 @@ pub(crate) fn standing_up(rig: &dyn Rig, chain: &ChainNodes, measurement: &Measu
     if up == DVec3::ZERO || !up.is_finite() {
         return measurement.up;
     }
-    // Of equals the measured up.
+    // If two axes are equally near, +Y is preferred.
     let largest = if size.y == size.max_element() { 1 } else { size.max_position() };
     DVec3::AXES[largest] * up[largest].signum()
 }
 
-/// The angle about `gaze` from `up` to `bone_up`, each as seen along the gaze, positive to the left of who looks along
-/// it. `None` where one of them lies along the gaze.
+/// Returns the angle about `gaze` from `up` to `bone_up`, seen along the gaze, positive to the left of an observer who
+/// looks along it. `None` if either of them lies along the gaze.
 fn roll(gaze: DVec3, up: DVec3, bone_up: DVec3) -> Option<f64> {
     let gaze = gaze.normalize_or_zero();
     let [up, bone_up] = [up, bone_up].map(|v| {
@@ -135,7 +138,7 @@ fn roll(gaze: DVec3, up: DVec3, bone_up: DVec3) -> Option<f64> {
     known.then(|| gaze.dot(bone_up.cross(up)).atan2(bone_up.dot(up)))
 }
 
-/// Sight of the other eye: in the bind pose it looks the same way, from the mirrored point.
+/// Returns the sight of the other eye: in the bind pose it looks in the same direction, from the mirrored point.
 fn other(effector: &Sight, pair: usize, measurement: &Measurement) -> Sight {
     let Measurement { bind_world: bind, left, .. } = measurement;
     let frame = |node: usize| -> DMat3 { orthonormal(&bind[node].matrix3).0 };
@@ -163,11 +166,11 @@ mod tests {
             let found = roll(forward, up, tilted(degrees)).expect("it is plain to see").to_degrees();
             assert!((found - degrees).abs() < 1e-9, "{found}° for {degrees}°");
         }
-        // Looking up by 60° as nobody rolls.
+        // Looking up by 60° without a roll.
         let (sin, cos) = 60_f64.to_radians().sin_cos();
         let found = roll(forward * cos + up * sin, up, up * cos - forward * sin).expect("it is plain to see");
         assert!(found.abs() < 1e-12, "{found}");
-        // Nothing tells straight up, nor without a gaze.
+        // Looking straight up, or without a gaze, the roll is undefined.
         assert_eq!((roll(up, up, forward), roll(DVec3::ZERO, up, forward)), (None, None));
         assert_eq!(roll(forward, up, forward), None);
     }

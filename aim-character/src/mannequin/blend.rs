@@ -1,4 +1,4 @@
-//! A walk that becomes a run and a walk again, on the spot: two clips blended in step, as a game does.
+//! A walk that turns into a run and back, on the spot: two clips blended in step, as in a game.
 
 use aim_animation::{Blender, Clip, Cursor, Marks, Motion, Root, RootPath, Transform};
 use aim_gltf::Skeleton;
@@ -8,11 +8,12 @@ use crate::bake::{continuous, key_times, line};
 use crate::error::Error;
 use crate::num;
 
-/// Length of the clip, seconds, and its keys a second.
+/// Length of the clip, seconds.
 const SECONDS: f32 = 10.0;
+/// Keys per second.
 const RATE: f32 = 60.0;
 
-/// A gait without its way, and the times of its feet: a cycle begins with the left one.
+/// A gait with its travel removed and its footfalls marked. A cycle begins with the left foot.
 struct Gait<'a> {
     clip: &'a Clip,
     motion: Motion,
@@ -26,21 +27,21 @@ impl<'a> Gait<'a> {
         Ok(Self { clip, motion: Motion::linear(&path), marks: marks.map_err(|error| Error::Clip(error.to_string()))? })
     }
 
-    /// The pose at a phase of the cycle.
+    /// Returns the pose at a phase of the cycle, 0…1.
     fn pose(&self, skeleton: &Skeleton, phase: f32) -> Vec<Transform> {
         let (mut pose, time) = (skeleton.rest().to_vec(), self.marks.time_at(phase));
         self.clip.sample(time, &mut Cursor::default(), &mut pose);
-        // As long as the skeleton.
+        // The pose has the skeleton's length.
         let _ = self.motion.remove(time, skeleton, &mut pose);
         pose
     }
 }
 
-/// A loop: it walks, runs in the middle, and ends as it begins.
+/// Returns a loop in which the figure walks, runs in the middle, and walks again.
 pub(super) fn walk_to_run(skeleton: &Skeleton, [walk, run]: [&Clip; 2], root: Root) -> Result<Clip, Error> {
     let [walk, run] = [Gait::new(walk, skeleton, root)?, Gait::new(run, skeleton, root)?];
     let times = key_times(SECONDS, RATE)?;
-    // A cycle takes the mean of the gaits' lengths.
+    // The length of a cycle is interpolated between those of the gaits.
     let length = |time: f32| {
         let share = f64::from(run_share(time));
         f64::from(walk.clip.length_s()) * (1.0 - share) + f64::from(run.clip.length_s()) * share
@@ -49,13 +50,13 @@ pub(super) fn walk_to_run(skeleton: &Skeleton, [walk, run]: [&Clip; 2], root: Ro
     for pair in times.windows(2) {
         cycles.push(cycles[cycles.len() - 1] + f64::from(pair[1] - pair[0]) / length(0.5 * (pair[0] + pair[1])));
     }
-    // As many whole ones, so that it is a loop.
+    // The phase is scaled to a whole number of cycles, so that the clip loops.
     let total = cycles[cycles.len() - 1];
     let mut tracks = vec![(Vec::<Vec3>::new(), Vec::<Quat>::new()); skeleton.len()];
     for (&time, cycles) in times.iter().zip(cycles) {
         let phase = num::narrow((cycles * total.round() / total).rem_euclid(1.0));
         let mut pose = walk.pose(skeleton, phase);
-        // Of equal lengths.
+        // Both poses have the skeleton's length.
         let _ = Blender::new(skeleton).blend(&mut pose, &run.pose(skeleton, phase), run_share(time));
         for (bone, (places, turns)) in pose.iter().zip(&mut tracks) {
             places.push(bone.translation);
@@ -75,7 +76,7 @@ pub(super) fn walk_to_run(skeleton: &Skeleton, [walk, run]: [&Clip; 2], root: Ro
     Ok(clip)
 }
 
-/// The share of the run at a time: from 0 to 1 and back, by smooth steps, over the loop.
+/// Returns the share of the run at a time: from 0 to 1 and back over the loop, by smoothstep.
 fn run_share(time: f32) -> f32 {
     let way = ((0.75 - (2.0 * time / SECONDS - 1.0).abs()) / 0.4).clamp(0.0, 1.0);
     way * way * (3.0 - 2.0 * way)

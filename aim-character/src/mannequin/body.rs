@@ -1,4 +1,4 @@
-//! The mannequin's body: one surface a material, each part bound to the joints beneath it.
+//! The mannequin's body: one surface per material, each part bound to the joints inside it.
 
 use aim_runtime::glam::DVec3;
 
@@ -8,12 +8,12 @@ use super::shape::{Binding, Ring, ShapeMesh, between, rigid};
 /// A material of the mannequin.
 pub(crate) struct Tint {
     pub(crate) name: &'static str,
-    /// Linear RGB.
+    /// Colour in linear RGB.
     pub(crate) colour: [f64; 3],
     pub(crate) roughness: f64,
 }
 
-/// Materials in the order of [`surfaces`].
+/// Materials, in the order of [`surfaces`].
 pub(crate) const MATERIALS: [Tint; 8] = [
     Tint { name: "skin", colour: [0.72, 0.42, 0.29], roughness: 0.7 },
     Tint { name: "shirt", colour: [0.06, 0.22, 0.34], roughness: 0.9 },
@@ -33,7 +33,7 @@ struct BodyBuilder<'a> {
     surfaces: [ShapeMesh; 8],
 }
 
-/// The surfaces of all materials.
+/// Returns the surfaces of all materials, in the order of [`MATERIALS`].
 pub(crate) fn surfaces(joints: &[Joint]) -> [ShapeMesh; 8] {
     let mut body = BodyBuilder { joints, surfaces: Default::default() };
     body.trunk();
@@ -55,7 +55,8 @@ impl BodyBuilder<'_> {
         self.joint(&format!("{side}_{name}"))
     }
 
-    /// Along the column a point follows the joint below it, blending halfway to the next one.
+    /// Returns the binding along the column: a point follows the joint below it, and within 3.5 cm of a joint it blends
+    /// with that joint.
     fn column(&self) -> impl Fn(f64) -> Binding + use<> {
         let names = ["hips", "spine", "spine1", "spine2", "spine3", "neck"];
         let column: Vec<(usize, f64)> =
@@ -102,7 +103,7 @@ impl BodyBuilder<'_> {
         let clavicles = [self.joint("left_clavicle"), self.joint("right_clavicle")];
         let spine3 = self.joint("spine3");
         let bind = |p: DVec3| {
-            // The shoulders' outer, upper part follows the clavicles.
+            // The outer, upper part of the shoulders follows the clavicles.
             let share = ((p.x.abs() - 0.09) / 0.08).clamp(0.0, 1.0) * ((p.y - 1.36) / 0.05).clamp(0.0, 1.0) * 0.7;
             if share > 0.0 { between(spine3, clavicles[usize::from(p.x < 0.0)], share) } else { column(p.y) }
         };
@@ -152,7 +153,7 @@ impl BodyBuilder<'_> {
         for x in [0.076, -0.076] {
             skin.ellipsoid([x, 1.640, -0.008], [0.009, 0.029, 0.017], 14, on_head);
         }
-        // Hair where its ellipsoid comes out of the skull; brows, and the line of the mouth.
+        // The hair is the part of its ellipsoid outside the skull. Then brows, and the line of the mouth.
         let hair = &mut self.surfaces[4];
         hair.ellipsoid([0.0, 1.671, -0.021], [0.083, 0.085, 0.097], 32, on_head);
         for x in [0.031, -0.031] {
@@ -253,7 +254,7 @@ impl BodyBuilder<'_> {
             ring(knee, ankle, 0.97, 0.048),
             ring(knee, ankle, 0.975, 0.040),
         ];
-        // From hip to ankle the loft runs downward; its rings are turned by that, its winding is not.
+        // The loft runs downward from hip to ankle. Its rings turn with the path, so the triangles still face outward.
         self.surfaces[2].loft(&rings, 28, bind);
         let shoe_bind = |p: DVec3| {
             if p.z > 0.05 { between(foot, toes, (p.z - 0.075) / 0.04) } else { rigid(foot) }
@@ -263,7 +264,7 @@ impl BodyBuilder<'_> {
         let x = ankle.x;
         shoes.ellipsoid([x + 0.004 * sign, 0.035, 0.055], [0.046, 0.046, 0.125], 24, shoe_bind);
         shoes.ellipsoid([x, 0.055, -0.022], [0.043, 0.062, 0.052], 20, shoe_bind);
-        // Flat soles on the ground.
+        // Flatten the soles on the ground.
         shoes.positions.iter_mut().skip(first).for_each(|p| p.y = p.y.max(0.0));
     }
 }

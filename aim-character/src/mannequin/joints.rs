@@ -1,4 +1,4 @@
-//! The mannequin's joints: names, parents before children, places in metres (x left, y up, z forward).
+//! The mannequin's joints: names, parents before children, positions in metres (x left, y up, z forward).
 
 use aim_runtime::glam::{DMat3, DQuat, DVec3};
 
@@ -6,36 +6,36 @@ use aim_runtime::glam::{DMat3, DQuat, DVec3};
 pub(crate) struct Joint {
     pub(crate) name: String,
     pub(crate) parent: Option<usize>,
-    /// Relative to the ground between the feet.
+    /// Position relative to the ground between the feet, metres.
     pub(crate) position: DVec3,
 }
 
-/// Frame and place of one joint, from which its numbers follow.
+/// Frame and position of one joint, from which its local transforms are computed.
 pub(crate) struct Bone {
     /// Character ← bone, orthonormal, mirrored or not.
     pub(crate) frame: DMat3,
     /// Parent bone ← character.
     pub(crate) to_parent: DMat3,
-    /// From the parent joint, in the character's space.
+    /// Offset from the parent joint, in the character's space.
     pub(crate) offset: DVec3,
-    /// The local scale: one axis negative where bone and parent differ in handedness.
+    /// Local scale: one axis is negative if bone and parent differ in handedness.
     pub(crate) mirror: DVec3,
 }
 
 impl Bone {
-    /// The local translation for an extra offset in the character's space.
+    /// Returns the local translation for an additional offset in the character's space.
     pub(crate) fn translation(&self, extra: DVec3) -> DVec3 {
         self.to_parent * (self.offset + extra)
     }
 
-    /// The local rotation that turns the bone by `turn`, given in the character's axes.
+    /// Returns the local rotation that turns the bone by `turn`, given in the character's axes.
     pub(crate) fn rotation(&self, turn: DQuat) -> DQuat {
         let local = self.to_parent * DMat3::from_quat(turn) * self.frame * DMat3::from_diagonal(self.mirror);
         DQuat::from_mat3(&local).normalize()
     }
 }
 
-/// Column, then the left limbs, whose mirror images follow.
+/// Joints of the column: name, parent, position.
 const COLUMN: [(&str, Option<&str>, [f64; 3]); 7] = [
     ("hips", None, [0.0, 0.95, 0.0]),
     ("spine", Some("hips"), [0.0, 1.04, 0.0]),
@@ -46,6 +46,7 @@ const COLUMN: [(&str, Option<&str>, [f64; 3]); 7] = [
     ("head", Some("neck"), [0.0, 1.60, 0.0]),
 ];
 
+/// Joints of the left limbs: name, parent, position. The right limbs are their mirror images.
 const LIMBS: [(&str, &str, [f64; 3]); 9] = [
     ("eye", "head", [0.03, 1.66, 0.09]),
     ("clavicle", "spine3", [0.03, 1.43, 0.0]),
@@ -58,7 +59,7 @@ const LIMBS: [(&str, &str, [f64; 3]); 9] = [
     ("toes", "foot", [0.1, 0.025, 0.09]),
 ];
 
-/// All joints; indices are the order used everywhere in the mannequin.
+/// Returns all joints. Their order gives the indices used throughout the mannequin.
 pub(crate) fn joints() -> Vec<Joint> {
     let mut out: Vec<Joint> = Vec::new();
     let index = |out: &[Joint], name: &str| out.iter().position(|joint| joint.name == name);

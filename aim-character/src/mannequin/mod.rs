@@ -1,7 +1,7 @@
-//! A walking figure made by code, the same in the world whatever axes its bones are given.
+//! A generated walking figure that looks the same in the world whatever axes its bones are given.
 //!
-//! It faces +Z, its up is +Y, its left +X, in metres. Only the inside differs between conventions: each joint's own
-//! frame, and therefore the numbers of its transforms, inverse bind matrices and animation.
+//! It faces +Z, with up +Y and left +X, in metres. Conventions differ only internally: in each joint's frame, and
+//! therefore in the numbers of its transforms, inverse bind matrices and animation.
 
 mod blend;
 mod body;
@@ -19,16 +19,16 @@ use joints::Bone;
 use pack::Contents;
 pub use vrm::Vrm;
 
-/// The paper's convention: a bone's +X is up, +Y forward, +Z left.
+/// The paper's bone convention: +X is up, +Y forward, +Z left.
 pub const PAPER_AXES: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Builds the mannequin as a GLB: 25 joints (`hips`, `spine`, `spine1`, `spine2`, `spine3`, `neck`, `head`, and `left_`
 /// and `right_` each of `eye`, `clavicle`, `upper_arm`, `lower_arm`, `hand`, `upper_leg`, `lower_leg`, `foot`, `toes`),
 /// a skinned body, and a looping clip `walk` of 1.2 s.
 ///
-/// `axes_of` gives, for a joint's name, where the character's up, forward and left lie in that bone's own space: any
-/// three unit vectors at right angles. A triple in which `left × up` is not `forward` but its opposite makes a mirrored bone (negative
-/// determinant in the world); its children make up for it.
+/// `axes_of` returns, for a joint's name, the character's up, forward and left in that bone's local space: any three
+/// orthonormal vectors. If `left × up` is the opposite of `forward`, the bone is mirrored (negative determinant in the
+/// world), and its children compensate for that.
 ///
 /// # Errors
 /// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
@@ -36,7 +36,7 @@ pub fn mannequin(axes_of: impl Fn(&str) -> [[f32; 3]; 3]) -> Result<Vec<u8>, Err
     Mannequin::new().glb(axes_of)
 }
 
-/// The mannequin with more than [`mannequin`] writes.
+/// Options for the mannequin beyond those of [`mannequin`].
 ///
 /// ```
 /// use aim_character::{Mannequin, PAPER_AXES, Vrm};
@@ -55,38 +55,39 @@ pub struct Mannequin {
 }
 
 impl Mannequin {
-    /// The figure with its walk.
+    /// Creates the figure with its walk only.
     #[must_use]
     pub const fn new() -> Self {
         Self { moves: false, walks_to_run: false, vrm: None }
     }
 
-    /// With the clips `walk_ahead` (1.2 m in 1.1 s), `walk_circle` (once round to the left, 9.6 m), `run` (2 m in 0.7 s), `jump`,
-    /// `turn` (a quarter to the left, in two steps) and `wave` after `walk`. The hips carry their movement: all are loops but for
-    /// that. Feet stay where they stand.
+    /// Adds clips after `walk`: `walk_ahead` (1.2 m in 1.1 s), `walk_circle` (once round to the left, 9.6 m), `run`
+    /// (2 m in 0.7 s), `jump`, `turn` (a quarter to the left, in two steps) and `wave`.
+    ///
+    /// The hips carry the movement; apart from it, all clips are loops. Feet do not slide.
     #[must_use]
     pub const fn with_moves(mut self) -> Self {
         self.moves = true;
         self
     }
 
-    /// With the clip `walk_to_run` before all others: a loop of 10 s in which it walks, runs and walks again on the spot, the two
-    /// gaits of [`with_moves`](Self::with_moves) blended in step.
+    /// Adds the clip `walk_to_run` before all others: a loop of 10 s in which the figure walks, runs and walks again on
+    /// the spot. It blends the two gaits of [`with_moves`](Self::with_moves) in step.
     #[must_use]
     pub const fn with_walk_to_run(mut self) -> Self {
         self.walks_to_run = true;
         self
     }
 
-    /// As a VRM file: bones by VRM's names, arms level where no clip moves them, eyes that look by their bones. One of version 0
-    /// faces −Z.
+    /// Makes the file a VRM file, with VRM's bones, level arms in the rest pose, and eyes that look by bones. In version
+    /// 0 the figure faces −Z.
     #[must_use]
     pub const fn with_vrm(mut self, version: Vrm) -> Self {
         self.vrm = Some(version);
         self
     }
 
-    /// The file, as [`mannequin`] writes it.
+    /// Returns the file as a GLB, like [`mannequin`].
     ///
     /// # Errors
     /// [`Error::Axes`] for a joint whose three vectors are not orthonormal to within 1e-3.
@@ -101,7 +102,7 @@ impl Mannequin {
             let mirrors = parent_frame.determinant() * frame.determinant() < 0.0;
             Bone {
                 frame,
-                // Frames are orthonormal, so the transpose is the inverse, mirrored or not.
+                // Frames are orthonormal, so the transpose is the inverse, whether mirrored or not.
                 to_parent: parent_frame.transpose(),
                 offset: joint.position - parent_position,
                 mirror: if mirrors { DVec3::new(-1.0, 1.0, 1.0) } else { DVec3::ONE },
@@ -113,10 +114,10 @@ impl Mannequin {
     }
 }
 
-/// Character ← bone from the three vectors in the bone's space.
+/// Returns character ← bone for three vectors in the bone's space.
 fn frame(bone: &str, [up, forward, left]: [[f32; 3]; 3]) -> Result<DMat3, Error> {
     let [left, up, forward] = [left, up, forward].map(|v| DVec3::from_array(v.map(f64::from)));
-    // Its columns take the character's axes into the bone's space.
+    // Bone ← character: its columns are the character's axes in the bone's space.
     let (given, near) = (DMat3::from_cols(left, up, forward), 1e-3);
     let gram = given.transpose() * given;
     let off = (gram - DMat3::IDENTITY).to_cols_array().iter().fold(0.0_f64, |a, b| a.max(b.abs()));

@@ -1,4 +1,4 @@
-//! The mannequin's parts put into a GLB.
+//! Packs the parts of the mannequin into a GLB.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use crate::num;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// The binary chunk as it grows, with its views and accessors.
+/// The binary chunk under construction, with its views and accessors.
 #[derive(Default)]
 struct Data {
     bytes: Vec<u8>,
@@ -30,7 +30,7 @@ struct Data {
 }
 
 impl Data {
-    /// Adds one accessor on a view of its own; returns its index.
+    /// Adds an accessor with a view of its own; returns its index.
     fn add(&mut self, bytes: &[u8], target: Option<u32>, mut accessor: Value) -> usize {
         let mut view = json!({ "buffer": 0, "byteOffset": self.bytes.len(), "byteLength": bytes.len() });
         if let Some(target) = target {
@@ -64,14 +64,14 @@ impl Data {
     }
 }
 
-/// The contents of a file beside the figure and its walk.
+/// Contents of a file besides the figure and its walk.
 pub(super) struct Contents<'a> {
     pub(super) moves: &'a [Move],
     pub(super) walks_to_run: bool,
     pub(super) vrm: Option<Vrm>,
 }
 
-/// The whole file.
+/// Returns the whole file as a GLB.
 pub(super) fn pack(contents: &Contents<'_>, joints: &[Joint], rig: &[Bone]) -> Result<Vec<u8>, Error> {
     let vrm = contents.vrm;
     let mut data = Data::default();
@@ -164,7 +164,7 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     let positions: Vec<[f32; 3]> = surface.positions.iter().map(|p| narrow3(*p)).collect();
     let normals: Vec<[f32; 3]> = surface.normals.iter().map(|n| narrow3(*n)).collect();
     let weights: Vec<[f32; 4]> = surface.bindings.iter().map(|b| b.map(|(_, w)| num::narrow(w))).collect();
-    // A joint without weight must be 0; there are far fewer than 256 joints and 65 536 vertices.
+    // glTF requires index 0 for a joint without weight. There are far fewer than 256 joints and 65 536 vertices.
     let joint = |(joint, weight): (usize, f64)| {
         if weight == 0.0 { 0 } else { u8::try_from(joint).unwrap_or(0) }
     };
@@ -185,7 +185,7 @@ fn primitive(data: &mut Data, surface: &ShapeMesh, material: usize) -> Value {
     })
 }
 
-/// A clip by the hips' offset and the turn of every joint at each of its times.
+/// Makes a clip from the hips' offset and the rotation of every joint at each of its times.
 fn clip(
     name: &str,
     times: impl Iterator<Item = f64>,

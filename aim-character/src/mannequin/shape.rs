@@ -1,4 +1,4 @@
-//! Closed surfaces made of rings: smooth normals, outward winding, every vertex bound to its joints.
+//! Closed surfaces made of rings, with smooth normals and outward winding; every vertex is bound to its joints.
 
 use core::f64::consts::TAU;
 
@@ -9,12 +9,12 @@ use crate::num::count;
 /// Up to four (joint, weight) pairs; weights sum to 1.
 pub(crate) type Binding = [(usize, f64); 4];
 
-/// A vertex bound to one joint alone.
+/// Binds a vertex to one joint.
 pub(crate) fn rigid(joint: usize) -> Binding {
     [(joint, 1.0), (0, 0.0), (0, 0.0), (0, 0.0)]
 }
 
-/// A vertex between two joints; `t` = 1 is all the second.
+/// Binds a vertex between two joints; `t` = 0 is entirely the first, 1 entirely the second.
 pub(crate) fn between(a: usize, b: usize, t: f64) -> Binding {
     let t = t.clamp(0.0, 1.0);
     if t <= 0.0 {
@@ -26,7 +26,7 @@ pub(crate) fn between(a: usize, b: usize, t: f64) -> Binding {
     }
 }
 
-/// Sine and cosine of part `at` of a turn that has so many parts.
+/// Returns sine and cosine of the angle 2π · `at` / `parts`.
 fn around(at: usize, parts: usize) -> (f64, f64) {
     (TAU * count(at) / count(parts)).sin_cos()
 }
@@ -40,7 +40,7 @@ pub(crate) struct ShapeMesh {
     pub(crate) triangles: Vec<[usize; 3]>,
 }
 
-/// A ring of a loft: its centre, and its half-widths ahead (towards +z) and aside.
+/// A ring of a loft: its centre, and its half-widths ahead (towards +z) and to the side.
 pub(crate) struct Ring {
     pub(crate) centre: DVec3,
     pub(crate) ahead: f64,
@@ -54,12 +54,12 @@ impl Ring {
 }
 
 impl ShapeMesh {
-    /// A tube through rings, closed at both ends; each ring lies across the path.
+    /// Adds a tube through rings, closed at both ends. Each ring is perpendicular to the path.
     pub(crate) fn loft(&mut self, rings: &[Ring], sides: usize, bind: impl Fn(DVec3) -> Binding) {
         self.tube(rings, sides, None, bind);
     }
 
-    /// A stack of level rings, from the lowest to the highest.
+    /// Adds a stack of level rings, from the lowest to the highest.
     pub(crate) fn stack(&mut self, rings: &[Ring], sides: usize, bind: impl Fn(DVec3) -> Binding) {
         self.tube(rings, sides, Some(DVec3::Y), bind);
     }
@@ -83,7 +83,7 @@ impl ShapeMesh {
         self.rows(&rows, first.centre, last.centre, bind);
     }
 
-    /// An ellipsoid with its poles up and down.
+    /// Adds an ellipsoid with its poles at top and bottom.
     pub(crate) fn ellipsoid(
         &mut self,
         centre: impl Into<DVec3>,
@@ -105,7 +105,7 @@ impl ShapeMesh {
         self.rows(&rows, centre - DVec3::Y * radii.y, centre + DVec3::Y * radii.y, bind);
     }
 
-    /// A round cap of a sphere about `centre`, facing +z, out to `half_angle` radians.
+    /// Adds a round cap of a sphere about `centre`, facing +z, out to `half_angle` radians.
     pub(crate) fn cap(&mut self, centre: DVec3, radius: f64, half_angle: f64, bind: impl Fn(DVec3) -> Binding) {
         let (steps, sides) = (5, 24);
         let ring = |i: usize| {
@@ -118,16 +118,17 @@ impl ShapeMesh {
         };
         let rows: Vec<_> = (1..=steps).rev().map(ring).collect();
         let (first, tip) = (self.positions.len(), centre + DVec3::Z * radius);
-        // The rim's own middle closes the back, flat and out of sight.
+        // The centre of the rim closes the back: flat, and hidden.
         let back = centre + DVec3::Z * (radius * half_angle.cos());
         self.rows(&rows, back, tip, bind);
-        // A lens's normals are its sphere's; averaging would darken the rim.
+        // The cap keeps the normals of its sphere; averaged normals would darken the rim.
         for (normal, position) in self.normals.iter_mut().zip(&self.positions).skip(first) {
             *normal = (*position - centre).normalize_or(DVec3::Z);
         }
     }
 
-    /// Rows of equally many points, each counter-clockwise seen from the next one's side, closed by two points.
+    /// Adds a surface through rows of equally many points, closed by a point at each end. Each row runs
+    /// counter-clockwise as seen from the next row.
     fn rows(&mut self, rows: &[Vec<DVec3>], start: DVec3, end: DVec3, bind: impl Fn(DVec3) -> Binding) {
         let sides = rows.first().map_or(0, Vec::len);
         let base = self.positions.len();

@@ -1,4 +1,4 @@
-//! What makes a VRM file of the mannequin: its bones by VRM's names, and eyes that look by their bones.
+//! The VRM form of the mannequin: bones with VRM's names, and eyes that look by bones.
 
 use aim_runtime::glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
@@ -14,8 +14,9 @@ pub enum Vrm {
     V1,
 }
 
-/// How far eyes turn by their range maps, and for targets how far aside; degrees.
+/// Largest heading of the eyes, degrees: input and output of the horizontal range maps.
 const LEVEL_DEG: f64 = 35.0;
+/// Largest pitch of the eyes, degrees: input and output of the vertical range maps.
 const UPRIGHT_DEG: f64 = 25.0;
 
 impl Vrm {
@@ -27,7 +28,7 @@ impl Vrm {
         }
     }
 
-    /// Writes the extension.
+    /// Writes the VRM extension into the glTF JSON.
     pub(super) fn write(self, joints: &[Joint], json: &mut Value) {
         let (name, extension) = match self {
             Self::V0 => ("VRM", zero(joints)),
@@ -38,7 +39,7 @@ impl Vrm {
     }
 }
 
-/// The turn of a joint of a VRM file where no clip moves it: arms level, aside.
+/// Returns the rotation of a joint in the rest pose of a VRM file: arms level, to the sides.
 pub(super) fn t_pose(joint: &str, position: impl Fn(&str) -> DVec3) -> DQuat {
     let Some((side, sign)) =
         joint.strip_suffix("_upper_arm").map(|side| (side, if side == "left" { 1.0 } else { -1.0 }))
@@ -49,7 +50,7 @@ pub(super) fn t_pose(joint: &str, position: impl Fn(&str) -> DVec3) -> DQuat {
     DQuat::from_rotation_arc(arm.normalize(), DVec3::X * sign)
 }
 
-/// VRM's name of a joint.
+/// Returns the VRM bone name of a joint; `None` for a joint that VRM has no bone for.
 fn bone(joint: &str) -> Option<String> {
     let (side, name) = match joint.split_once('_') {
         Some((side @ ("left" | "right"), name)) => (side, name),
@@ -90,7 +91,8 @@ fn one(joints: &[Joint]) -> Value {
             "humanBones": bones(joints).map(|(bone, node)| (bone, json!({ "node": node })))
                 .collect::<serde_json::Map<_, _>>(),
         },
-        // None; readers that want to know whether eyes look by expressions take the lack of the object for the lack of eyes.
+        // Empty, but present: readers that check whether eyes look by expressions take a missing object for missing
+        // eyes.
         "expressions": { "preset": {} },
         "lookAt": {
             "type": "bone",

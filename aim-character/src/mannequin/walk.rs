@@ -1,4 +1,4 @@
-//! The walk: for each joint a turn relative to its parent, in the character's axes, repeating after one period.
+//! The walk on the spot: a periodic rotation of each joint relative to its parent, in the character's axes.
 
 use core::f64::consts::TAU;
 
@@ -6,33 +6,33 @@ use aim_runtime::glam::{DQuat, DVec3};
 
 use super::joints::Joint;
 
-/// Length of two steps, seconds.
+/// Length of a period of two steps, seconds.
 const SECONDS: f64 = 1.2;
-/// Keys of one period, the repeated first one not counted.
+/// Number of keys in a period, without the repeated first one.
 const KEYS: u32 = 36;
 
-/// The times of keys; those of the beginning and the end are one phase.
+/// Returns the times of the keys. The first and the last have the same phase.
 pub(super) fn times() -> impl Iterator<Item = f64> {
     (0..=KEYS).map(|k| f64::from(k) / f64::from(KEYS) * SECONDS)
 }
 
-/// The hips' offset and the turn of each joint at the time of a key.
+/// Returns the hips' offset and the rotation of each joint at the time of a key.
 pub(super) fn at(joints: &[Joint], seconds: f64) -> (DVec3, Vec<DQuat>) {
     let key = (seconds / SECONDS * f64::from(KEYS)).round() % f64::from(KEYS);
     let phase = key / f64::from(KEYS);
     (hips_offset(phase), joints.iter().map(|joint| turn(&joint.name, phase)).collect())
 }
 
-/// Offset of the hips from their bind place at a phase (0…1), metres.
+/// Returns the hips' offset from their bind position at a phase (0…1), metres.
 fn hips_offset(phase: f64) -> DVec3 {
     let p = TAU * phase;
     DVec3::new(0.012 * p.cos(), 0.016 * (2.0 * p).cos() - 0.022, 0.0)
 }
 
-/// The turn of a joint at a phase (0…1); no turn is the bind pose. Axes: x left, y up, z forward.
+/// Returns the rotation of a joint from the bind pose at a phase (0…1). Axes: x left, y up, z forward.
 fn turn(joint: &str, phase: f64) -> DQuat {
     let p = TAU * phase;
-    // Turns about +x tip the top forward, so a hanging limb swings back.
+    // Rotations about +x tip the top forward, so a hanging limb swings back.
     let tip = DQuat::from_rotation_x;
     let yaw = DQuat::from_rotation_y;
     let roll = DQuat::from_rotation_z;
@@ -48,7 +48,7 @@ fn turn(joint: &str, phase: f64) -> DQuat {
 }
 
 fn limb(joint: &str, p: f64) -> DQuat {
-    // The right side does what the left did half a period ago.
+    // The right side lags the left by half a period.
     let (name, p, side) = match (joint.strip_prefix("left_"), joint.strip_prefix("right_")) {
         (Some(name), _) => (name, p, 1.0),
         (_, Some(name)) => (name, p + TAU / 2.0, -1.0),

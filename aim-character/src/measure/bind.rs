@@ -1,8 +1,9 @@
-//! The bind pose in world space: the pose in which a skin was fitted, which is where bone axes mean something.
+//! The bind pose in world space: the pose in which the skin was fitted, in which bone axes are meaningful.
 //!
-//! Inverse bind matrices live in the mesh's own space, which glTF ties to nothing. One map per skin, world ← mesh,
-//! is found from the joints: the one that most of them agree on, else the hips' made square with the skeleton's root (a rest
-//! pose that is a frame of some walk turns the hips, and a skin is modelled upright).
+//! Inverse bind matrices refer to the mesh's own space, which glTF does not relate to the world. For each skin, one map
+//! world ← mesh is found from its joints: the map on which most of them agree. If no majority agrees, the map of the
+//! hips is used, snapped to the nearest right-angled orientation relative to the skeleton's root: a rest pose taken
+//! from a walk turns the hips, whereas skins are modelled upright.
 
 use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
@@ -10,15 +11,15 @@ use crate::measure::frame::orthonormal;
 use crate::measure::roles::{Role, Roles};
 use aim_gltf::Skeleton;
 
-/// Joints agree when their maps differ by less than this cosine of the turning angle (1°).
+/// Cosine of the largest rotation (1°) between the maps of two joints that agree.
 const SAME: f64 = 0.999_847_7;
-/// A map this near to a right-angled one (20°) is taken to be right-angled.
+/// Cosine of the largest rotation (20°) between a map and the nearest right-angled one for which the latter is used.
 const SQUARE: f64 = 0.939_692_6;
-/// Joints tried as the one that most agree with.
+/// Number of joints whose maps are tried as the majority's.
 const TRIED: usize = 64;
 
-/// World ← node in the bind pose, for every node. A node no skin lists keeps its rest place relative to the nearest
-/// ancestor that is listed, and its rest place altogether where there is none.
+/// Returns world ← node in the bind pose, for every node. A node that no skin lists keeps its rest transform relative
+/// to its nearest listed ancestor, or its rest transform in the world if it has none.
 pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) -> Vec<DAffine3> {
     let mut bind: Vec<Option<DAffine3>> = vec![None; skeleton.len()];
     for index in 0..skeleton.skin_count() {
@@ -36,7 +37,7 @@ pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) 
     for node in 0..skeleton.len() {
         let inherited = || {
             let parent = skeleton.parents()[node]?;
-            // Only below a joint can bind and rest differ.
+            // Bind and rest poses can differ only below a joint.
             if out[parent] == rest[parent] || rest[parent].matrix3.determinant().abs() < 1e-30 {
                 return None;
             }
@@ -49,7 +50,7 @@ pub(crate) fn bind_world(skeleton: &Skeleton, rest: &[DAffine3], roles: &Roles) 
     out
 }
 
-/// World ← mesh of one skin.
+/// Returns world ← mesh of one skin; `None` if the skin has no inverse bind matrices.
 fn calibrate(
     skeleton: &Skeleton,
     listed: &[(usize, DAffine3)],
@@ -57,7 +58,7 @@ fn calibrate(
     known: &[Option<DAffine3>],
     roles: &Roles,
 ) -> Option<DAffine3> {
-    // A skin that shares a joint with one already placed goes where that joint is.
+    // A skin that shares a joint with a skin already placed is placed by that joint.
     if let Some((joint, inverse)) = listed.iter().find(|(joint, _)| known[*joint].is_some()) {
         return known[*joint].map(|world| world * *inverse);
     }
@@ -72,7 +73,7 @@ fn calibrate(
     let reference =
         with_role(Role::Hips).or_else(|| with_role(Role::Spine)).or_else(|| with_role(Role::Head)).unwrap_or(0);
     let (frame, map) = (frames[reference], maps[reference]);
-    // Upright in what carries the whole skeleton, wherever that is turned to.
+    // Upright relative to the node that carries the whole skeleton, whatever its orientation.
     let joint = listed[reference].0;
     let carrier = skeleton.ancestry(joint).find(|node| !skeleton.nodes()[*node].is_joint);
     let upright = carrier.map_or(DMat3::IDENTITY, |node| orthonormal(&rest[node].matrix3).0);
@@ -87,19 +88,20 @@ fn calibrate(
     Some(DAffine3 { matrix3, translation: rest[*joint].translation - matrix3 * mesh_point })
 }
 
-/// Cosine of the angle between two frames of equal handedness; −1 and less where they mirror each other.
+/// Returns the cosine of the angle between two frames of equal handedness, or at most 0 if their handedness differs.
 fn turn_cos(a: &DMat3, b: &DMat3) -> f64 {
     let trace = a.x_axis.dot(b.x_axis) + a.y_axis.dot(b.y_axis) + a.z_axis.dot(b.z_axis);
     (trace - 1.0) * 0.5
 }
 
-/// The nearest frame whose axes are ± coordinate axes.
+/// Returns the nearest frame whose axes are signed coordinate axes.
 fn nearest_square(m: &DMat3) -> DMat3 {
     let [x, y, z] = signed_permutation(&[m.x_axis, m.y_axis, m.z_axis], m.determinant() < 0.0);
     DMat3::from_cols(x, y, z)
 }
 
-/// The triple of distinct signed unit axes, mirrored or not, that fits three directions best together.
+/// Returns the triple of different signed coordinate axes of the given handedness that fits the three directions best,
+/// by the sum of cosines.
 pub(crate) fn signed_permutation(directions: &[DVec3; 3], mirrored: bool) -> [DVec3; 3] {
     const ORDERS: [([usize; 3], f64); 6] =
         [([0, 1, 2], 1.0), ([1, 2, 0], 1.0), ([2, 0, 1], 1.0), ([0, 2, 1], -1.0), ([2, 1, 0], -1.0), ([1, 0, 2], -1.0)];

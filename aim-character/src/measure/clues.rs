@@ -1,4 +1,4 @@
-//! Clues about the direction a body faces, one from each of its parts. `facing` weighs them.
+//! Clues to the direction a body faces, one from each of its parts. `facing.rs` weighs them.
 
 use aim_model::{BoneName, Side};
 use std::collections::HashMap;
@@ -16,9 +16,9 @@ pub(crate) struct Body<'a> {
     /// World ← node.
     pub(crate) bind: &'a [DAffine3],
     pub(crate) is_bone: &'a [bool],
-    /// Vertices in the world.
+    /// Vertices in world space.
     pub(crate) skin: &'a [DVec3],
-    /// The node that moves each vertex most.
+    /// For each vertex, the node that moves it most.
     pub(crate) carriers: &'a [usize],
     pub(crate) roles: &'a Roles,
     pub(crate) plan: Option<BodyPlan>,
@@ -28,21 +28,21 @@ pub(crate) struct Body<'a> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Clue {
-    /// A pair of nodes that their names (or VRM) call left and right.
+    /// A pair of nodes that are left and right by name or VRM.
     Names {
-        /// Node index.
+        /// Node index of the left one.
         left: usize,
-        /// Node index.
+        /// Node index of the right one.
         right: usize,
     },
-    /// A pair of limbs alike in the tree and mirrored in place, whichever is left.
+    /// A pair of limbs with the same shape of subtree in mirrored positions; which one is left is unknown.
     Limbs {
-        /// Node index.
+        /// Node index of one limb.
         one: usize,
-        /// Node index.
+        /// Node index of the other limb.
         other: usize,
     },
-    /// The joints' places mirror each other.
+    /// The positions of the joints mirror each other.
     Symmetry,
     /// Legs reach down from the hips.
     Legs,
@@ -52,20 +52,20 @@ pub enum Clue {
     Soles,
     /// Eyes lie ahead of the head's joint.
     Eyes,
-    /// The head of who goes on all fours lies ahead of the hips, or of the tail where no hips are known.
+    /// The head of a four-legged animal lies ahead of its hips, or of its tail if no hips are known.
     Trunk,
-    /// A barrel, a lens or a lamp shade reaches out to where it points.
+    /// A barrel, a lens or a lamp shade extends in the direction it points.
     Reach {
-        /// Node index.
+        /// Node index of that part.
         node: usize,
     },
-    /// glTF says that +Y is up and that models face +Z.
+    /// The convention of glTF: +Y is up and models face +Z.
     Convention,
-    /// The user says so.
+    /// A statement of the user.
     Stated,
 }
 
-/// A level direction that something lies ahead in.
+/// A level direction in which some part lies ahead of another.
 pub(crate) struct Hint {
     pub(crate) clue: Clue,
     pub(crate) ahead: DVec3,
@@ -85,7 +85,7 @@ impl Body<'_> {
         self.skeleton.parents()[node]
     }
 
-    /// Bones whose names have a side, with what the name says without it.
+    /// Returns the bones whose names have a side, each with the rest of its name as a key.
     fn sided(&self) -> Vec<(usize, Side, String)> {
         let sided = |node: usize| {
             let words = BoneName::new(&self.skeleton.names()[node]);
@@ -94,7 +94,7 @@ impl Body<'_> {
         (0..self.bind.len()).filter(|node| self.is_bone[*node]).filter_map(sided).collect()
     }
 
-    /// Which nodes are of a leg by their names.
+    /// Returns, for each node, whether its name is that of a part of a leg.
     pub(crate) fn named_legs(&self) -> Vec<bool> {
         let mut legs = vec![false; self.bind.len()];
         for (node, _, key) in self.sided() {
@@ -108,8 +108,8 @@ impl Body<'_> {
     }
 }
 
-/// Pairs that tell the sides best, best first; arms belong to the part of the body that aims, and whatever has two sides
-/// is better than nothing.
+/// Name parts of the pairs that reveal the sides best, best first. Arms come first because they belong to the part of
+/// the body that aims. The empty string at the end matches any name with a side.
 const KINDS: [&str; 16] = [
     "upperarm", "arm", "shoulder", "clavicle", "collar", "thigh", "upleg", "upperleg", "leg", "eye", "hand", "foot",
     "knee", "ankle", "toe", "",
@@ -117,23 +117,25 @@ const KINDS: [&str; 16] = [
 const LEGS: [&str; 8] = ["thigh", "leg", "calf", "shin", "knee", "ankle", "foot", "hip"];
 const TOES: [&str; 2] = ["toe", "ball"];
 
-/// The height, as a part of the length, below which nothing has feet: a fish, a bird in flight.
+/// Height of the joints, as a share of their largest level distance, below which a body has no feet: a fish, or a bird
+/// in flight.
 const FLAT: f64 = 0.1;
 
-/// Nodes of one name that are tried as the other of a pair: work stays bounded whatever a file holds.
+/// Largest number of nodes with the same name that are tried as the counterpart of one node; bounds the work for any
+/// file.
 const MOST_NAMESAKES: usize = 16;
 
-/// From `b` to `a`, level.
+/// Returns the vector from `b` to `a` without its component along `up`.
 pub(crate) fn apart(body: &Body<'_>, a: usize, b: usize, up: DVec3) -> DVec3 {
     (body.at(a) - body.at(b)).reject_from_normalized(up)
 }
 
-/// True if both bones of a pair are mirrored.
+/// Returns `true` if both bones of a pair are mirrored.
 pub(crate) fn is_mirrored(body: &Body<'_>, a: usize, b: usize) -> bool {
     [a, b].into_iter().all(|node| body.bind[node].matrix3.determinant() < 0.0)
 }
 
-/// The left and the right node of the pair of limbs that tells the sides best.
+/// Returns the left and the right node of the named pair of limbs that reveals the sides best.
 pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
     let nodes = body.skeleton.nodes();
     let is_apart = |l: usize, r: usize| {
@@ -154,7 +156,8 @@ pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
     KINDS.iter().find_map(|kind| {
         let lefts = sided.iter().filter(|(_, side, key)| *side == Side::Left && key.contains(kind));
         lefts.into_iter().find_map(|(left, _, key)| {
-            // Numbers may run the other way on the other side: what is as deep in the tree is the other one.
+            // Numbering may run in opposite orders on the two sides: take the counterpart whose depth in the tree is
+            // closest.
             let namesakes = rights.get(key.as_str())?.iter().take(MOST_NAMESAKES).copied();
             let depth = |node: usize| body.skeleton.ancestry(node).take(MOST_NAMESAKES * 8).count();
             let near = |right: &usize| depth(*right).abs_diff(depth(*left));
@@ -163,7 +166,7 @@ pub(crate) fn named_pair(body: &Body<'_>, up: DVec3) -> Option<(usize, usize)> {
     })
 }
 
-/// The direction from the feet to the hips, where there are legs that reach from the hips and not beyond the head.
+/// Returns the direction from the feet to the hips, if there are legs that do not point towards the head.
 pub(crate) fn legs_up(body: &Body<'_>) -> Option<DVec3> {
     let (sided, is_leg) = (body.sided(), body.named_legs());
     let named = sided.iter().filter_map(|(node, ..)| {
@@ -176,13 +179,13 @@ pub(crate) fn legs_up(body: &Body<'_>) -> Option<DVec3> {
         legs = ways.iter().filter_map(|way| Some(body.at(*way.first()?) - body.at(*way.last()?))).sum();
     }
     let up = Some(legs.normalize_or_zero()).filter(|up| up.is_finite() && *up != DVec3::ZERO)?;
-    // Legs that go to where the head is are no legs.
+    // Limbs that point towards the head are not legs.
     let (hips, head) = ends(body);
     let along = hips.zip(head).map_or(0.0, |(hips, head)| (body.at(head) - body.at(hips)).dot(up));
     (along >= 0.0).then_some(up)
 }
 
-/// The hips and the head.
+/// Returns the hips and the head (or a neck bone if no head is named).
 fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     let plan = body.plan.as_ref();
     let hips = body.with_role(Role::Hips).or_else(|| plan.map(|plan| plan.hips));
@@ -190,14 +193,14 @@ fn ends(body: &Body<'_>) -> (Option<usize>, Option<usize>) {
     (hips, named.or_else(|| plan.map(|plan| plan.head)))
 }
 
-/// The first bone of the tail by its name, where it is no hair.
+/// Returns the first bone whose name is that of a tail, unless it is hair on the head.
 fn tail(body: &Body<'_>) -> Option<usize> {
     let names = body.skeleton.names();
     let is_on_head = |node: usize| body.skeleton.ancestry(node).any(|at| body.roles.of(at) == Some(Role::Head));
     (0..names.len()).find(|node| body.is_bone[*node] && BoneName::new(&names[*node]).has("tail") && !is_on_head(*node))
 }
 
-/// All that lies ahead of something.
+/// Returns the hints of all parts that lie ahead of others.
 pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
     let hint = |clue: Clue, direction: DVec3, weight: f64| {
         let ahead = direction.reject_from_normalized(up).normalize_or_zero();
@@ -231,7 +234,7 @@ pub(crate) fn ahead(body: &Body<'_>, up: DVec3) -> Vec<Hint> {
     hints
 }
 
-/// From ankles to toes, by their names.
+/// Returns the sum of the vectors from named ankles to named toes; `None` unless both feet have toes.
 fn named_toes(body: &Body<'_>) -> Option<DVec3> {
     let is_leg = body.named_legs();
     let mut sum = [DVec3::ZERO; 2];
@@ -241,11 +244,12 @@ fn named_toes(body: &Body<'_>) -> Option<DVec3> {
             sum[usize::from(*side == Side::Left)] += body.at(*node) - body.at(parent);
         }
     }
-    // Both feet: one may be turned.
+    // Both feet are required: one alone may be turned.
     (sum[0] != DVec3::ZERO && sum[1] != DVec3::ZERO).then(|| sum[0] + sum[1])
 }
 
-/// From the lowest joints' parents to the lowest joints, where that leads ahead at all.
+/// Returns the sum of the vectors from the parents of the lowest joints to those joints, if its level part is long
+/// enough to be a direction.
 fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     let joints = body.joints();
     if joints.len() < 5 {
@@ -254,7 +258,7 @@ fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     let height = |node: usize| body.at(node).dot(up);
     let (low, high) = joints.iter().fold((f64::MAX, f64::MIN), |(lo, hi), i| (lo.min(height(*i)), hi.max(height(*i))));
     let size = high - low;
-    // Where all joints lie low, all look like feet.
+    // If all joints lie low, all of them look like feet.
     let reach = joints.iter().map(|joint| apart(body, *joint, joints[0], up).length()).fold(0.0, f64::max);
     if size < FLAT * reach {
         return None;
@@ -268,7 +272,7 @@ fn low_joints(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     (sum.reject_from_normalized(up).length() > 0.01 * size && size.is_finite()).then_some(sum)
 }
 
-/// The direction along `ahead` in which soles reach further from the ankles.
+/// Returns a hint for the direction, along `ahead` or against it, in which the soles reach further from the ankles.
 pub(crate) fn soles(body: &Body<'_>, up: DVec3, ahead: DVec3) -> Option<Hint> {
     let joints = body.joints();
     let heights = joints.iter().map(|joint| body.at(*joint).dot(up));
@@ -290,10 +294,10 @@ pub(crate) fn soles(body: &Body<'_>, up: DVec3, ahead: DVec3) -> Option<Hint> {
     })
 }
 
-/// Names of what points somewhere by its shape.
+/// Words in the names of parts that point in the direction of their shape.
 const POINTERS: &str = "barrel muzzle gun cannon lens camera lamp shade spotlight lampshade";
 
-/// From a pointing part's joint to the middle of what it shows, or of what hangs on it.
+/// Returns the first pointing part and the vector from its joint to the mean of its vertices and its children.
 fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
     let node = body.skeleton.names().iter().position(|name| BoneName::new(name).has(POINTERS))?;
     let on_it = body.skin.iter().zip(body.carriers).filter(|(_, carrier)| **carrier == node).map(|(p, _)| *p);
@@ -303,7 +307,7 @@ fn reach(body: &Body<'_>) -> Option<(usize, DVec3)> {
     (!places.is_empty() && reach.is_finite() && reach.length() > 1e-9).then_some((node, reach))
 }
 
-/// The level axis along which the joints mirror each other; `None` where both do or none does.
+/// Returns the level axis along which the joints mirror each other; `None` if both level axes qualify or neither does.
 pub(crate) fn mirror_axis(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     let joints = body.joints();
     if joints.len() < 5 || joints.len() > 4096 {
@@ -326,7 +330,8 @@ pub(crate) fn mirror_axis(body: &Body<'_>, up: DVec3) -> Option<DVec3> {
     }
 }
 
-/// Mean distance of the joints from their mirror images along `axis`, relative to the spread; `None` without spread.
+/// Returns the mean distance of the joints from the mirror image of the set along `axis`, as a share of `size`; `None`
+/// if the joints hardly extend along `axis`.
 fn asymmetry(at: &[DVec3], axis: DVec3, size: f64) -> Option<f64> {
     let (low, high) = at.iter().map(|p| p.dot(axis)).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
     if high - low < 0.05 * size {

@@ -1,4 +1,4 @@
-//! Where a character faces and what told it, in words.
+//! The evidence for a character's facing, in words.
 
 use aim_gltf::Document;
 use aim_runtime::glam::DVec3;
@@ -7,7 +7,7 @@ use crate::measure::clues::Clue;
 use crate::measure::facing::Evidence;
 use crate::measure::{Measurement, SignedAxis};
 
-/// A direction: `+Z`, or three numbers where it is no axis.
+/// Formats a direction: `+Z` for an axis, otherwise three numbers.
 #[must_use]
 pub fn direction(v: DVec3) -> String {
     let axis = SignedAxis::of(v);
@@ -19,14 +19,14 @@ pub fn direction(v: DVec3) -> String {
     }
 }
 
-/// One sentence: facing, up, and what agrees on it.
+/// Returns one sentence with the facing, the up direction and the clues that agree on it.
 pub fn facing(measurement: &Measurement, document: &Document) -> String {
     let agree: Vec<String> =
         measurement.evidence.iter().filter(|said| said.agrees).map(|said| clue(said, document)).collect();
     format!("Faces {}, up is {}, by {}.", direction(measurement.forward), direction(measurement.up), agree.join(", "))
 }
 
-/// A sentence for each clue that says otherwise.
+/// Returns a sentence for each clue that contradicts the measurement.
 pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
     let against = measurement.evidence.iter().filter(|said| !said.agrees);
     against
@@ -40,10 +40,10 @@ pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
         .collect()
 }
 
-/// Below this confidence the facing is not to be relied on.
+/// Confidence below which the facing is a guess.
 pub const RELIABLE: f64 = 0.65;
 
-/// Why the facing may be wrong, and what to do; `None` where it may be relied on.
+/// Returns why the facing may be wrong and what to do about it; `None` if it is [reliable](RELIABLE).
 #[must_use]
 pub fn doubt(measurement: &Measurement) -> Option<String> {
     if measurement.confidence >= RELIABLE {
@@ -73,7 +73,7 @@ pub fn doubt(measurement: &Measurement) -> Option<String> {
     ))
 }
 
-/// The word for a clue in JSON.
+/// Returns the word for a clue in JSON.
 #[must_use]
 pub fn word(said: &Evidence) -> &'static str {
     match said.clue {

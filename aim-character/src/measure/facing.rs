@@ -1,7 +1,7 @@
-//! The character's up, forward and left in the world, and by what they were found.
+//! The character's up, forward and left in the world, and the evidence for them.
 //!
-//! No single clue is believed: names may be mirrored, a file may lie on its back. Each clue says a direction and has a
-//! weight; the heavier side wins, and what contradicts it stays in the evidence for the user to see.
+//! No single clue is trusted: names may be mirrored, a character may lie on its back. Each clue votes for a direction
+//! with a weight, and the larger sum wins. Contradicting clues stay in the evidence, so that the user sees them.
 
 use aim_runtime::glam::DVec3;
 
@@ -12,15 +12,15 @@ use crate::measure::frame::nearest_axis;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Evidence {
-    /// The source.
+    /// Source of the evidence.
     pub clue: Clue,
-    /// The character's up, if it speaks of that.
+    /// The character's up, if the clue gives one.
     pub up: Option<DVec3>,
-    /// The character's forward, if it speaks of that; of either sign where the clue cannot tell.
+    /// The character's forward, if the clue gives one; its sign is arbitrary if the clue cannot tell front from back.
     pub forward: Option<DVec3>,
-    /// True if the measurement follows it.
+    /// `true` if the measurement agrees with the clue.
     pub agrees: bool,
-    /// Its weight; a pair of names has 2.
+    /// Weight of the clue; for comparison, a pair of names has 2.
     pub weight: f64,
 }
 
@@ -30,7 +30,7 @@ impl Evidence {
     }
 }
 
-/// Right-angled unit vectors in world space; `forward = left × up`.
+/// Orthonormal vectors in world space, with `forward = left × up`, and the evidence for them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Facing {
     pub(crate) up: DVec3,
@@ -39,35 +39,38 @@ pub(crate) struct Facing {
     pub(crate) evidence: Vec<Evidence>,
 }
 
-/// Names of sides outweigh any other single clue, and no two that agree.
+/// Weight of names that have a side. No other clue outweighs it alone; most pairs of agreeing clues do.
 const NAMES: f64 = 2.0;
-/// Under a mirror left may have become right; any clue of the body knows better.
+/// Weight of names on mirrored bones. A mirror may have exchanged left and right, so every other clue but the soles
+/// outweighs them.
 const MIRRORED_NAMES: f64 = 0.9;
-/// What tells an axis of the sides, but not which side is which.
+/// Weight of a clue that reveals the axis between the sides, but not which side is which.
 const AXIS: f64 = 0.5;
-/// How sure the sides are where no names tell them: by two limbs alike, and by the places of the joints alone.
+/// Factor of the confidence if only a pair of similar limbs reveals the sides.
 const BY_LIMBS: f64 = 0.9;
+/// Factor of the confidence if only the positions of the joints reveal the sides.
 const BY_SYMMETRY: f64 = 0.6;
-/// A clue across the plane of symmetry says nothing about which way forward is (cosine).
+/// Cosine between a clue and the forward axis below which the clue does not vote for front or back.
 const ASIDE: f64 = 0.3;
-/// Sines of angles at which a direction is taken for an axis: 0.006°, and 0.1° for legs that only resemble each other.
+/// Sine of the angle (0.006°) within which a direction is snapped to a coordinate axis.
 const ROUNDING: f64 = 1e-4;
+/// The same tolerance, 0.1°, for axes between limbs or joints that are only similar to each other.
 const HAND_MADE: f64 = 2e-3;
-/// Legs within this of a coordinate axis (cosine of 30°) may say that another axis than +Y is up.
+/// Cosine of the largest angle (30°) between the legs and a coordinate axis at which that axis may replace +Y as up.
 const STRAIGHT: f64 = 0.866;
 
-/// Directions in the world that the user states: they overrule all clues.
+/// Directions in the world that the user states. They overrule all clues.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stated {
-    /// The character's up, if stated; of any length but 0.
+    /// The character's up, if stated, of any length but 0.
     pub up: Option<DVec3>,
-    /// The character's forward, if stated; what of it lies along up does not count.
+    /// The character's forward, if stated. Its component along up is ignored.
     pub forward: Option<DVec3>,
 }
 
 impl Facing {
-    /// The facing that the clues tell, but for what is stated. A statement without direction (zero, not a number, or forward
-    /// along up) does not count.
+    /// Finds the facing from the clues and the user's statements. A statement without a direction is ignored: zero, not
+    /// finite, or a forward along up.
     pub(crate) fn find(body: &Body<'_>, stated: Stated) -> Self {
         let mut evidence = Vec::new();
         let up = match stated.up.and_then(DVec3::try_normalize) {
@@ -91,7 +94,7 @@ impl Facing {
         }
     }
 
-    /// The same with this forward.
+    /// Replaces the forward direction and marks which evidence agrees with it.
     fn overruled(mut self, forward: DVec3) -> Self {
         for said in &mut self.evidence {
             let sign = if matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry) { f64::abs } else { |cos| cos };
@@ -101,7 +104,7 @@ impl Facing {
         Self { forward, left: self.up.cross(forward), ..self }
     }
 
-    /// The facing of a body whose up is known.
+    /// Finds the facing of a body whose up is known.
     fn told(body: &Body<'_>, up: DVec3, mut evidence: Vec<Evidence>) -> Self {
         let mut hints = clues::ahead(body, up);
         let pair = clues::named_pair(body, up).map(|(left, right)| (Clue::Names { left, right }, [left, right]));
@@ -111,7 +114,8 @@ impl Facing {
         };
         let across = pair.or_else(limbs).map(|(clue, [a, b])| (clue, clues::apart(body, a, b, up)));
         let across = across.or_else(|| Some((Clue::Symmetry, clues::mirror_axis(body, up)?)));
-        // Joints may mirror each other front to back, too: what lies along the sides that they tell is no witness of them.
+        // Joints may also mirror each other front to back. Reject a symmetry axis if the other clues point along it
+        // rather than across it.
         let is_plausible = |(clue, left): &(Clue, DVec3)| {
             let lies = |axis: DVec3| hints.iter().map(|hint| hint.weight * along(hint.ahead, axis).abs()).sum::<f64>();
             *clue != Clue::Symmetry || lies(left.normalize_or_zero()) <= lies(left.cross(up).normalize_or_zero())
@@ -134,7 +138,7 @@ impl Facing {
                 }
                 let vote = |hint: &Hint| hint.weight * along(hint.ahead, ahead);
                 let score: f64 = named.unwrap_or(0.0) + hints.iter().map(vote).sum::<f64>();
-                // A tie is glTF's to decide.
+                // glTF's convention decides a tie.
                 let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
                 let forward = if keep { ahead } else { -ahead };
                 let says = if named.is_some() { ahead } else { forward };
@@ -143,7 +147,7 @@ impl Facing {
                 forward
             }
             None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
-                // Without a plane of symmetry a direction is no better than to some degrees.
+                // Without a plane of symmetry a direction is accurate only to some degrees, so snap it to an axis.
                 Some(hint) => upright(nearest_axis(hint.ahead), up).unwrap_or(hint.ahead),
                 None => convention(up),
             },
@@ -160,8 +164,8 @@ impl Facing {
         Self { up, forward, left: up.cross(forward), evidence }
     }
 
-    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, low if there is little of it,
-    /// and less where nothing better than a likeness tells the sides.
+    /// Returns the confidence in the facing, 0…1: the share of the evidence that agrees on which way is front. It is
+    /// low if there is little evidence, and reduced if only similar limbs or symmetry reveal the sides.
     pub(crate) fn confidence(&self) -> f64 {
         let said = |clue: fn(&Clue) -> bool| self.evidence.iter().any(|said| said.agrees && clue(&said.clue));
         if said(|clue| *clue == Clue::Stated)
@@ -171,7 +175,8 @@ impl Facing {
         }
         let weight = |agrees: bool| {
             let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
-            // What tells the sides alone may contradict, but makes no front.
+            // A clue that reveals only the axis between the sides counts if it contradicts, but is no evidence for a
+            // front.
             said.filter(|said| !agrees || tells_front_from_back(said)).map(|said| said.weight).sum::<f64>()
         };
         let sides = if said(|clue| matches!(clue, Clue::Symmetry)) {
@@ -185,17 +190,17 @@ impl Facing {
     }
 }
 
-/// Whether a clue tells front from back, and not only which axis the sides lie along.
+/// Returns `true` if a clue distinguishes front from back, rather than only giving the axis between the sides.
 fn tells_front_from_back(said: &Evidence) -> bool {
     said.forward.is_some() && !matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry)
 }
 
-/// True if the head lies ahead of the hips rather than above them.
+/// Returns `true` if the head lies ahead of the hips rather than above them.
 pub(crate) fn is_led_by_head(evidence: &[Evidence]) -> bool {
     evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
 }
 
-/// +Y unless the legs plainly stand along another axis.
+/// Returns +Y, unless the legs clearly stand along another axis.
 fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
     let Some(legs) = clues::legs_up(body) else { return DVec3::Y };
     let axis = nearest_axis(legs);
@@ -205,7 +210,8 @@ fn up(body: &Body<'_>, evidence: &mut Vec<Evidence>) -> DVec3 {
     up
 }
 
-/// The forward of glTF's convention for a model whose up is `up`: +Z, turned by the turn from +Y to `up`.
+/// Returns the forward direction of glTF's convention for a model whose up is `up`: +Z, rotated by the rotation from +Y
+/// to `up`.
 fn convention(up: DVec3) -> DVec3 {
     match up.z {
         z if z > 0.9 => DVec3::NEG_Y,
@@ -214,7 +220,7 @@ fn convention(up: DVec3) -> DVec3 {
     }
 }
 
-/// 1, −1, or 0 for a direction that is rather across.
+/// Returns the sign of the cosine, or 0 for a direction that is mostly across the axis.
 fn along(direction: DVec3, axis: DVec3) -> f64 {
     let cos = direction.dot(axis);
     if cos.abs() < ASIDE { 0.0 } else { cos.signum() }
@@ -224,7 +230,7 @@ fn upright(direction: DVec3, up: DVec3) -> Option<DVec3> {
     (direction.dot(up).abs() < 1e-9).then_some(direction)
 }
 
-/// A direction within `sine` of a coordinate axis is that axis.
+/// Snaps a direction to the nearest coordinate axis if the sine of the angle between them is below `sine`.
 fn square(direction: DVec3, sine: f64) -> DVec3 {
     let axis = nearest_axis(direction);
     if axis.cross(direction).length() < sine { axis } else { direction }

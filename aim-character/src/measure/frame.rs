@@ -1,10 +1,11 @@
-//! Right-angled frames in double precision.
+//! Orthonormal frames in double precision.
 
 use aim_gltf::Skeleton;
 use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 
-/// The nearest frame of unit vectors at right angles (columns), and the column lengths. The sign of the
-/// determinant is kept; where a column vanishes the frame is completed, and as a last resort the identity.
+/// Returns the nearest orthonormal matrix, and the lengths of the columns. The sign of the determinant is kept. A
+/// column of zero length is replaced by the cross product of the others; if the matrix is still singular or not finite,
+/// the result is the identity.
 pub(crate) fn orthonormal(m: &DMat3) -> (DMat3, DVec3) {
     let columns = [m.x_axis, m.y_axis, m.z_axis];
     let lengths = DVec3::from_array(columns.map(DVec3::length));
@@ -18,7 +19,8 @@ pub(crate) fn orthonormal(m: &DMat3) -> (DMat3, DVec3) {
     if frame.determinant().abs() < 1e-6 || !frame.is_finite() {
         return (DMat3::IDENTITY, lengths);
     }
-    // Polar decomposition by Newton's iteration: quadratic, and exact columns stay exact to rounding.
+    // Polar decomposition by Newton's iteration X ← (X + X⁻ᵀ) / 2: quadratic convergence; orthonormal input is kept to
+    // rounding.
     for _ in 0..30 {
         let next = (frame + frame.inverse().transpose()) * 0.5;
         let change = (next - frame).to_cols_array().iter().fold(0.0_f64, |a, b| a.max(b.abs()));
@@ -30,13 +32,13 @@ pub(crate) fn orthonormal(m: &DMat3) -> (DMat3, DVec3) {
     (frame, lengths)
 }
 
-/// The signed coordinate axis nearest to a direction.
+/// Returns the signed coordinate axis nearest to a direction.
 pub(crate) fn nearest_axis(v: DVec3) -> DVec3 {
     let at = v.abs().max_position();
     DVec3::AXES[at] * if v[at] < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// The orthogonal part of what a node's parent is in the world; it may mirror. The identity for a root.
+/// Returns the orthogonal part of the world matrix of a node's parent, which may mirror; the identity for a root.
 pub(crate) fn parent_frame(skeleton: &Skeleton, world: &[DAffine3], node: usize) -> DMat3 {
     skeleton.parents()[node].map_or(DMat3::IDENTITY, |parent| orthonormal(&world[parent].matrix3).0)
 }

@@ -1,13 +1,15 @@
-//! The bones that arms begin with.
+//! The first bones of arms.
 
 use aim_gltf::Skeleton;
 
 use crate::measure::Measurement;
 use crate::measure::arms::named_limbs;
 
-/// The bones that arms begin with, of those that hang on a node, however deep. As their names or VRM tell: a clavicle with an arm
-/// on it, an arm with a hand, but not the arm of a pair of glasses. Where those tell no arm at all, by the body's plan: the
-/// longest pair of mirrored limbs on trunk and neck.
+/// Returns the first bones of the arms among the descendants of a node.
+///
+/// They are found by name or VRM: a clavicle that carries an arm, an arm that carries a hand, but not the arm of a pair
+/// of glasses. If names and VRM reveal no arm at all, they are found by the body plan: the longest pair of mirrored
+/// limbs on trunk and neck.
 #[must_use]
 pub fn limbs_on(skeleton: &Skeleton, measurement: &Measurement, node: usize) -> Vec<usize> {
     let hangs = |limb: &usize| skeleton.ancestry(*limb).skip(1).any(|at| at == node);
@@ -16,8 +18,8 @@ pub fn limbs_on(skeleton: &Skeleton, measurement: &Measurement, node: usize) -> 
     arms.into_iter().filter(hangs).collect()
 }
 
-/// The [limbs](limbs_on) on nodes that are given from the outermost inward: each with the first node that it hangs on. Nodes
-/// without any are left out.
+/// Returns the [limbs](limbs_on) on each of the given nodes, which are ordered from the outermost inward. Each limb is
+/// listed only for the first node that it descends from, and nodes without limbs are omitted.
 #[must_use]
 pub fn limbs_on_each(
     skeleton: &Skeleton,

@@ -1,8 +1,13 @@
-//! Bone axes measured: which way each bone's own axes point in the character, in its bind pose.
+//! Measurement of bone axes: which of each bone's local axes point up, forward and left of the character in its bind
+//! pose.
 //!
-//! `roles.rs` tells parts by VRM and by names, `bind.rs` places the bind pose in the world, `plan.rs` finds legs, trunk, neck and
-//! head from the tree alone, `clues.rs` says what each part of the body tells about where it faces, `facing.rs` weighs that,
-//! `stance.rs` finds what it stands on, and this file holds the bones against it; `evidence.rs` has the words for what told it.
+//! - `roles.rs` recognises parts of the body by VRM and by name.
+//! - `bind.rs` places the bind pose in the world.
+//! - `plan.rs` finds legs, trunk, neck and head from the tree of bones alone.
+//! - `clues.rs` derives a facing direction from each part of the body, and `facing.rs` weighs these clues.
+//! - `stance.rs` finds the limbs that the body stands on.
+//! - `evidence.rs` puts the evidence into words.
+//! - This file measures the bones against the facing that was found.
 
 pub(crate) mod arms;
 mod bind;
@@ -33,7 +38,7 @@ use crate::skin::{Palette, carriers};
 use aim_gltf::Document;
 use aim_gltf::Skeleton;
 
-/// A signed coordinate axis of a bone's own space.
+/// A signed coordinate axis of a bone's local space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[expect(missing_docs, reason = "the names say it all")]
 pub enum SignedAxis {
@@ -46,7 +51,7 @@ pub enum SignedAxis {
 }
 
 impl SignedAxis {
-    /// Each axis, in the order of the variants, with its name and its unit vector.
+    /// All axes in the order of the variants, with name and unit vector.
     const ALL: [(Self, &str, DVec3); 6] = [
         (Self::PlusX, "+X", DVec3::X),
         (Self::MinusX, "-X", DVec3::NEG_X),
@@ -56,19 +61,19 @@ impl SignedAxis {
         (Self::MinusZ, "-Z", DVec3::NEG_Z),
     ];
 
-    /// `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`.
+    /// Returns the name of the axis: `+X`, `-X`, `+Y`, `-Y`, `+Z` or `-Z`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         Self::ALL[self as usize].1
     }
 
-    /// The unit vector.
+    /// Returns the unit vector of the axis.
     #[must_use]
     pub fn vector(self) -> DVec3 {
         Self::ALL[self as usize].2
     }
 
-    /// The axis nearest to a direction.
+    /// Returns the axis nearest to a direction.
     #[must_use]
     pub fn of(v: DVec3) -> Self {
         let axis = nearest_axis(v);
@@ -94,17 +99,17 @@ impl fmt::Display for SignedAxis {
     }
 }
 
-/// Handedness of a bone's own axes in the world.
+/// Handedness of a bone's local axes in the world.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Handedness {
-    /// Not mirrored.
+    /// Right-handed: not mirrored.
     Right,
-    /// Mirrored: an odd number of negative scales above it.
+    /// Left-handed: mirrored by an odd number of negative scales on the bone and its ancestors.
     Left,
 }
 
 impl Handedness {
-    /// `right` or `left`.
+    /// Returns `right` or `left`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         match self {
@@ -114,15 +119,15 @@ impl Handedness {
     }
 }
 
-/// The character's up, forward and left as unit vectors in one bone's own space, at right angles.
+/// The character's up, forward and left as orthonormal vectors in one bone's local space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct BoneFrame {
-    /// The character's up in the bone's space.
+    /// The character's up in the bone's space, unit.
     pub up: DVec3,
-    /// The character's forward in the bone's space.
+    /// The character's forward in the bone's space, unit.
     pub forward: DVec3,
-    /// The character's left in the bone's space.
+    /// The character's left in the bone's space, unit.
     pub left: DVec3,
 }
 
@@ -136,40 +141,41 @@ pub struct BoneAxes {
     pub name: String,
     /// Parent node index.
     pub parent: Option<usize>,
-    /// Its role, if its name, the VRM extension or the body's plan tells one.
+    /// Role of the bone, if its name, the VRM extension or the body plan reveals one.
     pub role: Option<Role>,
-    /// The local axis nearest to the character's up. The three nearest axes are distinct and fit together.
+    /// Local axis nearest to the character's up. `up`, `forward` and `left` are always three different axes, with the
+    /// bone's handedness.
     pub up: SignedAxis,
-    /// The local axis nearest to the character's forward.
+    /// Local axis nearest to the character's forward.
     pub forward: SignedAxis,
-    /// The local axis nearest to the character's left.
+    /// Local axis nearest to the character's left.
     pub left: SignedAxis,
-    /// Deviations of up, forward and left from those axes, degrees.
+    /// Angles between the exact directions of up, forward and left and the nearest axes, degrees.
     pub deviations_deg: [f64; 3],
-    /// The largest of the three, degrees.
+    /// Largest of [`deviations_deg`](Self::deviations_deg), degrees.
     pub deviation_deg: f64,
-    /// Handedness of the bone's own axes.
+    /// Handedness of the bone's local axes.
     pub handedness: Handedness,
-    /// The exact directions, of which the axes are the nearest cardinal ones.
+    /// Exact directions of up, forward and left, which the signed axes approximate.
     pub frame: BoneFrame,
     /// World ← bone in the bind pose.
     pub bind_world: DAffine3,
-    /// By how much the bone is turned in the file's rest pose from where it is in the bind pose, degrees.
+    /// Angle between the bone's orientation in the file's rest pose and that in the bind pose, degrees.
     pub rest_deg: f64,
-    /// Whether a leg (or a foreleg) hangs on the bone, however deep, so that turning the bone moves feet.
+    /// `true` if a leg (or a foreleg) is a descendant of the bone, so that turning the bone moves feet.
     pub carries_legs: bool,
 }
 
-/// The pose in which axes are measured.
+/// Pose in which the axes are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeasuredPose {
-    /// The one that the skin was fitted in, from the inverse bind matrices.
+    /// The pose in which the skin was fitted, from the inverse bind matrices.
     Bind,
-    /// The one that the nodes have when no clip plays: often a frame of some animation.
+    /// The pose of the nodes while no clip plays: often a frame of some animation.
     Rest,
 }
 
-/// A whole character, measured.
+/// The measurement of a whole character.
 ///
 /// ```
 /// use aim_character::{Measurement, PAPER_AXES, Role, SignedAxis, mannequin};
@@ -185,29 +191,33 @@ pub enum MeasuredPose {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Measurement {
-    /// The pose that was measured: the bind pose, unless the file has no skin that tells one.
+    /// The pose that was measured: the requested one, or the rest pose if no skin of the file has inverse bind
+    /// matrices.
     pub pose: MeasuredPose,
-    /// The character's up in the world: +Y, as glTF demands, unless its legs plainly stand along another axis.
+    /// The character's up in the world: stated, or +Y as in glTF unless the legs clearly stand along another axis.
     pub up: DVec3,
-    /// The character's forward in the world, level.
+    /// The character's forward in the world, perpendicular to `up`.
     pub forward: DVec3,
-    /// The character's left in the world, level.
+    /// The character's left in the world, perpendicular to `up` and `forward`.
     pub left: DVec3,
-    /// Evidence for the facing, and against it.
+    /// Evidence for and against the facing.
     pub evidence: Vec<Evidence>,
-    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, less where no names tell the
-    /// sides; 1 where the user states it. Below a half it is not reliable.
+    /// Confidence in the facing, 0…1: the share of the evidence that agrees on which way is front, reduced if no names
+    /// distinguish the sides; 1 if the user states the forward direction. Below [`evidence::RELIABLE`] the facing is a
+    /// guess.
     pub confidence: f64,
-    /// Height in the bind pose, in units of the file: of the skin, of rigid parts that hang on its bones, and of the bones
-    /// that play a role; without a skin of all meshes, without any of the nodes. 0 where there is nothing.
+    /// Height in the bind pose, in units of the file: the extent along `up` of the skin, of rigid meshes attached to
+    /// its bones, and of bones with a role. In a file without skins it is the extent of all meshes, or of all nodes if
+    /// there are no meshes. 0 if there is nothing to measure.
     pub height: f64,
-    /// Joints and their ancestors, and eyes that are plain nodes, in node order; every node of a file without skin.
+    /// Measured bones in node order: the joints of skins, their ancestors, and eyes that are plain nodes; in a file
+    /// without skins, every node.
     pub bones: Vec<BoneAxes>,
     /// World ← node in the bind pose, for every node of the file.
     pub bind_world: Vec<DAffine3>,
-    /// The first bones of the arms by the body's plan, where no names tell them.
+    /// First bones of the two arms by the body plan, if no names reveal the arms.
     pub(crate) nameless_arms: Option<[usize; 2]>,
-    /// The kind of its body.
+    /// Kind of the body.
     pub(crate) kind: BodyKind,
 }
 
@@ -218,13 +228,14 @@ impl Measurement {
         Self::in_pose(document, MeasuredPose::Bind)
     }
 
-    /// Measures a document in its bind pose, where the user says what is up or forward.
+    /// Measures a document in its bind pose, with the directions that the user states.
     #[must_use]
     pub fn stated(document: &Document, stated: Stated) -> Self {
         Self::measured(document, MeasuredPose::Bind, stated)
     }
 
-    /// Measures a document. In the rest pose [`bind_world`](Self::bind_world) is that pose.
+    /// Measures a document in the given pose. For [`MeasuredPose::Rest`], [`bind_world`](Self::bind_world) holds the
+    /// rest pose.
     #[must_use]
     pub fn in_pose(document: &Document, pose: MeasuredPose) -> Self {
         Self::measured(document, pose, Stated::default())
@@ -246,15 +257,17 @@ impl Measurement {
         let mut vertices = vec![0_usize; bind.len()];
         carriers.iter().for_each(|node| vertices[*node] += 1);
         let plan = BodyPlan::find(skeleton, &bind, &is_bone, &|node| vertices[node]);
-        // Where the way goes on to a tail, the legs are forelegs and the hips are a chest.
+        // If the column ends in a tail, the plan has mistaken forelegs for legs and the chest for the hips: discard it.
         let plan = plan.filter(|plan| !BoneName::new(&skeleton.names()[plan.head]).has("tail"));
         if let Some(plan) = &plan {
-            // The plan is the same wherever the bind pose is placed, and where that is may depend on the hips.
+            // The plan does not depend on the placement of the bind pose, but that placement may depend on the hips:
+            // place it again.
             if roles.complete(skeleton, plan) {
                 bind = placed(&roles);
             }
         }
-        // What hangs beyond a head that names tell is a jaw or an ear.
+        // Beyond a named head the column leads into a jaw or an ear. Trust the plan's arms only if its head has that
+        // role.
         let of_head = plan.as_ref().filter(|plan| roles.of(plan.head) == Some(Role::Head));
         let nameless_arms = of_head.map(|plan| plan.arms).filter(|_| !has_named_limbs(skeleton));
         let skin = Palette::new(skeleton, &bind).deform(document.points());
@@ -285,33 +298,34 @@ impl Measurement {
         }
     }
 
-    /// A metre of a character that is 1.7 m high, in units of the file; 1 if the height is not known.
+    /// Returns the length, in units of the file, that corresponds to one metre of a character 1.7 m tall; 1 if the
+    /// height is unknown.
     #[must_use]
     pub fn metre(&self) -> f64 {
         if self.height > 0.0 { self.height / 1.7 } else { 1.0 }
     }
 
-    /// True if the character goes on all fours: two pairs of its limbs stand on the ground, one ahead of the other, or its head lies
-    /// ahead of its hips rather than above them and it has no wings.
+    /// Returns `true` if the character goes on all fours: on each side, limbs stand on the ground well ahead of others;
+    /// or its head lies ahead of its hips rather than above them and it is not a bird.
     #[must_use]
     pub fn goes_on_all_fours(&self) -> bool {
         self.kind == BodyKind::Quadruped
     }
 
-    /// The measured bone of a node.
+    /// Returns the measured bone of a node.
     #[must_use]
     pub fn bone(&self, node: usize) -> Option<&BoneAxes> {
         self.bones.iter().find(|bone| bone.node == node)
     }
 
-    /// The first bone that plays a role.
+    /// Returns the first bone with a role.
     #[must_use]
     pub fn with_role(&self, role: Role) -> Option<&BoneAxes> {
         self.bones.iter().find(|bone| bone.role == Some(role))
     }
 }
 
-/// Degrees by which one frame is turned from another.
+/// Returns the angle of the rotation between the orientations of two frames, degrees.
 pub(crate) fn turn_deg(a: &DAffine3, b: &DAffine3) -> f64 {
     let turn = orthonormal(&a.matrix3).0.transpose() * orthonormal(&b.matrix3).0;
     let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
@@ -325,7 +339,7 @@ fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize,
     let bone_of_world: DMat3 = world_of_bone.transpose();
     let [up, forward, left] = [facing.up, facing.forward, facing.left].map(|v| (bone_of_world * v).normalize());
     let mirrored = world_of_bone.determinant() < 0.0;
-    // left, up, forward are right-handed in the world, as x, y, z are.
+    // (left, up, forward) is right-handed in the world, like (x, y, z).
     let [left_axis, up_axis, forward_axis] = signed_permutation(&[left, up, forward], mirrored);
     let degrees = |a: DVec3, b: DVec3| a.cross(b).length().atan2(a.dot(b)).to_degrees();
     let deviations_deg = [degrees(up, up_axis), degrees(forward, forward_axis), degrees(left, left_axis)];
@@ -347,8 +361,9 @@ fn axes_of(skeleton: &Skeleton, bind: &[DAffine3], facing: &Facing, node: usize,
     }
 }
 
-/// The extent along `up` of what the character shows and of the bones that play a role: of the skin, and of rigid meshes that
-/// hang on joints or on bones with a role. Without a skin that of all meshes, or, where there are none, of all nodes.
+/// Returns the extent along `up`, in the bind pose, of the skin, of rigid meshes attached to joints or to bones with a
+/// role, and of the bones with a role. If no mesh is shown, the extent of the joints. Without a skin, the extent of all
+/// meshes, or of all nodes if there are no meshes.
 fn height(document: &Document, bind: &[DAffine3], skin: &[DVec3], up: DVec3, roles: &Roles) -> f64 {
     let skeleton = document.skeleton();
     let nodes = skeleton.nodes();

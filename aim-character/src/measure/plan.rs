@@ -1,50 +1,52 @@
-//! The plan of a body: legs, trunk, arms, neck and head told from the tree of bones and their places, without any names.
+//! The body plan: legs, trunk, arms, neck and head, found without names from the tree of bones and their positions.
 
 use aim_runtime::glam::{DAffine3, DVec3};
 
 use aim_gltf::Skeleton;
 
-/// Limbs of a pair are as long as each other to this share of their length.
+/// Largest difference between the lengths of the limbs of a pair, as a share of the length.
 const ALIKE: f64 = 0.05;
 /// Largest distance of a bone on the plane of symmetry from that plane, as a share of the distance between two limbs.
 const MIDDLE: f64 = 0.15;
-/// Two pairs lie across one plane when the cosine between them is above this.
+/// Cosine between the axes of two pairs above which they mirror across the same plane.
 const PARALLEL: f64 = 0.97;
-/// Largest difference of two equal heights, as a share of the way from hips to head.
+/// Largest difference between two heights that count as equal, as a share of the distance from hips to head.
 const LEVEL: f64 = 0.02;
-/// Bones are at one place up to this share of their limb's length.
+/// Largest distance between bones at the same position, as a share of their limb's length.
 const ONE_PLACE: f64 = 1e-3;
-/// Arms are no shorter than this share of the longest pair on the column, which may be hair: what is shorter hangs on the trunk.
+/// Least length of arms, as a share of the longest pair of limbs on the column, which may be hair. Shorter pairs are
+/// passed over.
 const ARM: f64 = 0.5;
-/// Larger trees are not looked at, nor are further limbs of one bone: the work grows with their squares.
+/// Largest tree that is searched: the work grows with the square of the number of bones.
 const MOST_BONES: usize = 4096;
+/// Largest number of limbs of one bone that are compared: the work grows with its square.
 const MOST_LIMBS: usize = 64;
 
-/// Node indices of the parts of a body that mirrors itself.
+/// Node indices of the parts of a body with mirror symmetry.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BodyPlan {
-    /// The bone that carries both legs.
+    /// Bone that carries both legs.
     pub(crate) hips: usize,
-    /// From above the hips to where the arms (or forelegs) meet.
+    /// Bones from above the hips to where the arms (or forelegs) begin.
     pub(crate) trunk: Vec<usize>,
-    /// From there to the head, without it.
+    /// Bones from the trunk to the head, without the head.
     pub(crate) neck: Vec<usize>,
-    /// The bone of the column that carries most of the skin above the trunk.
+    /// Bone of the column that carries most of the skin above the trunk.
     pub(crate) head: usize,
-    /// The first bones of the two legs; which one is left is not known.
+    /// First bones of the two legs; which one is left is unknown.
     pub(crate) legs: [usize; 2],
-    /// The first bones of the two arms (or forelegs): the longest pair on trunk and neck.
+    /// First bones of the two arms (or forelegs): the longest pair on trunk and neck.
     pub(crate) arms: [usize; 2],
 }
 
-/// The bones as a tree, with what decides whether two limbs are alike.
+/// The tree of bones, with data for comparing limbs.
 struct Tree<'a> {
     skeleton: &'a Skeleton,
     bind: &'a [DAffine3],
     is_bone: &'a [bool],
-    /// For each node a number that is equal for subtrees of the same branching.
+    /// For each node, a number that is equal for subtrees with the same branching.
     shape: Vec<u64>,
-    /// Bones in each node's subtree.
+    /// Number of bones in each node's subtree.
     size: Vec<usize>,
 }
 
@@ -57,8 +59,8 @@ impl Tree<'_> {
         self.bind[node].translation
     }
 
-    /// The children of a node that are limbs of one pair, pair by pair: mirrored in a plane through the node (and across `across`,
-    /// where that is known).
+    /// Returns the pairs among a node's children that are limbs mirrored in a plane through the node (perpendicular to
+    /// `across`, if it is given).
     fn pairs(&self, node: usize, across: Option<DVec3>) -> Vec<[usize; 2]> {
         let limbs: Vec<usize> = self.children(node).filter(|child| self.size[*child] >= 2).take(MOST_LIMBS).collect();
         let mut pairs = Vec::new();
@@ -89,25 +91,26 @@ impl Tree<'_> {
             && across.is_none_or(|across| across.dot(unit).abs() > PARALLEL)
     }
 
-    /// The first bones of the widest pair: fingers and clothes hang closer together than limbs.
+    /// Returns the first bones of the widest pair: fingers and clothes are closer together than limbs.
     fn pair(&self, node: usize, across: Option<DVec3>) -> Option<[usize; 2]> {
         let wide = |[a, b]: &[usize; 2]| self.at(*a).distance(self.at(*b));
         self.pairs(node, across).into_iter().map(|pair| self.parting(pair)).max_by(|a, b| wide(a).total_cmp(&wide(b)))
     }
 
-    /// The bones at which two limbs part: their first ones, unless those are at one place.
+    /// Returns the first bones of two limbs that are at different positions; the limbs' own first bones if there are
+    /// none.
     fn parting(&self, [a, b]: [usize; 2]) -> [usize; 2] {
         let least = ONE_PLACE * self.length(a);
         let mut down = self.way_down(a).into_iter().zip(self.way_down(b));
         down.find(|(a, b)| self.at(*a).distance(self.at(*b)) > least).map_or([a, b], |(a, b)| [a, b])
     }
 
-    /// The length of the longest way down a limb.
+    /// Returns the length of the path down a limb, always into its largest branch.
     fn length(&self, node: usize) -> f64 {
         self.way_down(node).windows(2).map(|w| self.at(w[0]).distance(self.at(w[1]))).sum()
     }
 
-    /// Down a limb, always into its largest branch.
+    /// Returns the path from a node down to a leaf, always into the largest branch.
     fn way_down(&self, node: usize) -> Vec<usize> {
         let deeper = |at: &usize| self.children(*at).max_by_key(|child| (self.size[*child], usize::MAX - child));
         core::iter::successors(Some(node), deeper).collect()
@@ -115,8 +118,8 @@ impl Tree<'_> {
 }
 
 impl BodyPlan {
-    /// The plan, where there is one: a bone with two legs, and a column that goes on from it. `weight` tells how much
-    /// of the skin hangs on a node.
+    /// Finds the body plan: a bone with two legs, and a column that continues from it. `weight` returns how many
+    /// vertices a node carries.
     pub(crate) fn find(
         skeleton: &Skeleton,
         bind: &[DAffine3],
@@ -136,7 +139,7 @@ impl BodyPlan {
         let pairs_below =
             |node: usize| below(&tree, node).filter(on_plane).filter_map(|at| tree.pair(at, Some(across)));
         let ways = |at: usize| {
-            // What mirrors a sibling is a limb, however near the middle it begins.
+            // A child that mirrors a sibling is a limb, even if it begins near the plane of symmetry.
             let limbs = tree.pairs(at, Some(across));
             tree.children(at).filter(move |child| !limbs.as_flattened().contains(child)).filter(on_plane)
         };
@@ -149,17 +152,19 @@ impl BodyPlan {
             column.iter().enumerate().filter_map(|(k, at)| Some((k, tree.pair(*at, Some(across))?))).collect();
         let least = ARM * pairs.iter().map(|(_, pair)| length(*pair)).fold(0.0, f64::max);
         let (arms, shoulders) = *pairs.iter().find(|(_, pair)| length(*pair) >= least)?;
-        // Limbs on two ways: those legs may be forelegs, and nothing tells which way leads to the head.
+        // If two branches carry limbs, the legs may be forelegs, and it is unknown which branch leads to the head:
+        // there is no plan.
         if ways(hips).filter(|way| *way != column[0]).flat_map(pairs_below).any(|pair| length(pair) >= least) {
             return None;
         }
         let (mut trunk, above) = column.split_at(arms + 1);
-        // A head moves all that is on it, its jaw too, though the column may seem to go on there.
+        // The head is the bone that carries most skin, jaw included, even if the column seems to continue into the jaw.
         let skin = |node: usize| below(&tree, node).map(weight).sum::<usize>();
         let carried = |at: usize| skin(above[at]) - above.get(at + 1).map_or(0, |next| skin(*next));
         let head = (0..above.len()).max_by_key(|at| (carried(*at), *at))?;
         let mut neck = above[..head].to_vec();
-        // Some hang the collarbones on the neck: a bone that begins no lower than they do is one.
+        // Some rigs attach the collarbones to the neck. If the bone that carries the arms begins no lower than they do,
+        // it is a neck bone.
         let spine = tree.at(above[head]) - tree.at(hips);
         let rise = tree.at(column[arms]) - (tree.at(shoulders[0]) + tree.at(shoulders[1])) * 0.5;
         if neck.is_empty() && trunk.len() > 1 && rise.dot(spine) > -LEVEL * spine.length_squared() {
@@ -171,7 +176,7 @@ impl BodyPlan {
         Some(Self { hips, trunk: trunk.to_vec(), neck, head: above[head], legs, arms: limbs })
     }
 
-    /// The way down each leg.
+    /// Returns the path down each leg, always into the largest branch.
     pub(crate) fn ways_down(&self, skeleton: &Skeleton, bind: &[DAffine3], is_bone: &[bool]) -> [Vec<usize>; 2] {
         let tree = Tree::new(skeleton, bind, is_bone);
         self.legs.map(|leg| tree.way_down(leg))

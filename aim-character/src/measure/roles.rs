@@ -1,4 +1,4 @@
-//! Which node is an eye, the head, the neck, the spine or the hips: from VRM where stated, else from names.
+//! Roles of nodes (eyes, head, neck, spine, hips): from VRM if stated, otherwise from names.
 
 use core::cmp::Reverse;
 use core::fmt;
@@ -8,7 +8,7 @@ use aim_model::{BodyPart, BoneName, Side};
 use crate::measure::plan::BodyPlan;
 use aim_gltf::{Node, Skeleton};
 
-/// The part a bone plays in aiming.
+/// The part that a bone plays in aiming.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Role {
@@ -16,7 +16,7 @@ pub enum Role {
     LeftEye,
     /// The eyeball on the character's right.
     RightEye,
-    /// Both eyes at once, where a file turns them so by morph targets.
+    /// Both eyes together, if the file turns them together by morph targets.
     Eyes,
     /// The head.
     Head,
@@ -29,7 +29,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// `left_eye`, `right_eye`, `eyes`, `head`, `neck`, `spine` or `hips`.
+    /// Returns `left_eye`, `right_eye`, `eyes`, `head`, `neck`, `spine` or `hips`.
     #[must_use]
     pub fn as_str(self) -> &'static str {
         match self {
@@ -55,12 +55,12 @@ impl fmt::Display for Role {
 pub(crate) struct Roles(Vec<Option<Role>>);
 
 impl Roles {
-    /// The role of a node.
+    /// Returns the role of a node.
     pub(crate) fn of(&self, node: usize) -> Option<Role> {
         self.0.get(node).copied().flatten()
     }
 
-    /// By VRM and by name. Eyes without a side in their name stay without a role.
+    /// Finds roles by VRM and by name. Eyes without a side in their name get no role.
     pub(crate) fn find(skeleton: &Skeleton) -> Self {
         let words: Vec<BoneName> = skeleton.names().iter().map(|name| BoneName::new(name)).collect();
         let bones = bones(skeleton);
@@ -68,7 +68,7 @@ impl Roles {
         let mut roles: Vec<Option<Role>> =
             (0..skeleton.len()).map(|node| stated_role(node).filter(|_| skeleton.is_in_file(node))).collect();
         let stated: Vec<Role> = roles.iter().copied().flatten().collect();
-        // Where eyeballs are named so, other "eyes" are lids.
+        // If any bone is named an eyeball, other bones named eyes are lids.
         let balls = words.iter().zip(&bones).any(|(w, bone)| *bone && w.is_eyeball());
         for (index, words) in words.iter().enumerate() {
             if roles[index].is_some() || !skeleton.is_in_file(index) {
@@ -78,13 +78,14 @@ impl Roles {
                 Role::LeftEye | Role::RightEye => !balls || words.is_eyeball(),
                 _ => true,
             });
-            // An eye may be a plain node, shown by a mesh of its own, on a bone of the head.
+            // An eye may be a plain node with its own mesh, below a bone of the head.
             let eye = matches!(role, Some(Role::LeftEye | Role::RightEye));
             let allowed = bones[index] || (eye && skeleton.ancestry(index).any(|at| bones[at]));
             roles[index] = role.filter(|role| allowed && !stated.contains(role));
         }
         rigify(skeleton, &words, &bones, &mut roles);
-        // Where no bone is called a head, the skin may hang on what animators take hold of.
+        // If no bone is called a head, the skin may be bound to control bones: read their names without the words for
+        // controls.
         if !roles.contains(&Some(Role::Head)) {
             let found = roles.clone();
             for (index, words) in words.into_iter().enumerate().filter(|(index, _)| skeleton.is_in_file(*index)) {
@@ -95,7 +96,7 @@ impl Roles {
         keep_best(skeleton, &mut roles);
         keep_carrying(skeleton, &mut roles);
         let is_eye = |role: &Role| matches!(role, Role::LeftEye | Role::RightEye);
-        // Morph targets are eyes where no bone is one.
+        // Morph targets are eyes only if no bone is an eye.
         let has_eyes = roles.iter().flatten().any(is_eye);
         for eye in skeleton.morph_eyes() {
             roles[eye.node] = stated_role(eye.node).filter(|role| !(has_eyes && is_eye(role)));
@@ -105,13 +106,13 @@ impl Roles {
 }
 
 impl Roles {
-    /// What names leave open, told by the body's plan: everything where no name tells anything; else the head, hips and
-    /// neck that have no telling name. True if it told any.
+    /// Adds the roles that names leave open, from the body plan: all of them if no name has a role, otherwise those of
+    /// head, hips and neck that are missing. Returns `true` if any role was added.
     pub(crate) fn complete(&mut self, skeleton: &Skeleton, plan: &BodyPlan) -> bool {
         let before = self.0.clone();
         let nameless = self.0.iter().all(Option::is_none);
         let known = |roles: &[Option<Role>], role| roles.iter().position(|of| *of == Some(role));
-        // Numbered necks end in the head.
+        // Of numbered necks the last one is the head.
         let last_neck =
             self.of(plan.head) == Some(Role::Neck) && plan.neck.iter().any(|n| self.of(*n) == Some(Role::Neck));
         if known(&self.0, Role::Head).is_none() && (self.of(plan.head).is_none() || last_neck) {
@@ -127,7 +128,7 @@ impl Roles {
                 self.0[node].get_or_insert(Role::Neck);
             });
         }
-        // Some names of a neck's bones tell nothing.
+        // Every bone between a named neck bone and the head is a neck bone.
         let carry = || skeleton.ancestry(head).skip(1);
         if let Some(gap) = carry().position(|node| self.of(node) == Some(Role::Neck)) {
             carry().take(gap).for_each(|node| {
@@ -141,13 +142,13 @@ impl Roles {
     }
 }
 
-/// The bones that carry a head, out to the trunk, without it; none where there is no trunk.
+/// Returns the bones between the head and the trunk, excluding both; none if there is no trunk.
 fn neck_of(skeleton: &Skeleton, head: usize) -> Vec<usize> {
     let trunk = trunk_of(skeleton, head);
     skeleton.ancestry(head).skip(1).take_while(|node| trunk.is_some_and(|trunk| *node != trunk)).collect()
 }
 
-/// The first bone that carries a head, and limbs with a side as well.
+/// Returns the nearest ancestor of the head that also carries limbs with a side.
 pub(crate) fn trunk_of(skeleton: &Skeleton, head: usize) -> Option<usize> {
     let has_side: Vec<bool> = skeleton.names().iter().map(|name| BoneName::new(name).side.is_some()).collect();
     let carries_side = carrying(skeleton, &has_side);
@@ -157,7 +158,7 @@ pub(crate) fn trunk_of(skeleton: &Skeleton, head: usize) -> Option<usize> {
     way.windows(2).find(carries_limbs).map(|step| step[1])
 }
 
-/// For each node, whether one of these hangs on it, however deep.
+/// Returns, for each node, whether any of `these` is a descendant of it.
 pub(crate) fn carrying(skeleton: &Skeleton, these: &[bool]) -> Vec<bool> {
     let mut carries = vec![false; these.len()];
     for node in (0..these.len()).rev() {
@@ -168,7 +169,7 @@ pub(crate) fn carrying(skeleton: &Skeleton, these: &[bool]) -> Vec<bool> {
     carries
 }
 
-/// True for joints, their ancestors, and for every node where the file has no skin.
+/// Returns, for each node, whether it is a bone: a joint or the ancestor of one; in a file without skins, every node.
 pub(crate) fn bones(skeleton: &Skeleton) -> Vec<bool> {
     let nodes = skeleton.nodes();
     let is_bone = |(at, node): (usize, &Node)| node.is_joint || (!skeleton.has_skin() && skeleton.is_in_file(at));
@@ -194,7 +195,7 @@ fn vrm_role(node: &Node) -> Option<Role> {
     })
 }
 
-/// An eye without a side is nobody's.
+/// Returns the role by name. An eye without a side has none.
 fn by_name(name: &BoneName) -> Option<Role> {
     Some(match name.body_part()? {
         BodyPart::Eye(Some(Side::Left)) => Role::LeftEye,
@@ -207,8 +208,8 @@ fn by_name(name: &BoneName) -> Option<Role> {
     })
 }
 
-/// Rigify numbers one column, of people from the pelvis, of animals from the tip of the tail: `spine`, `spine.001` … `spine.006`,
-/// and on. The end with the highest number is the head.
+/// Assigns roles in a Rigify armature. It numbers a single column `spine`, `spine.001` … `spine.006` and on: from the
+/// pelvis in people, from the tip of the tail in animals. The end with the highest number is the head.
 fn rigify(skeleton: &Skeleton, words: &[BoneName], bones: &[bool], roles: &mut [Option<Role>]) {
     let any = |roles: &[Option<Role>], role| roles.contains(&Some(role));
     let in_column: Vec<bool> = words.iter().zip(bones).map(|(words, bone)| *bone && words.has("spine")).collect();
@@ -218,12 +219,13 @@ fn rigify(skeleton: &Skeleton, words: &[BoneName], bones: &[bool], roles: &mut [
         return;
     }
     let carries_more = carrying(skeleton, &in_column);
-    // Of several a joint, and the one named in fewer letters.
+    // Among several, a joint is preferred, then the shortest name.
     let rank = |node: &usize| (number(node), skeleton.nodes()[*node].is_joint, Reverse(skeleton.names()[*node].len()));
     let Some(head) = column().filter(|node| !carries_more[*node]).max_by_key(rank) else { return };
     let neck: Vec<usize> = match trunk_of(skeleton, head) {
         Some(trunk) if in_column[trunk] => neck_of(skeleton, head),
-        // Deforming bones alone hang on others: then the neck is that of people.
+        // If only deforming bones were exported, limbs hang on bones outside the column. The neck is then the two bones
+        // below the head, as in people.
         _ => column().filter(|node| (1..=2).any(|below| number(node) + below == number(&head))).collect(),
     };
     neck.into_iter().for_each(|node| roles[node] = Some(Role::Neck));
@@ -235,7 +237,7 @@ fn rigify(skeleton: &Skeleton, words: &[BoneName], bones: &[bool], roles: &mut [
     }
 }
 
-/// Where some neck carries the head, those that do not (of a face's or a collar's bones) are none.
+/// If a neck bone carries the head, removes the role from neck bones that do not (such as bones of a face or a collar).
 fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
     let Some(head) = roles.iter().position(|role| *role == Some(Role::Head)) else { return };
     let mut carries = vec![false; roles.len()];
@@ -247,7 +249,7 @@ fn keep_carrying(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
     }
 }
 
-/// Of several claimants to a single role a joint wins, then a node named in fewer letters, then the first.
+/// Resolves several claims to a single role: a VRM bone wins, then a joint, then the shortest name, then the first.
 fn keep_best(skeleton: &Skeleton, roles: &mut [Option<Role>]) {
     let (nodes, names) = (skeleton.nodes(), skeleton.names());
     for role in [Role::LeftEye, Role::RightEye, Role::Head, Role::Hips] {

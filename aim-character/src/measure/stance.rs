@@ -1,4 +1,4 @@
-//! The limbs that a body stands on, and the kind of body that this makes it.
+//! The limbs that a body stands on, and the kind of body that follows from them.
 
 use aim_model::BoneName;
 use aim_runtime::glam::DVec3;
@@ -9,30 +9,35 @@ use crate::measure::facing::{Facing, is_led_by_head};
 use crate::measure::roles::carrying;
 use crate::num::count;
 
-/// Feet, and the forefeet of who goes on all fours, are no higher than this part of the height.
+/// Largest height of feet (and forefeet), as a share of the character's height.
 const FOOT: f64 = 0.15;
-/// Feet are further from the middle than this part of the distance of the outermost.
+/// Least distance of feet from the middle, as a share of that of the outermost foot.
 const ASIDE: f64 = 0.15;
-/// Forelegs begin further ahead of hind legs than this part of their height: the hem of a coat does not.
+/// Least distance by which forelegs begin ahead of hind legs, as a share of the limbs' height; larger than that of a
+/// coat's hem.
 const AHEAD: f64 = 0.4;
-/// Words of what birds have.
+/// Words in the names of bones that only birds have.
 const OF_BIRDS: &str = "wing wings feather feathers beak";
 
-/// A kind of body that has budgets of its own.
+/// A kind of body with its own region budgets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BodyKind {
-    /// Upright, or nothing tells.
+    /// Upright, or unknown.
     Human,
-    /// On all fours, or with its trunk level.
+    /// On all fours, or with a level trunk.
     Quadruped,
     /// With wings instead of arms.
     Bird,
 }
 
 impl BodyKind {
-    /// A quadruped where limbs stand on the ground far ahead of others. Else a bird where no names tell arms, and either names tell
-    /// wings, feathers or a beak, or it stands on nothing and its span exceeds its length and twice its height. Else a quadruped
-    /// where its head lies ahead of its hips. Else a human.
+    /// Classifies the body:
+    ///
+    /// - A quadruped if limbs stand on the ground well ahead of others.
+    /// - Otherwise a bird if no names reveal arms, and either names reveal wings, feathers or a beak, or it stands on
+    ///   nothing and its span exceeds its length and twice its height.
+    /// - Otherwise a quadruped if its head lies ahead of its hips.
+    /// - Otherwise a human.
     pub(crate) fn find(body: &Body<'_>, facing: &Facing, standing: &[Limb]) -> Self {
         if is_on_all_fours(standing) {
             return Self::Quadruped;
@@ -54,19 +59,19 @@ impl BodyKind {
     }
 }
 
-/// A limb that reaches down to the ground.
+/// A limb that reaches the ground.
 pub(crate) struct Limb {
-    /// Its first bone.
+    /// First bone of the limb.
     root: usize,
-    /// True if its feet are on the character's left.
+    /// `true` if its feet are on the character's left.
     is_left: bool,
-    /// The place of its first bone along the character's forward.
+    /// Position of its first bone along the character's forward.
     ahead: f64,
-    /// The height of its first bone above the lowest one.
+    /// Height of its first bone above the lowest bone of the body.
     height: f64,
 }
 
-/// The limbs that reach down to the ground: largest subtrees with feet of one side only.
+/// Returns the limbs that reach the ground: the largest subtrees with feet on one side only.
 pub(crate) fn standing_limbs(body: &Body<'_>, facing: &Facing) -> Vec<Limb> {
     let along = |node: usize, axis: DVec3| body.bind[node].translation.dot(axis);
     let (low, high) = range(body, facing.up);
@@ -75,7 +80,7 @@ pub(crate) fn standing_limbs(body: &Body<'_>, facing: &Facing) -> Vec<Limb> {
     let middle = feet.iter().map(|foot| along(*foot, facing.left)).sum::<f64>() / count(feet.len().max(1));
     let aside = |foot: usize| along(foot, facing.left) - middle;
     let outermost = feet.iter().map(|foot| aside(*foot).abs()).fold(0.0, f64::max);
-    // For each bone, whether feet of the right and of the left hang on it.
+    // For each bone, whether it carries feet on the right and on the left.
     let mut sides = vec![[false; 2]; body.bind.len()];
     for foot in feet.into_iter().filter(|foot| aside(*foot).abs() > ASIDE * outermost) {
         sides[foot][usize::from(aside(foot) > 0.0)] = true;
@@ -101,7 +106,7 @@ pub(crate) fn standing_limbs(body: &Body<'_>, facing: &Facing) -> Vec<Limb> {
         .collect()
 }
 
-/// True if limbs of either side begin far ahead of others of that side.
+/// Returns `true` if on each side one limb begins well ahead of another.
 fn is_on_all_fours(limbs: &[Limb]) -> bool {
     [false, true].into_iter().all(|is_left| {
         let limbs = || limbs.iter().filter(|limb| limb.is_left == is_left);
@@ -111,20 +116,20 @@ fn is_on_all_fours(limbs: &[Limb]) -> bool {
     })
 }
 
-/// For each node, whether a leg hangs on it, however deep: one that its name tells, or one of these.
+/// Returns, for each node, whether it carries a leg: one recognised by name, or one of `limbs`.
 pub(crate) fn carry_legs(body: &Body<'_>, limbs: &[Limb]) -> Vec<bool> {
     let mut is_leg = body.named_legs();
     limbs.iter().for_each(|limb| is_leg[limb.root] = true);
     carrying(body.skeleton, &is_leg)
 }
 
-/// The least and the largest place of a bone along an axis.
+/// Returns the least and the largest position of a bone along an axis.
 fn range(body: &Body<'_>, axis: DVec3) -> (f64, f64) {
     let bones = body.bind.iter().zip(body.is_bone).filter(|(_, is_bone)| **is_bone);
     ends(bones.map(|(bind, _)| bind.translation.dot(axis)).filter(|place| place.is_finite()))
 }
 
-/// The least and the largest of some numbers.
+/// Returns the least and the largest of some numbers.
 fn ends(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
     numbers.fold((f64::MAX, f64::MIN), |(low, high), number| (low.min(number), high.max(number)))
 }

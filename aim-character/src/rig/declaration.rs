@@ -1,5 +1,5 @@
-//! A rig written down as its user would declare it: in TOML, or as a derive. Both say all that a [`RigSpec`] holds, and
-//! are read back as the same one: angles and numbers exactly, directions to nine decimals.
+//! Rigs as source text: a TOML rig file, or a Rust struct with its derive. Both contain all of a [`RigSpec`] and are
+//! read back unchanged: angles and numbers exactly, directions to nine decimals.
 
 use aim_animation::Transform;
 use aim_codegen::{AngleRange, Budget, Budgets, Frame, JointSpec, LimitsFrom, NaturalSpec, RigSpec};
@@ -10,7 +10,8 @@ use crate::measure::Measurement;
 use crate::measure::roles::Role;
 use crate::rig::proposal::Proposal;
 
-/// A rig file. Its first line says what it is `about`; a joint's reason stands above it.
+/// Writes a rig file in TOML. Its first line is the comment `about`; above each joint a comment gives the reason for
+/// it.
 #[must_use]
 pub fn toml(proposal: &Proposal, about: &str) -> String {
     use Notation::Toml;
@@ -29,14 +30,16 @@ pub fn toml(proposal: &Proposal, about: &str) -> String {
     out
 }
 
-/// A struct to paste. Its documentation says what it is `about`; a joint's reason stands above it.
+/// Writes a Rust struct with its derive, to be pasted into source code. Its documentation is `about`; above each joint
+/// a comment gives the reason for it.
 #[must_use]
 pub fn rust(proposal: &Proposal, about: &str) -> String {
     format!("use aim::{{AimRig, Joint}};\n\n{}", item(proposal, about, &[]))
 }
 
-/// The same struct for a Bevy app that uses the plugin `bevy_aim`, with a function that makes the character to be spawned with the
-/// file's scene: its trunk, and the bind pose where the file's rest pose is another one.
+/// Writes the struct of [`rust`] for a Bevy app with the plugin `bevy_aim`, and a function that makes the character to
+/// be spawned with the file's scene. The character includes its trunk, and its bind pose if that differs from the
+/// file's rest pose.
 pub fn bevy(proposal: &Proposal, about: &str, document: &Document, measurement: &Measurement) -> String {
     let name = &proposal.spec.name;
     let item = item(proposal, about, &["crate = bevy_aim::aim".into()]);
@@ -82,7 +85,8 @@ pub fn bevy(proposal: &Proposal, about: &str, document: &Document, measurement: 
     )
 }
 
-/// The bones whose places in the bind pose count, where the file's rest pose is another one; else none.
+/// Returns the bones whose bind pose the runtime needs, each with its transform; none if the file's rest pose is the
+/// bind pose.
 fn bind_pose(
     proposal: &Proposal,
     document: &Document,
@@ -107,7 +111,7 @@ fn bind_pose(
     bones.into_iter().map(|bone| (bone, measurement.bind_world[bone])).collect()
 }
 
-/// The struct with its derive, and these keys before its own.
+/// Writes the struct with its derive. `first_keys` come before the rig's own keys.
 fn item(proposal: &Proposal, about: &str, first_keys: &[String]) -> String {
     let written = Written::new(&proposal.spec, Notation::Rust);
     let mut out = format!("/// {}\n#[derive(AimRig)]\n", one_line(about));
@@ -125,7 +129,8 @@ fn item(proposal: &Proposal, about: &str, first_keys: &[String]) -> String {
     out + "}\n"
 }
 
-/// A Rust type's name from a file's: `female_adult-01` → `FemaleAdult01`; `Rig` where nothing is left of it.
+/// Returns the name of a Rust type for the stem of a file name: `female_adult-01` → `FemaleAdult01`; `Rig` if nothing
+/// usable is left.
 #[must_use]
 pub fn type_name(stem: &str) -> String {
     let words = stem.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
@@ -138,19 +143,20 @@ pub fn type_name(stem: &str) -> String {
     }
 }
 
-/// What a declaration is written in.
+/// Language of a declaration.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Notation {
     Toml,
     Rust,
 }
 
-/// A rig that is being written.
+/// Writer of one rig.
 struct Written<'s> {
     spec: &'s RigSpec,
-    /// 1 in a right-handed rig; −1 where all bones are mirrored.
+    /// 1 for a right-handed rig; −1 if all bones are mirrored.
     hand: f64,
-    /// The axes that the rig declares for all joints which have them: the first that are signed and not mirrored.
+    /// Axes that the rig declares once for all joints that have them: those of the first joint with signed axes and the
+    /// rig's handedness.
     shared: Option<&'s Frame>,
     notation: Notation,
 }
@@ -168,7 +174,7 @@ impl<'s> Written<'s> {
         let mut keys = Vec::new();
         match (self.hand < 0.0, self.notation) {
             (true, _) => keys.push(format!("handedness = {}", self.word("left"))),
-            // What derives are by default goes without saying.
+            // Right-handed is the default of derives.
             (false, Notation::Toml) => keys.push(format!("handedness = {}", self.word("right"))),
             (false, Notation::Rust) => {}
         }
@@ -262,7 +268,8 @@ impl<'s> Written<'s> {
         }
     }
 
-    /// Degrees as people write them, with no more decimals than it has; radians where no degrees are read as it.
+    /// Formats an angle in degrees, with as few decimals as it needs to be read back exactly; in radians if no number
+    /// of degrees is read back as the same angle.
     fn angle(&self, radians: f64) -> String {
         let degrees = radians.to_degrees();
         let short = [0, 1, 3].into_iter().map(|decimals| format!("{degrees:.decimals$}"));
@@ -300,7 +307,7 @@ impl<'s> Written<'s> {
         }
     }
 
-    /// What is a word of its own in Rust and a string in TOML.
+    /// Formats a keyword: a bare word in Rust, a string in TOML.
     fn word(&self, text: &str) -> String {
         match self.notation {
             Notation::Toml => quoted(text, self.notation),
@@ -309,7 +316,7 @@ impl<'s> Written<'s> {
     }
 }
 
-/// A string of TOML, or of Rust, where a code point stands in braces.
+/// Formats a string literal. The two languages differ in the escapes of code points.
 fn quoted(text: &str, notation: Notation) -> String {
     let mut out = String::from('"');
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Whether a declaration and a file agree: each joint's declared axes against those measured in the bind pose.
+//! Checks a declaration against a file: each joint's declared axes against those measured in the bind pose.
 
 use aim_codegen::{Angles, Frame, JointSpec, RigSpec};
 use aim_gltf::{Document, Skeleton};
@@ -10,31 +10,33 @@ use crate::error::Error;
 use crate::measure::roles::Role;
 use crate::measure::{BoneAxes, Handedness, Measurement, SignedAxis};
 
-/// A declared direction this near to the measured one is right, degrees.
+/// Angle between a declared and a measured direction up to which the declaration is right, degrees.
 pub const NEAR_DEG: f64 = 15.0;
-/// So is one that is hardly further off than the nearest signed axis is.
+/// Angle by which a declared direction may be further off than the nearest signed axis is, degrees. A direction is
+/// right up to the larger of [`NEAR_DEG`] and the axis's deviation plus this angle.
 const HARDLY_DEG: f64 = 5.0;
-/// An effector further from its joint than this share of the character's height is in other units.
+/// Distance of the effector from its joint, as a share of the character's height, above which its origin must be in
+/// other units.
 const FAR: f64 = 1.0;
-/// What the three directions of a frame are called.
+/// Names of the three directions of a frame.
 pub const NAMES: [&str; 3] = ["up", "forward", "left"];
 
-/// A joint and the bone it was found to be.
+/// A declared joint and the bone that was found for it.
 #[derive(Clone, Debug)]
 pub struct JointFit<'a> {
-    /// The joint's name in the declaration.
+    /// Name of the joint in the declaration.
     pub joint: &'a str,
-    /// The bone as measured.
+    /// Measurement of the bone.
     pub bone: &'a BoneAxes,
-    /// Up, forward and left as declared, in the bone's space.
+    /// Declared up, forward and left, in the bone's space.
     pub declared: [DVec3; 3],
-    /// The same as measured.
+    /// Measured up, forward and left, in the bone's space.
     pub measured: [DVec3; 3],
-    /// Which of them are wrong.
+    /// For up, forward and left, whether the declared direction is wrong.
     pub wrong: [bool; 3],
 }
 
-/// A declaration held against a file.
+/// Result of checking a declaration against a file.
 ///
 /// ```
 /// use aim_character::{Fit, Measurement, PAPER_AXES, mannequin, propose};
@@ -50,24 +52,27 @@ pub struct JointFit<'a> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Fit<'a> {
-    /// The joints whose bones were found, from the effector inward.
+    /// Joints whose bones were found, from the effector inward.
     pub joints: Vec<JointFit<'a>>,
-    /// What does not fit, a sentence each.
+    /// Problems found, one sentence each.
     pub problems: Vec<String>,
 }
 
-/// The ranges of heading and pitch in one frame, as added angles in radians: nothing where an angle is not declared,
-/// infinite where it is free. Whatever the animation does, 0 belongs to them.
+/// Returns the ranges of heading and pitch in one frame, as added angles in radians.
+///
+/// The range is empty (both ends 0) for an angle that is not declared, and infinite for a free one. It contains 0,
+/// whatever the animation does.
 #[must_use]
 pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
     let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
     [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
 }
 
-/// The nodes of a file that the joints of a rig are.
+/// Finds the nodes of a file that correspond to the joints of a rig.
 ///
 /// # Errors
-/// A declared bone that the file does not have, joints that are no chain in it, or held bones that do not hang on theirs.
+/// Fails if the file lacks a declared bone, if the joints do not form a chain in it, or if a held bone does not descend
+/// from its joint.
 pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, Error> {
     let bones = spec.joints.iter().map(|joint| joint.bones.as_slice());
     let chain = ChainNodes::find(skeleton, bones, spec.joints[0].other_eye.as_deref())?;
@@ -79,17 +84,19 @@ pub fn chain_nodes(spec: &RigSpec, skeleton: &Skeleton) -> Result<ChainNodes, Er
     chain.with_holds(skeleton, holds)
 }
 
-/// Declares these bones of a file as [held](JointSpec::hold), and no others, each on the outermost joint that it hangs on.
+/// Declares the named bones of a file, and no others, as [held](JointSpec::hold), each on the outermost joint that it
+/// descends from.
 ///
 /// # Errors
-/// A name that no node has, or several; a node that hangs on no joint; and those of [`chain_nodes`].
+/// Fails if a name does not match exactly one node, if a node descends from no joint, or for the reasons of
+/// [`chain_nodes`].
 pub fn hold(spec: &mut RigSpec, skeleton: &Skeleton, names: &[String]) -> Result<(), Error> {
     spec.joints.iter_mut().for_each(|joint| joint.hold = Some(Vec::new()));
     let chain = chain_nodes(spec, skeleton)?;
     for name in names {
         let node = skeleton.find(name)?;
         let above: Vec<usize> = skeleton.ancestry(node).skip(1).collect();
-        // On no joint it is refused as one that does not hang on the innermost.
+        // A bone below no joint is assigned to the innermost one, for which the check below rejects it.
         let last = spec.joints.len() - 1;
         let joint = chain.joints.iter().position(|joint| above.contains(joint)).unwrap_or(last);
         spec.joints[joint].hold.get_or_insert_default().push(name.clone());
@@ -98,7 +105,7 @@ pub fn hold(spec: &mut RigSpec, skeleton: &Skeleton, names: &[String]) -> Result
 }
 
 impl<'a> Fit<'a> {
-    /// Finds each declared joint's bone and compares.
+    /// Finds the bone of each declared joint and compares its axes.
     pub fn new(spec: &'a RigSpec, document: &'a Document, measurement: &'a Measurement) -> Self {
         let skeleton = document.skeleton();
         let mut fit = Self { joints: Vec::new(), problems: Vec::new() };
@@ -136,13 +143,13 @@ impl<'a> JointFit<'a> {
         fit
     }
 
-    /// Degrees between what is declared and what is measured.
+    /// Returns the angle between the declared and the measured direction, degrees. `at` is an index into [`NAMES`].
     #[must_use]
     pub fn off_deg(&self, at: usize) -> f64 {
         degrees_between(self.declared[at], self.measured[at])
     }
 
-    /// The signed axis of the bone that is nearest to the measured direction.
+    /// Returns the signed axis of the bone nearest to the measured direction. `at` is an index into [`NAMES`].
     #[must_use]
     pub fn nearest(&self, at: usize) -> SignedAxis {
         [self.bone.up, self.bone.forward, self.bone.left][at]
@@ -170,7 +177,8 @@ impl<'a> JointFit<'a> {
         out
     }
 
-    /// As in `neck: declared forward +Z points down in the bind pose; measured forward is +Y (9° off)`.
+    /// Returns a sentence such as
+    /// `neck: declared forward +Z points down in the bind pose; measured forward is +Y (9° off)`.
     fn sentence(&self, at: usize, measurement: &Measurement) -> String {
         let name = NAMES[at];
         format!(
@@ -208,7 +216,7 @@ fn effector(spec: &RigSpec, joint: &JointFit<'_>, measurement: &Measurement) -> 
     out
 }
 
-/// Where a direction of the world points for the character.
+/// Returns the name of the character's direction that is nearest to a world-space direction.
 fn points(direction: DVec3, measurement: &Measurement) -> &'static str {
     let Measurement { up, forward, left, .. } = measurement;
     let ways =

@@ -1,4 +1,4 @@
-//! A rig that is known only at run time: its derived programs run through the interpreter.
+//! [`InterpretedRig`]: a rig that is known only at run time. An interpreter runs its derived programs.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use aim_runtime::{Axes, Budget, Budgets, Description, Effector, GazeSharing, Joi
 
 use crate::rig::tape::Tape;
 
-/// The rig, without any character's state. A clone shares the derived programs.
+/// A rig declared at run time, without the state of a character. Clones share the derived programs.
 #[derive(Clone, Debug)]
 pub struct InterpretedRig {
     spec: RigSpec,
@@ -20,13 +20,13 @@ pub struct InterpretedRig {
     budgets: Budgets,
 }
 
-/// The kernels of [`Rig`].
+/// The kernels that [`Rig`] requires.
 #[derive(Debug)]
 struct Kernels {
     residual_jacobian: Tape,
-    /// The tapes of distinct joints.
+    /// Tapes for the distinct joints: joints with equal programs share one.
     aim_gradients: Vec<Tape>,
-    /// The place of each joint's tape among them.
+    /// For each joint, the index of its tape in `aim_gradients`.
     joints: Vec<usize>,
 }
 
@@ -44,7 +44,7 @@ impl Kernels {
 }
 
 impl InterpretedRig {
-    /// The rig of a declaration.
+    /// Derives the rig of a declaration.
     #[must_use]
     pub fn new(spec: &RigSpec) -> Self {
         Self::with_kernels(spec, Arc::new(Kernels::derive(spec)))
@@ -61,14 +61,15 @@ impl InterpretedRig {
         }
     }
 
-    /// The rig as it is declared now.
+    /// Returns the present declaration of the rig.
     #[must_use]
     pub fn spec(&self) -> &RigSpec {
         &self.spec
     }
 
-    /// Declares the rig anew, say with other ranges, rates or stiffness. What the derivation depends on (axes, effector,
-    /// which angles there are, upright headings) is derived again only where it changed.
+    /// Replaces the declaration, for example to change ranges, rates or stiffness. The programs are derived again only
+    /// if the new one differs in what they depend on: joint names, axes, the effector, the set of declared angles, or
+    /// upright headings.
     pub fn declare(&mut self, spec: &RigSpec) {
         if !same_derivation(&self.spec, spec) {
             *self = Self::new(spec);
@@ -78,7 +79,7 @@ impl InterpretedRig {
     }
 }
 
-/// Whether the same programs serve both.
+/// Returns `true` if the same programs serve both declarations.
 fn same_derivation(a: &RigSpec, b: &RigSpec) -> bool {
     let same = |a: &JointSpec, b: &JointSpec| {
         let angles = |joint: &JointSpec| [joint.pitch.is_some(), joint.heading.is_some()];

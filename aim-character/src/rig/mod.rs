@@ -1,5 +1,8 @@
-//! The rig of a character: `proposal.rs` proposes one (`parts.rs` knows what people can), `declaration.rs` writes one down,
-//! `fit.rs` holds one against a character, and `interpreted.rs` runs one, its kernels as a `tape.rs`.
+//! Rigs of characters.
+//!
+//! `proposal.rs` proposes a rig for a file (with the shares and limits of human joints in `parts.rs`), `declaration.rs`
+//! writes a rig as source text, `fit.rs` checks a rig against a character, and `interpreted.rs` runs one; its kernels
+//! are the programs of `tape.rs`.
 
 pub mod declaration;
 pub(crate) mod fit;

@@ -1,26 +1,28 @@
-//! The parts of the body that several bones move together, and what each of those bones does of it.
+//! Shares of the joints in the regions of the body: head with neck, and trunk.
 
 use crate::measure::BoneAxes;
 use aim_codegen::Budget;
 use aim_model::Role;
 use aim_runtime::glam::DVec3;
 
-/// The part of the turn of head and neck that the head makes on the neck's last bone: of a mammal's neck, about half of the
+/// Share of the turn of head and neck that the head makes on the neck's last bone. In a mammal's neck about half of the
 /// turn is that of atlas and axis (White and Panjabi, *Clinical Biomechanics of the Spine*, 1990).
 const HEAD_PART: f64 = 0.5;
-/// However short a bone is, it counts as this part of the mean of its region.
+/// Least length of a bone in the division of a region, as a share of the mean length.
 const SHORTEST: f64 = 0.1;
-/// A bone's own pitches, relative to its part of its region's, so that one bone may make up for another: a head that is turned
-/// aside nods by itself, as a neck would roll it, and so does a head on a neck that the animation has bent already. The region's
-/// budget bounds their sum. Headings have no slack: of a chain's innermost region the budget does not know how far the animation
-/// turns it, but ranges that count from the bind pose do.
+/// Factor by which a bone's own pitch range exceeds its share of the region's, so that one bone can compensate for
+/// another. A head that is turned aside nods by itself, because the neck would roll it; so does a head on a neck that
+/// the animation has already bent. The region's budget bounds the sum.
+///
+/// Headings have no such factor: for the innermost region of a chain, the budget ignores how far the animation turns
+/// it, whereas ranges counted from the bind pose do not.
 const PITCH_SLACK: f64 = 2.0;
-/// The same of its rate.
+/// Factor by which a bone's own rate exceeds its share of the region's rate.
 const RATE_SLACK: f64 = 1.25;
-/// The least end of a range to either side, radians: one that can be declared, of however many bones a neck has.
+/// Least absolute value of the end of a range, radians: one that can be declared, however many bones a neck has.
 const LEAST_END: f64 = 1.5 / 180.0 * core::f64::consts::PI;
 
-/// A part of the body that has a budget.
+/// A part of the body with a budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Region {
     /// Head and neck.
@@ -30,7 +32,7 @@ pub(crate) enum Region {
 }
 
 impl Region {
-    /// The region of a joint of that role; eyes, and joints without a role, are of none.
+    /// Returns the region of a joint with this role; `None` for eyes and for joints without a role.
     pub(crate) fn of(role: Role) -> Option<Self> {
         match role {
             Role::Head | Role::Neck => Some(Self::Head),
@@ -39,7 +41,7 @@ impl Region {
         }
     }
 
-    /// The stiffness of the region as a whole: the trunk is the last to move.
+    /// Returns the stiffness of the region as a whole. The trunk is stiffer, so it moves last.
     pub(crate) fn stiffness(self) -> f64 {
         match self {
             Self::Head => 1.0,
@@ -47,7 +49,7 @@ impl Region {
         }
     }
 
-    /// Its name in a sentence.
+    /// Returns the name of the region for a sentence.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Head => "head and neck",
@@ -56,8 +58,11 @@ impl Region {
     }
 }
 
-/// The part of its region's turn that each joint of a chain (from the effector inward) makes; 1 for joints of no region. The
-/// parts of a region add up to 1: neighbours share by their bones' lengths, but a head has [`HEAD_PART`].
+/// Returns, for each joint of a chain from the effector inward, its share of its region's turn; 1 for joints of no
+/// region.
+///
+/// The shares of a region add up to 1. Bones share in proportion to their lengths, except that a head has
+/// [`HEAD_PART`].
 pub(crate) fn parts(roles: &[Role], bones: &[&BoneAxes]) -> Vec<f64> {
     let lengths = lengths(bones);
     let mut parts = vec![1.0; roles.len()];
@@ -77,12 +82,12 @@ pub(crate) fn parts(roles: &[Role], bones: &[&BoneAxes]) -> Vec<f64> {
     parts
 }
 
-/// Shares `part` among `joints` by their lengths.
+/// Divides `part` among `joints` in proportion to their lengths.
 fn share(joints: &[usize], part: f64, lengths: &[Option<f64>], parts: &mut [f64]) {
     let known: Vec<f64> = joints.iter().filter_map(|joint| lengths[*joint]).collect();
     let mean = known.iter().sum::<f64>() / known.iter().map(|_| 1.0).sum::<f64>();
     let length = |joint: &usize| match lengths[*joint] {
-        // Without any length all are alike.
+        // If no length is known, all joints have equal shares.
         Some(length) if mean > 0.0 => length.max(SHORTEST * mean) / mean,
         _ => 1.0,
     };
@@ -92,15 +97,15 @@ fn share(joints: &[usize], part: f64, lengths: &[Option<f64>], parts: &mut [f64]
     }
 }
 
-/// The distance from each joint to the next one outward, in the bind pose; unknown of the outermost, and of places that are no
-/// numbers.
+/// Returns the distance from each joint to the next one outward in the bind pose; `None` for the outermost joint and
+/// for non-finite positions.
 fn lengths(bones: &[&BoneAxes]) -> Vec<Option<f64>> {
     let place = |at: usize| -> DVec3 { bones[at].bind_world.translation };
     let outward = |at: usize| Some(place(at).distance(place(at.checked_sub(1)?))).filter(|length| length.is_finite());
     (0..bones.len()).map(outward).collect()
 }
 
-/// Ranges and rate of a joint that makes `part` of a budget's turn. Angles in radians.
+/// Returns the ranges and the rate of a joint that makes `part` of a budget's turn. Angles in radians.
 pub(crate) fn of_budget(budget: &Budget, part: f64) -> Budget {
     let with_slack = |slack: f64| (part * slack).min(1.0);
     let range = |ends: [f64; 2], part: f64| ends.map(|end| whole(end * part).abs().max(LEAST_END).copysign(end));
@@ -112,7 +117,7 @@ pub(crate) fn of_budget(budget: &Budget, part: f64) -> Budget {
     }
 }
 
-/// To whole degrees, where there are five or more; else to tenths.
+/// Rounds an angle to whole degrees, or to tenths if it is below 5°.
 fn whole(radians: f64) -> f64 {
     let degrees = radians.to_degrees();
     let steps = if degrees.abs() < 5.0 { 10.0 } else { 1.0 };

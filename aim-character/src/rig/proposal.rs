@@ -1,5 +1,5 @@
-//! A rig proposed for a file: the chain from the effector to the root, each bone's measured axes, and what a joint of
-//! its part does in people. `aim rig` writes it down, `aim bake` without a rig aims with it.
+//! Proposes a rig for a file: the chain from the effector to the root, each bone's measured axes, and ranges and rates
+//! as in people. `aim rig` writes the proposal to a file; `aim bake` uses it if no rig is given.
 
 use aim_codegen::{AngleRange, Budget, Budgets, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec};
 use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
@@ -15,27 +15,29 @@ use crate::measure::stance::BodyKind;
 use crate::measure::{BoneAxes, Measurement, SignedAxis};
 use crate::rig::parts::{Region, of_budget, parts};
 
-/// Up to this deviation, degrees, a bone's nearest signed axes are its axes; beyond, its exact frame is.
+/// Largest deviation, degrees, up to which a bone is declared with its nearest signed axes; beyond, with its exact
+/// frame.
 const CARDINAL_DEG: f64 = 3.0;
-/// Joints that a machine's chain has at most.
+/// Largest number of joints in the chain of a machine.
 const MACHINE_JOINTS: usize = 4;
-/// A proposed rig with a word on each joint.
+/// A proposed rig, with reasons for its joints.
 #[derive(Clone, Debug)]
 pub struct Proposal {
     /// The rig: its chain from the effector inward, with measured axes and habitual ranges and rates.
     pub spec: RigSpec,
-    /// Why each joint is as it is, one line a joint; empty where there is nothing to say, and in programs that are compiled to be small.
+    /// Reason for each joint's ranges and rate, one line per joint. Empty for a joint without a special reason, and in
+    /// small builds (`cfg(aim_small)`).
     pub reasons: Vec<String>,
 }
 
 impl Proposal {
-    /// Why a joint is as it is, where there is something to say.
+    /// Returns the reason for a joint, if there is one.
     pub(crate) fn reason(&self, joint: usize) -> Option<&str> {
         self.reasons.get(joint).map(String::as_str).filter(|why| !why.is_empty())
     }
 }
 
-/// What a joint of some part does, degrees and degrees a second.
+/// Habitual ranges and rate of a joint, degrees and degrees per second.
 #[derive(Clone, Copy)]
 struct Habit {
     heading: Option<[f64; 2]>,
@@ -45,7 +47,7 @@ struct Habit {
     why: &'static str,
 }
 
-/// Without end.
+/// Range of an angle without limits.
 const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 const EYE: Habit = Habit {
@@ -83,10 +85,12 @@ const HINGE: Habit = Habit {
     stiffness: 2.0,
     why: "nothing tells what it can do: give its own ranges and rate",
 };
+/// Words in the names of bones that turn about the upright axis.
 const TURNING: [&str; 6] = ["base", "yaw", "pan", "swivel", "turret", "turntable"];
+/// Words in the names of bones that are raised and lowered.
 const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cannon", "muzzle"];
 
-/// The rig of these nodes (from the effector inward), or of the chain that the file's roles and names tell.
+/// Proposes a rig for the `named` nodes (from the effector inward), or for the chain found by roles and names.
 ///
 /// ```
 /// use aim_character::{Measurement, PAPER_AXES, declaration, mannequin, propose};
@@ -100,8 +104,8 @@ const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cann
 /// ```
 ///
 /// # Errors
-/// A file without an eye, a head, a neck or anything that points; named nodes that are no chain; bones whose names are
-/// not unique.
+/// Fails if the file has no eye, head, neck or pointing part, if the named nodes do not form a chain, or if the name of
+/// a bone is not unique.
 pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[String]>) -> Result<Proposal, Error> {
     let skeleton = document.skeleton();
     let nodes = match named {
@@ -134,11 +138,12 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     };
     let of_neck = bones.iter().filter(|bone| matches!(bone.role, Some(Role::Head | Role::Neck)));
     let limbs = limbs_on_each(skeleton, measurement, of_neck.map(|bone| bone.node));
-    // Only names that mean one node can be declared. Without any the arms are found where they are held.
+    // Only unique names can be declared. If any name is not, `hold` is omitted, and the arms are found when the rig is
+    // used.
     let is_clear = |limb: &usize| skeleton.find(&skeleton.names()[*limb]).is_ok();
     let is_declared = limbs.iter().flat_map(|(_, limbs)| limbs).all(is_clear);
     for (at, (bone, part)) in bones.iter().zip(parts(&roles, &bones)).enumerate() {
-        // Only names that mean one node can be declared.
+        // Only unique names can be declared.
         skeleton.find(&bone.name)?;
         let region = Region::of(roles[at]);
         let habit = region.map_or_else(|| *habit(bone), |region| of_region(region, part, &budgets));
@@ -166,7 +171,7 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
             }
             why + &because_of_limbs(held.as_deref(), is_declared) + &because_of_frame(bone)
         };
-        // Programs that are downloaded write no declarations, and have no texts for them.
+        // Small builds write no declarations and do without the texts.
         proposal.reasons.push(if cfg!(aim_small) { String::new() } else { reason() });
         proposal.spec.joints.push(joint);
     }
@@ -200,7 +205,8 @@ fn because_of_frame(bone: &BoneAxes) -> String {
     format!("; {up} {forward} {left} are {deviation_deg:.0} degrees off, hence the exact frame")
 }
 
-/// From the outermost bone to the root: an eye, the head, and all of neck and trunk above the hips that carries no legs.
+/// Returns the chain from the outermost bone to the root: an eye, the head, and the bones of neck and trunk above the
+/// hips that carry no legs.
 fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let skeleton = document.skeleton();
     let outward = [Role::Eyes, Role::LeftEye, Role::RightEye, Role::Head, Role::Neck];
@@ -218,7 +224,8 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     chain.extend(inward.filter(turns).map(|bone| bone.node));
     let moves = skeleton.len() > 1;
     if chain.len() == 1 && moves {
-        // A head alone on what nobody named: a lamp, a camera on its stand, but no body with limbs.
+        // A single bone on unnamed ones is a lamp or a camera on its stand. The chain includes what carries it, but no
+        // body with limbs.
         let trunk = trunk_of(skeleton, chain[0]);
         let is_body =
             |node: &usize| Some(*node) == trunk || measurement.bone(*node).is_some_and(|bone| bone.carries_legs);
@@ -228,7 +235,7 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     Some(chain)
 }
 
-/// What points by its shape, and what it stands on.
+/// Returns the chain of a pointing part and the bones that carry it.
 fn machine(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
     let pointer = measurement.evidence.iter().find_map(|said| match said.clue {
         Clue::Reach { node } => Some(node),
@@ -240,7 +247,7 @@ fn machine(document: &Document, measurement: &Measurement) -> Option<Vec<usize>>
 fn inward_of(document: &Document, measurement: &Measurement, node: usize) -> Vec<usize> {
     let inward = document.skeleton().ancestry(node).filter(|at| measurement.bone(*at).is_some());
     let mut chain: Vec<usize> = inward.take(MACHINE_JOINTS).collect();
-    // What is turned without end carries the rest: nothing inward of it is needed.
+    // A joint that turns without limits carries the rest: no joint further inward is needed.
     let turns = |at: &usize| measurement.bone(*at).is_some_and(|bone| says(bone, &TURNING));
     if let Some(last) = chain.iter().position(turns) {
         chain.truncate(last + 1);
@@ -253,7 +260,7 @@ fn says(bone: &BoneAxes, words: &[&str]) -> bool {
     name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
 }
 
-/// The habit of a joint that belongs to no region.
+/// Returns the habit of a joint that belongs to no region.
 fn habit(bone: &BoneAxes) -> &'static Habit {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye | Role::Eyes) => &EYE,
@@ -271,7 +278,7 @@ fn budget_of(region: Region, budgets: &Budgets) -> &Budget {
     }
 }
 
-/// The habit of a joint that makes `part` of its region's turn.
+/// Returns the habit of a joint that makes `part` of its region's turn.
 fn of_region(region: Region, part: f64, budgets: &Budgets) -> Habit {
     let own = of_budget(budget_of(region, budgets), part);
     let degrees = |ends: [f64; 2]| Some(ends.map(f64::to_degrees));
@@ -284,7 +291,7 @@ fn of_region(region: Region, part: f64, budgets: &Budgets) -> Habit {
     }
 }
 
-/// The reason of that.
+/// Returns the reason for a joint that makes `part` of its region's turn.
 fn because_of_region(region: Region, part: f64, budgets: &Budgets) -> String {
     let whole = budget_of(region, budgets);
     let [percent, heading, down, up] =
@@ -300,7 +307,7 @@ fn because_of_region(region: Region, part: f64, budgets: &Budgets) -> String {
     )
 }
 
-/// The other eye.
+/// Returns the eye on the other side.
 fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m BoneAxes> {
     let other = match eye.role? {
         Role::LeftEye => Role::RightEye,
@@ -310,7 +317,7 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
     measurement.with_role(other)
 }
 
-/// Why a file's eyes, if it has any, do not look; `None` where they do.
+/// Returns why a file's eyes, if it has any, are not aimed; `None` if they are.
 fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
     let has = |role| measurement.with_role(role).is_some();
     let Some(look) = LookAt::of(document) else {
@@ -328,11 +335,11 @@ fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static 
     }
 }
 
-/// An eye's heading and pitch in degrees by its maps (to the right, to the left, down, up): as far as a human's eye turns, or as
-/// the maps' inputs go where that is less. An axis that they hold still is none.
+/// Returns an eye's ranges of heading and pitch, degrees, from its range maps (right, left, down, up): the range of a
+/// human eye or the largest input of the map, whichever is less. `None` for an axis that the maps keep still.
 fn mapped_range([right, left, down, up]: [RangeMap; 4]) -> Option<[Option<[f64; 2]>; 2]> {
     let end = |map: RangeMap, habit: f64| {
-        // A map without input turns the eye at once, whatever the angle.
+        // A map without an input range gives its full output at any angle.
         let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
         if map.moves() { input.min(habit.abs()).copysign(habit) } else { 0.0 }
     };
@@ -348,7 +355,7 @@ fn effector(bone: &BoneAxes) -> EffectorSpec {
     EffectorSpec { frame: frame(bone), origin: [0.0; 3] }
 }
 
-/// The signed axes where they are right, else the exact directions.
+/// Returns the signed axes if the bone's deviation is small, otherwise its exact directions.
 fn frame(bone: &BoneAxes) -> Frame {
     let exact = [bone.frame.up, bone.frame.forward, bone.frame.left];
     let axes = [bone.up, bone.forward, bone.left].map(SignedAxis::vector);
@@ -360,12 +367,13 @@ fn between([lo, hi]: [f64; 2]) -> AngleRange {
     AngleRange::Between(rounded_rad(lo), rounded_rad(hi))
 }
 
-/// A share of a habit, or a file's single precision, in radians: thousandths of a degree are enough, and read well.
+/// Converts degrees to radians, rounded to thousandths of a degree. That is enough for shares of habits and for a
+/// file's single precision, and it reads well.
 fn rounded_rad(degrees: f64) -> f64 {
     ((degrees * 1e3).round() / 1e3).to_radians()
 }
 
-/// The role of the joint that a bone becomes: as measured, else as its name tells.
+/// Returns the role of the joint for a bone: as measured, otherwise by the bone's name.
 fn role(bone: &BoneAxes) -> Declared {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye | Role::Eyes) => Declared::Eye,
@@ -386,7 +394,7 @@ fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointS
         frame: frame(bone),
         pitch: habit.pitch.map(range),
         heading: habit.heading.map(range),
-        // What a body can do counts from how it is built, whatever the clip does already.
+        // What a body can do depends on its build, not on the clip: count from the bind pose.
         limits_from: if role == Declared::None { LimitsFrom::Animation } else { LimitsFrom::BindPose },
         rate: rounded_rad(habit.rate),
         acceleration: None,
@@ -398,14 +406,15 @@ fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointS
     }
 }
 
-/// A field's name: the role's, numbered where several joints have it, or what the bone's own name leaves.
+/// Returns the name of a joint's field: its role, numbered if several joints have that role, or a name derived from the
+/// bone's.
 fn field_name(bone: &BoneAxes, bones: &[&BoneAxes], at: usize) -> String {
     let Some(role) = bone.role else { return plain_name(&bone.name, at) };
     let alike: Vec<&BoneAxes> = bones.iter().copied().filter(|other| other.role == Some(role)).collect();
     if alike.len() == 1 {
         return role.to_string();
     }
-    // Numbered as the bones are, or from the trunk outward where their names do not tell them apart.
+    // Numbered as the bones are, or from the trunk outward if the bones' numbers are not distinct.
     let numbers: Vec<Option<u32>> = alike.iter().map(|bone| trailing_number(&bone.name)).collect();
     let tell_apart = (1..numbers.len()).all(|at| !numbers[..at].contains(&numbers[at]));
     let place = alike.iter().position(|other| other.node == bone.node).unwrap_or_default();
@@ -416,7 +425,7 @@ fn field_name(bone: &BoneAxes, bones: &[&BoneAxes], at: usize) -> String {
     }
 }
 
-/// The number at the end of a name: 3 of `Spine03`.
+/// Returns the number at the end of a name: 3 for `Spine03`.
 fn trailing_number(name: &str) -> Option<u32> {
     name[name.trim_end_matches(|c: char| c.is_ascii_digit()).len()..].parse().ok()
 }
@@ -425,6 +434,6 @@ fn plain_name(bone: &str, at: usize) -> String {
     let words = bone.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
     let words: Vec<String> = words.map(str::to_ascii_lowercase).collect();
     let name = words.join("_");
-    // Numbered, it is no keyword of any language, and no other joint's name.
+    // The number makes it unique and different from any keyword.
     if name.starts_with(|c: char| c.is_ascii_alphabetic()) { format!("{name}_{at}") } else { format!("joint_{at}") }
 }

@@ -1,11 +1,12 @@
-//! A program laid out for the interpreter: each value in a slot of a small array on the stack.
+//! A program laid out for the interpreter: each value has a slot in a small array on the stack.
 //!
-//! Inputs have the first slots, constants the next; the results of operations share the rest, a slot being used again after
-//! its value's last use. A product that only one sum needs is computed in the sum's instruction, rounded as on its own.
+//! Inputs occupy the first slots, constants the next ones. Results share the rest; a slot is reused after the last use
+//! of its value. A product that is used only in one sum is computed by the sum's instruction, with the same rounding as
+//! on its own.
 
 use aim_symbolic::{Op, Program, Value};
 
-/// A program ready to be run in `f32`.
+/// A program ready to run in `f32`.
 #[derive(Clone, Debug)]
 pub(crate) struct Tape {
     inputs: usize,
@@ -15,7 +16,7 @@ pub(crate) struct Tape {
     slots: usize,
 }
 
-/// `to` becomes the result of an operation on the values in `of`.
+/// Writes the result of an operation on the values in slots `of` to slot `to`.
 #[derive(Clone, Copy, Debug)]
 struct Instruction {
     code: Code,
@@ -37,7 +38,7 @@ enum Code {
     Neg,
     /// √a
     Sqrt,
-    /// c where a < b, else d
+    /// c if a < b, otherwise d
     SelectLess,
     /// a b + c
     MulAdd,
@@ -51,19 +52,21 @@ enum Code {
     MulSubMul,
 }
 
-/// The numbers of slots that there is code for: that of the smallest array that is large enough is run.
+/// Array sizes, in slots, for which code is generated. The smallest sufficient one is used. This is the smallest.
 const FEW: usize = 128;
+/// Middle array size, in slots.
 const SOME: usize = 512;
-/// More than a chain of 64 joints needs.
+/// Largest array size, in slots; more than a chain of 64 joints needs.
 const MANY: usize = 4096;
 
 impl Tape {
-    /// The program's layout.
+    /// Lays out a program.
     pub(crate) fn new(program: &Program) -> Self {
         Layout::new(program).tape()
     }
 
-    /// Runs the program on its inputs, in parts as they lie in memory. Wrong lengths give zeros.
+    /// Runs the program. The inputs are the concatenation of `inputs`. If a length is wrong, `out` is filled with
+    /// zeros.
     pub(crate) fn run(&self, inputs: [&[f32]; 3], out: &mut [f32]) {
         let given: usize = inputs.iter().map(|part| part.len()).sum();
         if given != self.inputs || out.len() != self.outputs.len() {
@@ -77,7 +80,7 @@ impl Tape {
         }
     }
 
-    /// `SLOTS` is a power of two, so that a masked place is always inside.
+    /// Runs the program in an array of `SLOTS` slots, a power of two, so that a masked index is always in bounds.
     fn run_in<const SLOTS: usize>(&self, inputs: [&[f32]; 3], out: &mut [f32]) {
         let place = |slot: u16| usize::from(slot) & (SLOTS - 1);
         let mut slots = [0.0f32; SLOTS];
@@ -116,14 +119,15 @@ impl Tape {
     }
 }
 
-/// A program on its way to a tape.
+/// A program being laid out.
 struct Layout<'p> {
     program: &'p Program,
-    /// Each operation that is left, its code and operands; `None` for inputs, constants and what is part of another.
+    /// Code and operands of each remaining operation; `None` for inputs, constants and products merged into another
+    /// operation.
     planned: Vec<Option<(Code, Vec<Value>)>>,
-    /// The slot of each value that has one yet.
+    /// Slot of each value that has been assigned one.
     slots: Vec<u16>,
-    /// The number of uses that each value still has.
+    /// Number of remaining uses of each value.
     uses: Vec<usize>,
     free: Vec<u16>,
     next: u16,
@@ -142,7 +146,7 @@ impl<'p> Layout<'p> {
         };
         let mut planned: Vec<Option<(Code, Vec<Value>)>> = Vec::with_capacity(ops.len());
         for &op in ops {
-            // Products of an earlier instruction become part of this one.
+            // Products used only here are merged into this instruction.
             let (code, operands, parts) = match op {
                 Op::Add(a, b) => match (product(a), product(b)) {
                     (Some((p, q)), Some((r, s))) => (Code::MulAddMul, vec![p, q, r, s], vec![a, b]),
@@ -225,7 +229,7 @@ impl<'p> Layout<'p> {
         }
     }
 
-    /// Counts a use of a value; after the last one its slot is free, unless it is an input's or a constant's.
+    /// Counts one use of a value. After the last one its slot is free, unless it is that of an input or a constant.
     fn release(&mut self, value: Value) {
         self.uses[value.index()] -= 1;
         let is_result = !matches!(self.program.ops()[value.index()], Op::Input(_) | Op::Constant(_) | Op::Tiny);

@@ -1,11 +1,11 @@
-//! Chains proposed for bodies whose root, neck or names are not where most have them.
+//! Chains proposed for bodies with an unusual root, neck or naming.
 
 use aim_character::{Clue, Measurement, propose};
 use aim_codegen::{Budgets, Role};
 use aim_gltf::Document;
 use serde_json::{Value, json};
 
-/// A bone: its name, its parent's, and its place in the world, which faces +Z.
+/// A bone: its name, its parent's name, and its position in world space, in which the body faces +Z.
 type Bone<'a> = (&'a str, &'a str, [f64; 3]);
 
 fn document(bones: &[Bone<'_>]) -> Document {
@@ -29,7 +29,8 @@ fn document(bones: &[Bone<'_>]) -> Document {
     Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap()
 }
 
-/// Pairs of limbs, each a way down: the name with `*` for the side, its parent's, and its place on the left.
+/// A document with pairs of limbs. Each limb bone is given with `*` for the side in its name and its parent's, and its
+/// position on the left.
 fn with_limbs<'a>(column: &[Bone<'a>], limbs: &[Bone<'a>]) -> Document {
     let bones = both_sides(column, limbs);
     document(&bones.iter().map(|(name, parent, place)| (&name[..], &parent[..], *place)).collect::<Vec<_>>())
@@ -43,7 +44,8 @@ fn both_sides(column: &[Bone<'_>], limbs: &[Bone<'_>]) -> Vec<(String, String, [
     column.iter().map(|(name, parent, place)| ((*name).to_owned(), (*parent).to_owned(), *place)).chain(limbs).collect()
 }
 
-/// The chain of the same bones called by numbers, in the names they had, with roles; nothing where there is no telling.
+/// Proposes a chain after replacing all names by numbers; returns the original names with the roles, or `None` without
+/// a chain.
 fn proposed_without_names(column: &[Bone<'_>], limbs: &[Bone<'_>]) -> Option<Vec<(String, Role)>> {
     let bones = both_sides(column, limbs);
     let number = |name: &str| bones.iter().position(|bone| bone.0 == name).map_or(String::new(), |at| at.to_string());
@@ -60,8 +62,8 @@ fn proposed(document: &Document) -> (Vec<String>, Option<Budgets>) {
     (spec.joints.iter().map(|joint| joint.bones[0].clone()).collect(), spec.region)
 }
 
-/// The model of a dog of `MuJoCo`'s suite: its bones begin at the chest, are called as anatomists do, and its tail is longer than its
-/// neck.
+/// The model of a dog in `MuJoCo`'s suite: its root is the chest, its bones have anatomical names, and its tail is
+/// longer than its neck.
 #[test]
 fn a_dog_whose_root_is_its_chest_looks_with_its_skull() {
     let mut column = vec![
@@ -98,7 +100,7 @@ fn a_dog_whose_root_is_its_chest_looks_with_its_skull() {
     assert_eq!(Measurement::of(&dog).forward.round().to_array(), [0.0, 0.0, 1.0]);
 }
 
-/// A neck some of whose bones have telling names, and a single bone for neck and head on four legs.
+/// A neck in which only some bones have recognisable names; and a single bone for neck and head on four legs.
 #[test]
 fn bones_between_neck_and_head_are_the_necks_and_a_neck_alone_tells_an_animal() {
     let legs = [
@@ -123,7 +125,7 @@ fn bones_between_neck_and_head_are_the_necks_and_a_neck_alone_tells_an_animal() 
     assert_eq!(region, Some(Budgets::QUADRUPED));
 }
 
-/// What carries the legs of a body without a neck is no part of its gaze.
+/// In a body without a neck, the bone that carries the legs is not part of the gaze chain.
 #[test]
 fn a_man_of_blocks_turns_his_head_alone() {
     let blocks = with_limbs(
@@ -133,7 +135,7 @@ fn a_man_of_blocks_turns_his_head_alone() {
     assert_eq!(proposed(&blocks).0, ["Head"]);
 }
 
-/// The skin of a rig whose controls its bones are hangs on those.
+/// In a rig whose control bones are its bones, the skin is bound to the controls.
 #[test]
 fn controls_are_bones_where_no_bone_is_the_head() {
     let column = |head| {
@@ -146,7 +148,8 @@ fn controls_are_bones_where_no_bone_is_the_head() {
     assert_eq!(proposed(&document(&column("Head"))).0[0], "Head");
 }
 
-/// A human column with collarbones that begin near its middle and reach further than the neck, and pouches below the arms.
+/// A human column with collarbones that begin near the middle and are longer than the neck, and with pouches below the
+/// arms.
 #[test]
 fn collarbones_near_the_middle_are_no_neck_and_pouches_are_no_arms() {
     let column = [
@@ -176,7 +179,7 @@ fn collarbones_near_the_middle_are_no_neck_and_pouches_are_no_arms() {
     }
 }
 
-/// A root with limbs on two ways may be that of a chest: its legs may be the arms, or its ears.
+/// If limbs descend from the root in two directions, the root may be a chest, and its legs may be arms or ears.
 #[test]
 fn a_nameless_body_that_may_look_either_way_has_no_plan() {
     let column = [
@@ -198,7 +201,7 @@ fn a_nameless_body_that_may_look_either_way_has_no_plan() {
     assert_eq!(proposed_without_names(&column, &limbs), None);
 }
 
-/// Animals of Rigify: their column is numbered from the tip of the tail, and its last bone is the head.
+/// Animals of Rigify: the column is numbered from the tip of the tail, and its last bone is the head.
 #[test]
 fn a_numbered_column_ends_in_the_head_and_forelegs_hang_on_its_trunk() {
     let wolf = [
@@ -225,7 +228,7 @@ fn a_numbered_column_ends_in_the_head_and_forelegs_hang_on_its_trunk() {
     assert_eq!(proposed(&wolf), (expected, Some(Budgets::QUADRUPED)));
     let spec = propose(&wolf, &Measurement::of(&wolf), None).unwrap().spec;
     assert_eq!(spec.joints.last().unwrap().role, Role::Neck);
-    // The bone with the highest number is in the middle of a shark, whose jaws are no arms.
+    // In a shark, the bone with the highest number is in the middle, and the jaws are not arms.
     let shark = [
         ("spine.002", "", [0.0, 0.4, -0.3]),
         ("spine.001", "spine.002", [0.0, 0.4, -0.7]),
@@ -250,7 +253,8 @@ fn a_numbered_column_ends_in_the_head_and_forelegs_hang_on_its_trunk() {
     assert!(spec.joints.iter().all(|joint| joint.hold.is_none()), "{:?}", spec.joints);
 }
 
-/// A giraffe whose hips have no telling name, and whose head is above them rather than ahead; and a coat that hangs to the ground.
+/// A giraffe whose hips have no recognisable name, and whose head is above them rather than ahead; and a coat that
+/// reaches the ground.
 #[test]
 fn limbs_on_the_ground_one_ahead_of_the_other_tell_who_goes_on_all_fours() {
     let giraffe = [
@@ -281,7 +285,7 @@ fn limbs_on_the_ground_one_ahead_of_the_other_tell_who_goes_on_all_fours() {
     assert_eq!(proposed(&with_limbs(&column, &legs_and_coat)), (expected, Some(Budgets::HUMAN)));
 }
 
-/// A hen by her names; a gull by its span, whose body carries the wings; an angel, who has arms.
+/// A hen by her bones' names; a gull by its span, with wings attached to the body; and an angel, who also has arms.
 #[test]
 fn wings_instead_of_arms_tell_a_bird() {
     let upright = [("Body", "", [0.0, 0.6, 0.0]), ("Neck", "Body", [0.0, 0.9, 0.3]), ("Head", "Neck", [0.0, 1.3, 0.4])];
@@ -307,7 +311,7 @@ fn wings_instead_of_arms_tell_a_bird() {
     assert_eq!(proposed(&gull), (vec!["Head".to_owned()], Some(Budgets::BIRD)));
 }
 
-/// A crocodile whose root is its chest, and a shark whose bones all lie at one height.
+/// A crocodile whose root is its chest, and a shark with all bones at one height.
 #[test]
 fn a_tail_is_no_head_and_lies_behind_it() {
     let crocodile = with_limbs(

@@ -1,4 +1,4 @@
-//! What is written down is read back as the same rig, in both notations.
+//! A written declaration is read back as the same rig, in both notations.
 
 use aim_character::{Measurement, Proposal, declaration, mannequin, propose};
 use aim_codegen::declare::{from_derive_input, from_toml};
@@ -14,7 +14,7 @@ fn without_reasons(spec: RigSpec) -> Proposal {
     Proposal { spec, reasons: Vec::new() }
 }
 
-/// Both notations, read again; they have to agree on everything but the directions' last decimals.
+/// Writes and reads both notations. They must agree on everything but the last decimals of directions.
 fn assert_comes_back(proposal: &Proposal) -> String {
     let toml = declaration::toml(proposal, "A test.\nOf two lines.");
     let spec = from_toml("it", &toml).unwrap_or_else(|errors| panic!("{}", errors.render()));
@@ -60,7 +60,7 @@ fn proposals_come_back_with_their_reasons() {
     for frame in Frame::cardinal() {
         #[expect(clippy::cast_possible_truncation, reason = "whole numbers")]
         let axes = [frame.up, frame.forward, frame.left].map(|axis| axis.map(|c| c as f32));
-        // The spine's bone stands between all axes.
+        // The upper bone of the spine lies between all axes.
         let between = axes.map(|axis| (turn * Vec3::from_array(axis)).to_array());
         let model = mannequin(|bone| if bone == "spine3" { between } else { axes }).expect("frames");
         let document = Document::from_bytes(&model).expect("a model");
@@ -71,7 +71,7 @@ fn proposals_come_back_with_their_reasons() {
     }
 }
 
-/// A rig with anything that can be declared, and angles without end.
+/// A random rig with everything that can be declared, including free angles.
 fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
     let frames: Vec<Frame> = Frame::cardinal().collect();
     let turn = DQuat::from_euler(EulerRot::XYZ, random.f64(), random.f64(), random.f64());
@@ -113,7 +113,7 @@ fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
         })
         .collect();
     let first = joints[0].frame;
-    // Nods by a quarter turn, so that its up is that of the joint, squared.
+    // The effector pitched up by a quarter turn: its up is the joint's, orthogonalised.
     let nodded = Frame { up: first.forward.map(|c| -c), forward: first.up, left: first.left };
     let effector = EffectorSpec {
         frame: if random.bool() { nodded } else { first },

@@ -1,5 +1,5 @@
-//! Where a character faces and what its bones are, told from the file alone: turned, lying, mirrored, in centimetres,
-//! named by many traditions or not at all.
+//! The facing of a character and the roles of its bones, found from the file alone: turned, lying, mirrored, in
+//! centimetres, with the names of many traditions or without names.
 
 use crate::support::{bytes_of, data_uri, put_together, take_apart};
 use aim_character::{Clue, MeasuredPose, Measurement, PAPER_AXES, Role, Stated, mannequin};
@@ -7,14 +7,14 @@ use aim_gltf::Document;
 use aim_runtime::glam::{DMat3, DQuat, DVec3};
 use serde_json::{Value, json};
 
-/// The mannequin with its JSON changed.
+/// The mannequin with changes to its JSON.
 fn changed(change: impl FnOnce(&mut Value)) -> Document {
     let (mut json, bin) = take_apart(&mannequin(|_| PAPER_AXES).unwrap());
     change(&mut json);
     Document::from_bytes(&put_together(&json, &bin)).unwrap()
 }
 
-/// Hangs the figure on a new root.
+/// Attaches the figure to a new root.
 fn on_root(json: &mut Value, turn: DQuat, scale: [f64; 3]) {
     let nodes = json["nodes"].as_array_mut().unwrap();
     let root = nodes.len();
@@ -32,14 +32,15 @@ fn rename(json: &mut Value, name: impl Fn(&str) -> Option<String>) {
     }
 }
 
-/// The mannequin's roles but for its eyes, which none but names tell.
+/// Expects the mannequin's roles, except those of the eyes, which only names reveal.
 fn expect_body(measured: &Measurement, what: &str) {
     let roles: Vec<&str> = measured.bones.iter().filter_map(|bone| Some(bone.role?.as_str())).collect();
     let body: Vec<&str> = roles.into_iter().filter(|role| !role.ends_with("_eye")).collect();
     assert_eq!(body, ["hips", "spine", "spine", "spine", "spine", "neck", "head"], "{what}");
 }
 
-/// Up, forward and left, and the paper's axes for every bone, mirrored ones with the third turned round.
+/// Expects the given up and forward, and the paper's axes for every bone; for mirrored bones the third axis is
+/// reversed.
 fn expect_axes(measured: &Measurement, up: DVec3, forward: DVec3, mirrored: bool, what: &str) {
     let near = |a: DVec3, b: DVec3| a.distance(b) < 1e-5;
     assert!(near(measured.up, up), "{what}: up {}", measured.up);
@@ -89,7 +90,7 @@ fn any_facing_any_up_any_scale_named_or_nameless() {
     }
 }
 
-/// Adds a node that shows a rigid mesh with these points; returns its index.
+/// Adds a node with a rigid mesh of these points; returns its index.
 fn rigid_part(json: &mut Value, points: &[[f32; 3]]) -> usize {
     let bytes = bytes_of(points.as_flattened());
     let add = |json: &mut Value, key: &str, item: Value| {
@@ -108,7 +109,7 @@ fn rigid_part(json: &mut Value, points: &[[f32; 3]]) -> usize {
     add(json, "nodes", json!({ "mesh": mesh }))
 }
 
-/// Leaves of the skin no more than two points of a hand.
+/// Reduces the skin to two points of a hand.
 fn skin_of_a_hand(json: &mut Value) {
     let hand = rigid_part(json, &[[0.4, 1.0, 0.0], [0.5, 1.1, 0.0]]);
     let nodes = json["nodes"].as_array_mut().unwrap();
@@ -166,7 +167,7 @@ fn under_a_mirrored_root_the_body_decides_and_the_names_are_told_to_contradict()
 
 #[test]
 fn joints_that_mirror_front_to_back_do_not_make_them_the_sides() {
-    // A nameless figure: a column along z, alike to both ends, and one leg on its left with a toe ahead.
+    // A nameless figure: a column along z with equal ends, and one leg on its left with a toe ahead.
     let column: Vec<Value> = (0..9)
         .map(|at| json!({ "translation": [0.0, if at == 0 { 1.0 } else { 0.0 }, if at == 0 { -1.0 } else { 0.25 }], "children": [at + 1] }))
         .collect();
@@ -203,7 +204,7 @@ fn what_is_stated_overrules_every_clue() {
     assert!(!names.agrees, "{:?}", measured.evidence);
     let measured = stated(Some(DVec3::Z), Some(DVec3::new(0.0, 2.0, 5.0)));
     assert_eq!((measured.up, measured.forward), (DVec3::Z, DVec3::Y));
-    // Without direction nothing is stated.
+    // A statement without a direction is ignored.
     for nothing in [DVec3::ZERO, DVec3::NAN, DVec3::Y] {
         let measured = stated(None, Some(nothing));
         assert_eq!(measured.forward, DVec3::Z, "{nothing}");
@@ -224,8 +225,8 @@ fn names_of_sides_that_are_exchanged_do_not_turn_the_character_round() {
     expect_axes(&measured, DVec3::Y, DVec3::Z, false, "exchanged");
 }
 
-/// What it is called; the names of hips, spine, spine1, spine2, spine3, neck and head; patterns for eye, clavicle, upper
-/// arm, lower arm, hand, upper leg, lower leg, foot and toes with `*` for the side; the two sides.
+/// Name of the tradition; names of hips, spine, spine1, spine2, spine3, neck and head; patterns, with `*` for the side,
+/// of eye, clavicle, upper arm, lower arm, hand, upper leg, lower leg, foot and toes; and the two sides.
 type Tradition = (&'static str, [&'static str; 7], [&'static str; 9], [&'static str; 2]);
 
 const TRADITIONS: &[Tradition] = &[
@@ -469,7 +470,7 @@ fn numbers_that_run_the_other_way_and_a_head_called_neck() {
                 },
             })
         });
-        // Names exchanged on the right, so that the deeper joint comes first among namesakes.
+        // Names are exchanged on the right, so that the deeper joint comes first among namesakes.
         for node in json["nodes"].as_array_mut().unwrap() {
             if node["name"] == "right_clavicle" {
                 node["name"] = "arm_joint_R__0_".into();
@@ -517,7 +518,7 @@ fn every_tradition_of_names() {
 
 #[test]
 fn a_rest_pose_that_is_not_the_bind_pose_is_told_by_how_much() {
-    // The head of a common robot is turned by 173° in its rest pose.
+    // The head of a widely used robot model is turned by 173° in its rest pose.
     let document = changed(|json| {
         let head = json["nodes"].as_array_mut().unwrap().iter_mut().find(|node| node["name"] == "head").unwrap();
         let rest = DQuat::from_slice(&[0, 1, 2, 3].map(|i| head["rotation"][i].as_f64().unwrap()));
@@ -562,7 +563,7 @@ fn without_any_clue_the_formats_word_is_taken_and_not_trusted() {
 
 #[test]
 fn large_and_hostile_trees_take_no_longer_than_their_size() {
-    // Limbs without number on a long column, all alike and all of one name.
+    // A thousand limbs on a long column, all with the same shape and name.
     let mut nodes: Vec<Value> = (0..1000)
         .map(|at| json!({ "name": format!("arm_l.{at}"), "children": [at + 1], "translation": [0.0, 0.01, 0.0] }))
         .collect();
@@ -591,7 +592,7 @@ fn nameless_bones_of_a_tree_that_hangs_collarbones_on_the_neck() {
             let collar = at(nodes, &format!("{side}_clavicle"));
             nodes[chest]["children"].as_array_mut().unwrap().retain(|child| *child != collar);
             nodes[neck]["children"].as_array_mut().unwrap().push(collar.into());
-            // In the paper's axes the first number is the height: from the neck's joint on.
+            // In the paper's axes the first component is the height, here relative to the neck's joint.
             nodes[collar]["translation"] = json!([-0.01, 0.0, nodes[collar]["translation"][2]]);
         }
         rename(json, |_| None);

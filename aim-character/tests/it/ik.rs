@@ -1,4 +1,4 @@
-//! The solvers beside the aim solvers turn the mannequin the same way in the world, whatever axes its bones have.
+//! Solvers other than the aim solvers turn the mannequin in the same way in the world, whatever axes its bones have.
 
 use aim_animation::{Skeleton, Transform};
 use aim_character::{PAPER_AXES, mannequin};
@@ -10,7 +10,7 @@ use aim_runtime::ik::{
     OneBoneStatus, Roll, TwoBone, TwoBoneStatus, grid,
 };
 
-/// The mannequin's bones in the model.
+/// The mannequin and the transforms of its bones in model space.
 struct Character {
     document: Document,
     axes: Axes,
@@ -45,7 +45,7 @@ impl Character {
         self.skeleton.to_model(local, &mut self.world).unwrap();
     }
 
-    /// Turns bones in the world, each by its own turn, with all that hangs on them.
+    /// Turns bones and their descendants in world space, each bone by its own rotation.
     fn turn(&mut self, bones: &[usize], turns: &[Quat]) {
         let mut before = Quat::IDENTITY;
         for (&bone, turn) in bones.iter().zip(turns) {
@@ -57,14 +57,15 @@ impl Character {
         }
     }
 
-    /// Where every vertex is: world ← mesh.
+    /// Returns the skinning matrices, world ← mesh, which determine the position of every vertex.
     fn picture(&self) -> Vec<Affine3A> {
         let nodes = self.document.skeleton().nodes().iter().zip(&self.world);
         nodes.filter_map(|(node, world)| Some(*world * node.inverse_bind?.as_affine3a())).collect()
     }
 }
 
-/// An arm on a point, the other by the whole chain, the head on a target, the eye on it exactly.
+/// Solves one arm for a point by two bones, the other by CCD over the whole chain, the head for a target, and the eye
+/// exactly.
 fn solved(axes: [[f32; 3]; 3]) -> Vec<Affine3A> {
     let mut character = Character::new(axes, 0.31);
     let arm = ["right_upper_arm", "right_lower_arm", "right_hand"].map(|name| character.bone(name));
@@ -103,7 +104,7 @@ fn solved(axes: [[f32; 3]; 3]) -> Vec<Affine3A> {
     character.picture()
 }
 
-/// Neck and head blended of six poses.
+/// Blends neck and head from six poses.
 fn blended(axes: [[f32; 3]; 3]) -> Vec<Affine3A> {
     let mut character = Character::new(axes, 0.31);
     let [neck, head] = ["neck", "head"].map(|name| character.bone(name));

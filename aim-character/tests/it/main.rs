@@ -1,4 +1,4 @@
-//! Characters measured, declarations proposed for them, rigs interpreted on them, hands led.
+//! Tests of measurement, proposed declarations, interpreted rigs, and limbs led through points.
 
 mod bodies;
 mod declaration;
@@ -16,7 +16,7 @@ mod storage;
 mod support;
 mod traditions;
 
-/// The bundled rigs, as their users may copy them.
+/// The bundled rigs, as files that users may copy.
 const RIGS: [(&str, &str); 8] = [
     ("mannequin", include_str!("../../../rigs/mannequin.toml")),
     ("mixamo", include_str!("../../../rigs/mixamo.toml")),
@@ -28,12 +28,12 @@ const RIGS: [(&str, &str); 8] = [
     ("vrm", include_str!("../../../rigs/vrm.toml")),
 ];
 
-/// True where tests of many cases take all of them, and not just the part that `cargo test` takes by itself.
+/// Returns `true` if tests with many cases run all of them, rather than the part that plain `cargo test` runs.
 fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
-/// All 48 (up, forward, left) triples of signed axes, 24 of each handedness.
+/// Returns all 48 (up, forward, left) triples of signed axes, 24 of each handedness.
 fn conventions() -> Vec<[[f32; 3]; 3]> {
     let mut out = Vec::new();
     for (u, f, l) in [(0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2)] {

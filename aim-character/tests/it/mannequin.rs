@@ -1,4 +1,4 @@
-//! The mannequin: one picture in the world, whatever axes its bones have.
+//! The mannequin looks the same in the world, whatever axes its bones have.
 
 use aim_character::{Handedness, Measurement, PAPER_AXES, Role, mannequin};
 use aim_gltf::Document;
@@ -8,7 +8,7 @@ fn built(axes: [[f32; 3]; 3]) -> Document {
     Document::from_bytes(&mannequin(|_| axes).unwrap()).unwrap()
 }
 
-/// The skinning matrices (world ← mesh) of all joints: what decides where every vertex is.
+/// Returns the skinning matrices (world ← mesh) of all joints, which determine the position of every vertex.
 fn skinning(document: &Document, seconds: f32) -> Vec<DAffine3> {
     let skeleton = document.skeleton();
     let world = skeleton.world_f64(&skeleton.pose(&document.clips()[0], seconds));
@@ -30,7 +30,7 @@ fn every_convention_gives_the_same_world() {
                 assert!(a.abs_diff_eq(b, 2e-6), "{axes:?} at {seconds}: {a:?} {b:?}");
             }
         }
-        // The vertices come first in the file and never depend on the bones.
+        // The vertices come first in the file and do not depend on the bones.
         let (_, other) = crate::support::take_apart(&mannequin(|_| axes).unwrap());
         assert_eq!(vertices[..600_000], other[..600_000], "{axes:?}");
     }

@@ -1,5 +1,5 @@
-//! The mannequin with other axes in every bone: measured exactly, and aimed as it was measured with one result in the
-//! world.
+//! The mannequin with different axes in every bone: measured exactly, and aimed with the measured axes to the same
+//! result in the world.
 
 use std::thread;
 
@@ -11,7 +11,8 @@ use aim_runtime::{DynAim, Settings};
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
-/// As many as take a second, or a minute in full (`.ci/run`); the most where code is optimised (`.ci/thorough`).
+/// Number of mixes: about a second's work, or a minute's in full (`.ci/run`); the most in optimised builds
+/// (`.ci/thorough`).
 fn mixes() -> u64 {
     match (cfg!(debug_assertions), crate::in_full()) {
         (false, _) => 10_000,
@@ -20,10 +21,10 @@ fn mixes() -> u64 {
     }
 }
 
-/// Each joint's place, up, forward and left in the world.
+/// Position, up, forward and left of each joint in world space.
 type Seen = [[DVec3; 4]; 3];
 
-/// One mix: bones of random axes.
+/// Measures and aims one mannequin with random axes in every bone.
 fn mixed(seed: u64, frames: &[Frame]) -> Seen {
     let frame_of = |bone: &str| {
         let bone = bone.bytes().fold(seed, |hash, byte| hash.wrapping_mul(31).wrapping_add(byte.into()));
@@ -46,7 +47,7 @@ fn mixed(seed: u64, frames: &[Frame]) -> Seen {
     aimed(&document, &measurement)
 }
 
-/// The bind pose snapped to a target by eye, neck and spine in the axes that were measured.
+/// Snaps the bind pose to a target with eye, neck and spine, using the measured axes.
 fn aimed(document: &Document, measurement: &Measurement) -> Seen {
     let mut spec: RigSpec = declare::from_toml("mannequin.toml", RIG).expect("the rig is right");
     let bones = spec.joints.iter().map(|joint| document.skeleton().find(&joint.bones[0]).expect("the bone is there"));

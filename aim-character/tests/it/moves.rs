@@ -1,4 +1,4 @@
-//! What the mannequin does, judged by forward kinematics of the written file: soles on the ground, loops, arms and head.
+//! The mannequin's clips, checked by forward kinematics of the written file: soles on the ground, loops, arms and head.
 
 use aim_character::{Mannequin, Measurement, PAPER_AXES, Role, Vrm, propose};
 use aim_gltf::{Document, LookAt, LookAtKind};
@@ -8,7 +8,7 @@ fn built(file: Mannequin) -> Document {
     Document::from_bytes(&file.glb(|_| PAPER_AXES).unwrap()).unwrap()
 }
 
-/// The clips, and where the figure is after each: forward in metres, and to the left in quarter turns.
+/// The clips, and the pose of the figure after each: metres forward, and quarter turns to the left.
 const MOVES: [(&str, f64, f64); 6] = [
     ("walk_ahead", 1.2, 0.0),
     ("walk_circle", 0.0, 0.0),
@@ -18,7 +18,7 @@ const MOVES: [(&str, f64, f64); 6] = [
     ("wave", 0.0, 0.0),
 ];
 
-/// Each joint in the world at a time, and what leads there from the bind pose.
+/// Returns each joint's world transform at a time, and its transform from the bind pose.
 fn posed(document: &Document, clip: &str, seconds: f32) -> (Vec<DAffine3>, Vec<DAffine3>) {
     let skeleton = document.skeleton();
     let world = skeleton.world_f64(&skeleton.pose(document.clip(clip).unwrap(), seconds));
@@ -39,7 +39,7 @@ fn frames(document: &Document, clip: &str, rate: f32) -> Vec<(f32, Vec<DAffine3>
         .collect()
 }
 
-/// Heel, ball and tip of both soles, by the bones that carry them.
+/// Returns heel, ball and tip of both soles, moved by the bones that carry them.
 fn soles(document: &Document, moved: &[DAffine3]) -> [[DVec3; 3]; 2] {
     [("left", 1.0), ("right", -1.0)].map(|(side, sign)| {
         let bone = |name: &str| moved[document.skeleton().find(&format!("{side}_{name}")).unwrap()];
@@ -48,14 +48,15 @@ fn soles(document: &Document, moved: &[DAffine3]) -> [[DVec3; 3]; 2] {
     })
 }
 
-/// Four samples a key: no sole in the ground, none that slides on it, and never both feet up but in a run and a jump.
+/// Checks at four samples per key that no sole is below the ground or slides on it, and that both feet are up only in a
+/// run and a jump.
 #[test]
 fn feet_stay_where_they_stand() {
     let document = built(Mannequin::new().with_moves());
     for (name, ..) in MOVES {
         let frames = frames(&document, name, 240.0);
         let (mut lowest, mut slid, mut flown, mut stood) = (f64::INFINITY, 0.0_f64, 0.0_f64, [0.0_f64; 2]);
-        // Where each point came down, while it is down.
+        // Position at which each point came down, while it is down.
         let mut down: [[Option<DVec3>; 3]; 2] = Default::default();
         for (_, _, moved) in &frames {
             let soles = soles(&document, moved);
@@ -84,8 +85,8 @@ fn feet_stay_where_they_stand() {
     }
 }
 
-/// The end goes over into the beginning, moved along: in place, and without a jump in speed larger than what any two keys of
-/// the clip have.
+/// The end continues into the beginning after the clip's movement: in position, and with no larger jump in speed than
+/// between any two keys of the clip.
 #[test]
 fn they_are_loops() {
     let document = built(Mannequin::new().with_moves());
@@ -110,7 +111,8 @@ fn they_are_loops() {
     }
 }
 
-/// The hand of a side goes back while the foot of that side goes ahead; the head is up and looks ahead of the hips.
+/// The hand on a side moves back while the foot on that side moves forward. The head is upright and faces ahead of the
+/// hips.
 #[test]
 fn arms_swing_against_the_legs_and_the_head_is_up() {
     let document = built(Mannequin::new().with_moves());
@@ -146,7 +148,8 @@ fn arms_swing_against_the_legs_and_the_head_is_up() {
     }
 }
 
-/// Both versions of VRM: what is drawn is the same, but that version 0 faces the other way, and all of it is found again.
+/// Both versions of VRM look the same, except that version 0 faces the other way, and all bones and eyes are
+/// recognised.
 #[test]
 fn as_vrm_files() {
     let plain = built(Mannequin::new().with_moves());
@@ -156,7 +159,7 @@ fn as_vrm_files() {
         for (clip, seconds) in [("walk", 0.3), ("run", 0.2), ("wave", 1.0), ("turn", 0.9)] {
             let (_, expected) = posed(&plain, clip, seconds);
             let (_, found) = posed(&document, clip, seconds);
-            // The mesh faces the other way, too.
+            // The mesh also faces the other way.
             for (joint, (expected, found)) in expected.iter().zip(&found).enumerate().take(25) {
                 assert!((*found * scene).abs_diff_eq(scene * *expected, 2e-6), "{version:?} {clip} joint {joint}");
             }
@@ -179,9 +182,9 @@ fn as_vrm_files() {
         assert!(LookAt::doubts(&document).is_empty());
         assert_eq!([look.horizontal_outer.apply(20.0), look.vertical_up.apply(40.0)], [20.0, 25.0]);
         let spec = propose(&document, &measured, None).unwrap().spec;
-        // An eye, the head, the neck, and of the spine what VRM has names for.
+        // An eye, the head, the neck, and the bones of the spine that VRM has names for.
         assert_eq!(spec.joints.len(), 6, "{version:?}");
-        // Arms level at rest.
+        // The arms are level in the rest pose.
         let skeleton = document.skeleton();
         let rest = skeleton.world_f64(skeleton.rest());
         let hand = |side: &str| rest[skeleton.find(&format!("{side}_hand")).unwrap()].translation;
@@ -190,8 +193,8 @@ fn as_vrm_files() {
     }
 }
 
-/// The first clip of its file: on the spot, a loop without a jump in speed, walking at its ends and running in its middle, and the
-/// other clips are as they are without it.
+/// The first clip of its file: a loop on the spot without a jump in speed, walking at its ends and running in its
+/// middle. The other clips are the same as without it.
 #[test]
 fn it_walks_and_runs_in_step() {
     let (document, plain) =
@@ -207,7 +210,7 @@ fn it_walks_and_runs_in_step() {
     let hips = document.skeleton().find("hips").unwrap();
     let away = frames.iter().map(|(_, world, _)| world[hips].translation.with_y(0.0).length()).fold(0.0, f64::max);
     assert!(away < 0.06, "the hips are {away} m away");
-    // In a run there is a time with no foot on the ground, in a walk one with both.
+    // In a run there are times with no foot on the ground, in a walk times with both.
     let down = |(_, _, moved): &(f32, Vec<DAffine3>, Vec<DAffine3>)| {
         soles(&document, moved).map(|sole| sole.iter().any(|point| point.y < 4e-3))
     };
@@ -221,12 +224,12 @@ fn it_walks_and_runs_in_step() {
     println!("in the air, on both feet: {walk:.2?} walking, {run:.2?} running");
     assert!(walk[0] < 0.01 && walk[1] > 0.15, "it walks: {walk:?}");
     assert!(run[0] > 0.15 && run[1] < 0.01, "it runs: {run:?}");
-    // One foot after the other all the time: the legs stay opposite, whatever the share of the run.
+    // The feet alternate throughout: the legs stay opposite, whatever the share of the run.
     let feet = ["left_foot", "right_foot"].map(|foot| document.skeleton().find(foot).unwrap());
     let apart: Vec<f64> = frames.iter().map(|(_, w, _)| (w[feet[0]].translation - w[feet[1]].translation).z).collect();
     let steps: Vec<usize> = (1..apart.len()).filter(|&k| apart[k - 1] * apart[k] < 0.0).collect();
     let longest = steps.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap();
     let shortest = steps.windows(2).map(|pair| pair[1] - pair[0]).min().unwrap();
-    // 1.1 s and 0.7 s for two steps, stretched by what makes the cycles whole.
+    // 1.1 s and 0.7 s for two steps, stretched to a whole number of cycles.
     assert!(longest <= 37 && shortest >= 18, "steps take {shortest} to {longest} frames");
 }

@@ -1,4 +1,4 @@
-//! A name decides nothing: with every field and bone called otherwise, a rig moves by the very same bits.
+//! Names do not influence a rig: with every field and bone renamed, its motion is the same bit by bit.
 
 use aim_character::InterpretedRig;
 use aim_codegen::{JointSpec, RigSpec, Role, declare};
@@ -9,9 +9,9 @@ use crate::RIGS;
 
 const FRAME_S: f32 = 1.0 / 60.0;
 const FRAMES: u16 = 300;
-/// The solver that a call leaves open is the rig's choice, which is by role.
+/// `None` leaves the solver to the rig, which chooses by role.
 const SOLVERS: [Option<Solver>; 4] = [None, Some(Solver::Natural), Some(Solver::Exact), Some(Solver::Ascent)];
-/// Names for joints, from the effector inward: other parts of the body, all of them one part, no part at all.
+/// Other names for joints, from the effector inward: names of other parts of the body, of eyes only, and of no part.
 const OTHER_NAMES: [[&str; 4]; 4] = [
     ["tail", "left_eye", "head", "neck"],
     ["chest", "right_eye", "neck", "left_eye"],
@@ -19,7 +19,7 @@ const OTHER_NAMES: [[&str; 4]; 4] = [
     ["joint_a", "joint_b", "joint_c", "joint_d"],
 ];
 
-/// A declaration with its joints and their bones, and the other eye's, called by these names.
+/// Renames the joints of a declaration, their bones and the other eye.
 fn renamed(declaration: &str, names: &[&str]) -> String {
     let mut joints = names.iter();
     let mut name = "Tail";
@@ -36,7 +36,7 @@ fn renamed(declaration: &str, names: &[&str]) -> String {
     declaration.lines().map(rename).collect::<Vec<_>>().join("\n")
 }
 
-/// A declaration that tells no joint's role.
+/// Removes the roles from a declaration.
 fn without_roles(declaration: &str) -> String {
     declaration.lines().filter(|line| !line.starts_with("role = ")).collect::<Vec<_>>().join("\n")
 }
@@ -45,7 +45,7 @@ fn declared(declaration: &str) -> RigSpec {
     declare::from_toml("a rig", declaration).unwrap_or_else(|errors| panic!("{}", errors.render()))
 }
 
-/// All that a frame gives, floats as bits.
+/// The result of a frame, with floats as bits.
 #[derive(Debug, PartialEq)]
 struct Frame {
     angles: Vec<[u32; 2]>,
@@ -71,7 +71,7 @@ impl Frame {
     }
 }
 
-/// Five seconds of a swaying character with a target that orbits it, leaps, and goes behind.
+/// Runs five seconds of a swaying character with a target that orbits it, jumps, and passes behind it.
 fn motion(spec: &RigSpec, solver: Option<Solver>) -> Vec<Frame> {
     let mut settings = Settings::default();
     settings.solver = solver;
@@ -93,7 +93,7 @@ fn motion(spec: &RigSpec, solver: Option<Solver>) -> Vec<Frame> {
     (0..FRAMES).map(&mut frame).collect()
 }
 
-/// The joints one below the other, +Y up and facing +Z, each swaying in its own way; still at 0 s.
+/// Returns the joints one above the other, with +Y up and facing +Z, each swaying in its own way; at rest at 0 s.
 fn standing(spec: &RigSpec, t: f32) -> Vec<Affine3A> {
     let place = |(height, joint): (f32, &JointSpec)| {
         let [up, forward, left] = [joint.frame.up, joint.frame.forward, joint.frame.left].map(axis);
@@ -123,7 +123,7 @@ fn renaming_every_field_and_bone_of_every_bundled_rig_changes_no_bit_of_its_moti
                 assert!(moves > 200, "{rig}: moves in {moves} of {FRAMES} frames");
             }
             let own: Vec<&str> = spec.joints.iter().map(|joint| &joint.name[..]).collect();
-            // Each joint called as the next one is, too.
+            // Also name each joint like the next one.
             let swapped: Vec<&str> = own.iter().cycle().skip(1).take(own.len()).copied().collect();
             for names in OTHER_NAMES.iter().map(|names| &names[..own.len()]).chain([&swapped[..]]) {
                 let other = declared(&renamed(&declaration, names));

@@ -1,4 +1,4 @@
-//! A led hand is led the same way in the world, whatever axes the bones have.
+//! A hand is led in the same way in the world, whatever axes the bones have.
 
 use aim_character::{Goal, LimbNodes, PAPER_AXES, ReachPlan, mannequin, reach};
 use aim_gltf::Document;
@@ -7,7 +7,7 @@ use aim_runtime::glam::{DAffine3, DVec3};
 const GOALS: [Goal; 2] =
     [Goal { at: 0.31, target: DVec3::new(-0.35, 1.2, 0.25) }, Goal { at: 0.9, target: DVec3::new(-0.3, 1.05, 0.25) }];
 
-/// The skinning matrices (world ← mesh) of all joints in some frames of the reached clip.
+/// Returns the skinning matrices (world ← mesh) of all joints in some frames of the resulting clip.
 fn skinning(axes: impl Fn(&str) -> [[f32; 3]; 3]) -> Vec<DAffine3> {
     let document = Document::from_bytes(&mannequin(axes).unwrap()).unwrap();
     let skeleton = document.skeleton();

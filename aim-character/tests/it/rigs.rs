@@ -1,4 +1,4 @@
-//! Real characters, measured: those of the folder that `AIM_RIGS` names. Run by
+//! Measurements of real characters, in the folder that `AIM_RIGS` names. Run with
 //! `AIM_RIGS=folder cargo test -p aim-gltf -- --ignored`.
 
 use std::path::PathBuf;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use aim_character::{MeasuredPose, Measurement, Role};
 use aim_gltf::Document;
 
-/// The file and its measurement.
+/// Loads a file and measures it.
 fn measured(file: &str) -> (Document, Measurement) {
     let document = Document::load(path(file)).unwrap();
     let measured = Measurement::of(&document);
@@ -17,7 +17,7 @@ fn path(file: &str) -> PathBuf {
     let folder = std::env::var_os("AIM_RIGS").expect("AIM_RIGS names a folder of real characters");
     let mut path = PathBuf::from(folder);
     if path.is_relative() {
-        // Relative to the repository, as the command that sets it sees it; tests run in the crate's folder.
+        // Relative to the repository, where the command runs that sets it; tests run in the crate's folder.
         path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(path);
     }
     path.join(file)
@@ -33,7 +33,7 @@ fn names_and_roots_may_be_lost_and_the_body_still_tells() {
         let (json, bin) = crate::support::take_apart(&std::fs::read(&file).unwrap());
         let whole_document = Document::load(&file).unwrap();
         let whole = Measurement::of(&whole_document);
-        // By the index in the file: with another root the bones are counted otherwise.
+        // Compare indices in the file, because the skeleton's order changes with another root.
         let head = |measured: &Measurement, document: &Document| {
             measured.with_role(Role::Head).and_then(|bone| document.skeleton().nodes()[bone.node].index)
         };
@@ -63,11 +63,11 @@ fn names_and_roots_may_be_lost_and_the_body_still_tells() {
     }
 }
 
-/// A bone's name, its axes, and by how many degrees its up, forward and left are off them.
+/// Name of a bone, its axes, and the deviations of its up, forward and left from them, degrees.
 type Expected = (&'static str, &'static str, [f64; 3]);
 
-/// Up, forward and left of bones in the rest pose, degrees off the axes, as an independent script measures them
-/// from the same nodes to a tenth of a degree.
+/// Axes and deviations of bones in the rest pose, as measured by an independent script from the same nodes, to a tenth
+/// of a degree.
 const REST: &[(&str, &[Expected])] = &[
     (
         "dude.glb",
@@ -184,7 +184,7 @@ fn everyone_faces_where_it_faces_and_all_roles_are_found() {
     for (file, forward, (hips, spine, neck, head)) in files {
         let (_, measured) = measured(file);
         assert_eq!(measured.up, DVec3::Y, "{file}");
-        // The thug's chest is turned by 4° against its hips.
+        // The thug's chest is turned by 4° relative to its hips.
         assert!(measured.forward.dot(forward) > 0.997, "{file}: {} by {:?}", measured.forward, measured.evidence);
         let of = |role: Role| {
             let mut names: Vec<&str> =
@@ -201,7 +201,7 @@ fn everyone_faces_where_it_faces_and_all_roles_are_found() {
 fn expect(file: &(Document, Measurement), bone: &str, axes: &str, deviation_deg: f64) {
     let bone = file.1.bone(file.0.skeleton().find(bone).unwrap()).unwrap();
     assert_eq!(format!("{} {} {}", bone.up, bone.forward, bone.left), axes, "{}", bone.name);
-    // What is compared here are numbers of the bind pose as this project measures it.
+    // The numbers compared here are this project's own measurements of the bind pose.
     assert!(
         (bone.deviation_deg - deviation_deg).abs() < 1.0,
         "{}: {} instead of {deviation_deg}",

@@ -1,4 +1,4 @@
-//! Clips made loops, judged by forward kinematics of what is written: places and speeds of every node over the seam.
+//! Mended loops, checked by forward kinematics of the written file: positions and speeds of every node across the seam.
 
 use aim_animation::{Clip, Track};
 use aim_character::{Mannequin, Measurement, PAPER_AXES, mended_loop};
@@ -9,12 +9,12 @@ fn mannequin() -> Document {
     Document::from_bytes(&Mannequin::new().with_moves().glb(|_| PAPER_AXES).unwrap()).unwrap()
 }
 
-/// All nodes in the world.
+/// Returns the world transforms of all nodes.
 fn world(document: &Document, clip: &Clip, seconds: f32) -> Vec<DAffine3> {
     document.skeleton().world_f64(&document.skeleton().pose(clip, seconds))
 }
 
-/// A round of the hips in a clip: their way over the ground and their turn about the vertical.
+/// Returns the travel of the hips over a clip: displacement on the ground and rotation about the vertical.
 fn along(document: &Document, clip: &Clip) -> DAffine3 {
     let hips = document.skeleton().find("hips").unwrap();
     let [begin, end] = [0.0, clip.length_s()].map(|t| world(document, clip, t)[hips]);
@@ -27,7 +27,8 @@ fn along(document: &Document, clip: &Clip) -> DAffine3 {
     DAffine3::from_rotation_translation(turn, way.with_y(0.0))
 }
 
-/// The largest jumps of a node over the seam, where the next round goes on `along`: in place, and in speed, by one-sided differences.
+/// Returns the largest jumps of any node across the seam, in position and in speed (by one-sided differences), if the
+/// next cycle is displaced by `along`.
 fn jumps(document: &Document, clip: &Clip, along: DAffine3) -> [f64; 2] {
     let (length, h) = (clip.length_s(), 4e-3_f32);
     let at = |times: [f32; 3]| times.map(|time| world(document, clip, time));
@@ -41,7 +42,7 @@ fn jumps(document: &Document, clip: &Clip, along: DAffine3) -> [f64; 2] {
         let before: DVec3 = speed(&end, node, -1.0);
         [place, before.distance(along.transform_vector3(speed(&start, node, 1.0)))]
     };
-    // What is no bone stays behind.
+    // Nodes that are not bones do not travel.
     let hips = document.skeleton().find("hips").unwrap();
     document
         .skeleton()
@@ -50,7 +51,7 @@ fn jumps(document: &Document, clip: &Clip, along: DAffine3) -> [f64; 2] {
         .fold([0.0; 2], |most, jump| [most[0].max(jump[0]), most[1].max(jump[1])])
 }
 
-/// The mannequin's clips are loops already, but for their way: they are left as they are.
+/// The mannequin's clips are already loops, apart from their travel: they are not changed.
 #[test]
 fn what_closes_is_left_alone() {
     let document = mannequin();
@@ -60,7 +61,7 @@ fn what_closes_is_left_alone() {
     }
 }
 
-/// Pieces of clips that are no loops, on the spot, ahead and round a corner, written and read again.
+/// Pieces of clips that are not loops, on the spot, straight ahead and round a bend, written and read again.
 #[test]
 fn what_jumps_is_mended_in_place_and_speed() {
     let document = mannequin();
@@ -84,9 +85,9 @@ fn what_jumps_is_mended_in_place_and_speed() {
         println!("{name} {from}…{to}: {before:.3?} before, {after:?} after");
         assert!(before[0] > 0.05 && before[1] > 0.3, "{name}: {before:?}");
         assert!(after[0] < 1e-4, "{name}: {} m over the seam", after[0]);
-        // Of differences: their own error is that of the third derivative.
+        // The tolerance covers the error of the differences, which is of the order of the third derivative.
         assert!(after[1] < 0.02 * before[1] + 0.02, "{name}: {} m/s over the seam", after[1]);
-        // In the middle it is the same, and nowhere did it move by more than the seam was wide.
+        // The middle of the clip is unchanged, and nothing moved by more than the width of the seam.
         let moved = |time: f32| {
             let pairs = world(&document, &clip, time).into_iter().zip(world(&file, written, time));
             pairs.map(|(a, b)| a.translation.distance(b.translation)).fold(0.0_f64, f64::max)
@@ -99,7 +100,8 @@ fn what_jumps_is_mended_in_place_and_speed() {
     }
 }
 
-/// A clip with more samples than a bake has keys, of a stray key perhaps, is refused before it is sampled.
+/// A clip with more samples than a bake may have keys, for example because of a stray key, is rejected before it is
+/// sampled.
 #[test]
 fn what_is_too_long_is_refused() {
     let document = mannequin();

@@ -1,4 +1,5 @@
-//! The clips of real characters reduced and packed: bytes against those of the file, and errors by forward kinematics in f64.
+//! Clips of real characters, reduced and packed: bytes compared with those of the file, and errors by forward
+//! kinematics in `f64`.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -22,13 +23,14 @@ const FILES: [&str; 7] = [
 
 fn path(file: &str) -> PathBuf {
     let folder = PathBuf::from(std::env::var_os("AIM_RIGS").expect("AIM_RIGS names a folder of real characters"));
-    // Relative to the repository, as the command that sets it sees it; tests run in the crate's folder.
+    // Relative to the repository, where the command runs that sets it; tests run in the crate's folder.
     let folder =
         if folder.is_relative() { PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..").join(folder) } else { folder };
     folder.join(file)
 }
 
-/// The bytes of an animation's times and values as floats: a time accessor that channels share counts once.
+/// Returns the bytes of an animation's times and values as floats. A time accessor shared by several channels counts
+/// once.
 fn bytes_in_file(json: &Value, animation: usize) -> usize {
     let animation = &json["animations"][animation];
     let index = |value: &Value| usize::try_from(value.as_u64().unwrap()).unwrap();
@@ -69,7 +71,7 @@ fn world(skeleton: &Skeleton, pose: &[Transform]) -> Vec<DAffine3> {
     world
 }
 
-/// The points that hang rigidly on each bone: its origin, its children's origins at rest, and its length along its axes.
+/// Returns test points fixed to each bone: its origin, its children's origins at rest, and its length along its axes.
 fn points(skeleton: &Skeleton) -> Vec<Vec<DVec3>> {
     let rest = world(skeleton, skeleton.rest());
     let children =
@@ -97,7 +99,7 @@ fn points(skeleton: &Skeleton) -> Vec<Vec<DVec3>> {
         .collect()
 }
 
-/// The largest error at the clip's keys and at eight points between neighbouring ones.
+/// Returns the largest error at the clip's keys and at eight points between neighbouring keys.
 fn error(skeleton: &Skeleton, clip: &Clip, mut sample: impl FnMut(f32, &mut [Transform])) -> f64 {
     let mut times: Vec<f32> = Vec::new();
     for tracks in clip.tracks() {

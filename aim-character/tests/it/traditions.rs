@@ -4,7 +4,7 @@ use aim_character::Measurement;
 use aim_gltf::Document;
 use serde_json::json;
 
-/// The roles of a character whose joints have these names.
+/// Returns the roles of a character whose joints have these names.
 fn roles(names: &[&str]) -> Vec<(String, String)> {
     let mut json = json!({
         "asset": { "version": "2.0" },

@@ -1,4 +1,4 @@
-//! `aim bake`: aims a model over a clip and writes it back.
+//! `aim bake`: aims a model over a clip and writes the result.
 
 use std::io::IsTerminal;
 use std::time::Duration;
@@ -46,7 +46,7 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
     bake(arguments, &document, &measurement, &spec)
 }
 
-/// Aims the document over its clip, with a progress bar on a terminal, and writes what is asked for.
+/// Aims the document over its clip, with a progress bar on a terminal, and writes the requested files.
 pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Measurement, spec: &RigSpec) -> Result {
     let file = &arguments.file;
     let clip = match &arguments.clip {
@@ -182,23 +182,25 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
 }
 
-/// The clip as a loop of this many seconds, and prints what `mend` mended. `None` where it is one.
+/// Returns the clip as a loop of this many seconds, and prints each seam that `mend` mended. `None` if it loops
+/// already.
 ///
-/// Of whole rounds each is mended. Anything else is cut out of the clip, or of its rounds, and mended in turn.
+/// A loop of whole repetitions needs only the clip itself to be mended. Any other length is cut out of the clip,
+/// repeated if it is too short, and the new seam is mended as well.
 fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<MendedLoop>>) -> Result<Option<Clip>> {
     let mended = |piece: &Clip, are_no_loop: &str| -> Result<Option<Clip>> {
         let Some(MendedLoop { clip, seam, .. }) = mend(piece)? else { return Ok(None) };
         files::print(&format!("{are_no_loop}: {}\n", in_words(&seam)))?;
         Ok(Some(clip))
     };
-    // Lengths are rounded: a part of a round that no one sees.
+    // Tolerance for the number of repetitions, because lengths are rounded.
     const NONE: f32 = 1e-4;
     let name = clip.name();
     let rounds = seconds / clip.length_s();
     let has_round = rounds >= 1.0 - NONE;
     let round = if has_round { mended(clip, &format!("{name:?} is no loop"))? } else { None };
     let is_whole = has_round && (rounds - rounds.round()).abs() <= NONE;
-    // Of no length, or for no length.
+    // Nothing can be cut out of a clip without a length, or for no length.
     if is_whole || !(rounds > 0.0 && rounds.is_finite()) {
         return Ok(round);
     }
@@ -206,7 +208,7 @@ fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<M
     Ok(mended(&piece, &format!("{seconds} s of {name:?} are no loop"))?.or(round))
 }
 
-/// The seam that was mended, in words.
+/// Describes the seam that was mended.
 fn in_words(seam: &Seam) -> String {
     let Gap { translation, rotation_rad, .. } = seam.place;
     format!(
@@ -217,7 +219,7 @@ fn in_words(seam: &Seam) -> String {
     )
 }
 
-/// A name for what is aimed over a clip that none of the `known` has.
+/// Returns a name for the result of aiming over `clip`, different from those of the `known` clips.
 fn name_beside(clip: Option<&Clip>, known: &[Clip]) -> String {
     let name = clip.map_or_else(|| "aim".to_owned(), |clip| format!("{}_aimed", clip.name()));
     let is_free = |name: &String| known.iter().all(|clip| clip.name() != name);
@@ -225,7 +227,7 @@ fn name_beside(clip: Option<&Clip>, known: &[Clip]) -> String {
     std::iter::once(name.clone()).chain(numbered).find(is_free).unwrap_or(name)
 }
 
-/// A bar on a terminal, nothing in a pipe.
+/// Returns a progress bar, hidden if standard error is not a terminal.
 fn progress_bar() -> ProgressBar {
     let target =
         if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
@@ -237,7 +239,7 @@ fn progress_bar() -> ProgressBar {
     bar
 }
 
-/// Prints a warning where a rig contradicts the file: what is baked may not be what is meant.
+/// Prints a warning if the given rig contradicts the file, because the result may not be what the user expects.
 fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement: &Measurement) {
     if let Some(rig) = &arguments.rig {
         if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {

@@ -1,7 +1,8 @@
-//! `aim check`: the derived programs against central differences of the objective as it is stated.
+//! `aim check`: compares the derived programs with central differences of the stated objective.
 //!
-//! The objective is evaluated in f64 straight from its statement (effector pushed forward, nothing rewritten), so
-//! rewriting, derivatives, lowering and ordering are all on trial, in f64 and in the f32 that ships.
+//! The objective is evaluated in f64 directly from its statement, which moves the effector through all joints and is
+//! not rewritten. So the comparison tests rewriting, differentiation, lowering and ordering, in f64 and in the f32 of
+//! the emitted code.
 
 use aim_runtime::glam::{DMat3, DQuat};
 use std::path::Path;
@@ -14,8 +15,9 @@ use crate::args;
 use crate::failure::{Failure, Result};
 use crate::files;
 
-/// The largest deviation that passes, relative to the larger of 1 and the expected value.
+/// Largest deviation in f64 that passes, relative to the larger of 1 and the expected magnitude.
 pub(crate) const TOLERANCE_F64: f64 = 1e-7;
+/// Largest deviation in f32 that passes, relative to the larger of 1 and the expected magnitude.
 pub(crate) const TOLERANCE_F32: f64 = 2e-4;
 
 pub(super) fn run(arguments: &args::Check) -> Result {
@@ -39,30 +41,32 @@ pub(super) fn run(arguments: &args::Check) -> Result {
     all_passed(&arguments.rig, &spec, &verdicts)
 }
 
-/// What a program's comparison with central differences found.
+/// Result of comparing a program with central differences.
 pub(crate) struct Verdict {
-    /// What was compared.
+    /// Name of the compared program.
     pub(crate) name: String,
-    /// The largest deviation in f64, relative to the larger of 1 and the expected value.
+    /// Largest deviation in f64, relative to the larger of 1 and the expected magnitude.
     pub(crate) double: f64,
-    /// The same in f32.
+    /// Largest deviation in f32, relative to the larger of 1 and the expected magnitude.
     pub(crate) single: f64,
 }
 
 impl Verdict {
-    /// Whether the deviations are those of rounding.
+    /// Returns `true` if both deviations are within their tolerances.
     pub(crate) fn passed(&self) -> bool {
         self.double <= TOLERANCE_F64 && self.single <= TOLERANCE_F32
     }
 }
 
-/// Compares every program of a rig in so many random poses, the same in every run.
+/// Compares every program of a rig with central differences in `samples` random poses, the same in every run.
 pub(crate) fn verdicts(spec: &RigSpec, kernels: &[Kernel], samples: u32) -> Vec<Verdict> {
     trials(spec, kernels).into_iter().map(|trial| trial.run(samples)).collect()
 }
 
+/// Checks that every program passed.
+///
 /// # Errors
-/// A verdict is that a program is wrong.
+/// A program did not pass; the message names all such programs.
 pub(crate) fn all_passed(rig: &Path, spec: &RigSpec, verdicts: &[Verdict]) -> Result {
     let failed: Vec<&str> = verdicts.iter().filter(|one| !one.passed()).map(|one| one.name.as_str()).collect();
     if failed.is_empty() {
@@ -77,10 +81,11 @@ pub(crate) fn all_passed(rig: &Path, spec: &RigSpec, verdicts: &[Verdict]) -> Re
     )))
 }
 
-/// A program and what it should compute.
+/// A program, and the statement of what it should compute.
 struct Trial<'a> {
     name: String,
     statement: Statement,
+    /// Number of links among the inputs.
     links: usize,
     program: &'a Program,
 }
@@ -124,7 +129,7 @@ impl Trial<'_> {
         worst
     }
 
-    /// The values, then their derivatives by central differences of sixth order.
+    /// Returns the values, then their derivatives by central differences of sixth order.
     fn expected(&self, at: &Bindings) -> Vec<f64> {
         const STEP: f64 = 2e-3;
         let Statement { graph, values, angles } = &self.statement;
@@ -135,6 +140,7 @@ impl Trial<'_> {
                     expected.push(0.0);
                     continue;
                 }
+                // f′ ≈ (45 (f₁ − f₋₁) − 9 (f₂ − f₋₂) + (f₃ − f₋₃)) / 60 h, where fₖ is the value k steps of h away.
                 let moved = |steps: f64| graph.evaluate(value, &at.moved(graph, angle, steps * STEP));
                 let weighted = |steps: f64, weight: f64| weight * (moved(steps) - moved(-steps));
                 let sum = weighted(1.0, 45.0) + weighted(2.0, -9.0) + weighted(3.0, 1.0);
@@ -144,7 +150,8 @@ impl Trial<'_> {
         expected
     }
 
-    /// A random pose whose target is at a distance and not behind, where single precision means something.
+    /// Returns a random pose in which single precision is meaningful: the target is at a distance from the effector and
+    /// not behind it.
     fn pose(&self, random: &mut Random) -> Bindings {
         let Statement { graph, values, angles } = &self.statement;
         loop {
@@ -158,7 +165,7 @@ impl Trial<'_> {
             let angles: Vec<(Angle, f64)> =
                 angles.iter().filter_map(|&(angle, range)| Some((angle, random.in_range(range?)))).collect();
             let bindings = Bindings::new(graph, &given, &angles);
-            // Links reach half a metre each way at most.
+            // Each component of a link's offset is at most 0.5, so a link is at most 0.87 long.
             let reach = 0.9 * f64::from(u32::try_from(self.links).unwrap_or(u32::MAX));
             let distance = target.iter().map(|c| c * c).sum::<f64>().sqrt();
             let moderate = values.iter().all(|&v| graph.evaluate(v, &bindings).abs() < 3.0);
@@ -169,7 +176,7 @@ impl Trial<'_> {
     }
 }
 
-/// Makes a subtraction of the `which`-th addition of each program (or the other way round).
+/// Turns the `which`-th addition of each program into a subtraction, or vice versa. Counts from 0 and wraps around.
 fn flip_signs(kernels: &mut [Kernel], which: usize) {
     for Kernel { program, .. } in kernels {
         let sums: Vec<usize> = program
@@ -185,7 +192,7 @@ fn flip_signs(kernels: &mut [Kernel], which: usize) {
     }
 }
 
-/// Seeded poses: the same in every run.
+/// Random values from a seeded generator, so that every run has the same poses.
 struct Random(fastrand::Rng);
 
 impl Random {
@@ -200,7 +207,7 @@ impl Random {
         }
     }
 
-    /// A rotation's nine numbers, row by row.
+    /// Returns the nine numbers of a random rotation matrix, column by column.
     fn rotation(&mut self) -> [f64; 9] {
         let q = DQuat::from_xyzw(self.within(1.0), self.within(1.0), self.within(1.0), self.within(1.0));
         let q = if q.length_squared() > 0.01 { q.normalize() } else { DQuat::IDENTITY };

@@ -1,4 +1,4 @@
-//! `aim check FILE --rig RIG.toml`: whether a declaration and a model agree, in words.
+//! `aim check FILE --rig RIG.toml`: checks whether a declaration and a model agree.
 
 use std::path::Path;
 
@@ -37,7 +37,7 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
     files::print(&out)
 }
 
-/// A line for each joint that carries arms, and whether the rig holds them.
+/// Returns a line for each joint that carries arms, which says whether the rig holds them.
 fn about_limbs(spec: &RigSpec, document: &Document, measurement: &Measurement) -> String {
     let skeleton = document.skeleton();
     let Ok(chain) = chain_nodes(spec, skeleton) else { return String::new() };

@@ -1,4 +1,4 @@
-//! `aim clip`: tells what clips cost, and writes them smaller, as loops, or in place.
+//! `aim clip`: reports the size of clips, and writes them smaller, as loops, or in place.
 
 use aim_animation::{Clip, Motion};
 use aim_character::{Measurement, in_place, mended_loop, root_path};
@@ -14,7 +14,7 @@ use crate::html::{self, ClipPage, ClipTakes};
 use crate::outputs::{Outputs, Targets};
 use crate::reduction::{Kept, Millimetres, WrittenError, millimetre, reduced};
 
-/// The tolerance of what is told of clips that are not to be changed.
+/// Tolerance of the reduction that is proposed if no change is requested.
 const PREVIEW: Millimetres = Millimetres(1.0);
 
 pub(super) fn run(arguments: &args::Clip) -> Result {
@@ -99,7 +99,8 @@ pub(super) fn run(arguments: &args::Clip) -> Result {
     Ok(())
 }
 
-/// The clips that are asked for, in the file's order; of several of one name the first.
+/// Returns the requested clips in the file's order. Of several clips with one name, it returns the first and prints a
+/// warning.
 fn chosen<'d>(arguments: &args::Clip, document: &'d Document) -> Result<Vec<&'d Clip>> {
     for name in &arguments.clip {
         document.clip(name).map_err(Failure::of(&arguments.file))?;
@@ -120,6 +121,7 @@ fn chosen<'d>(arguments: &args::Clip, document: &'d Document) -> Result<Vec<&'d 
     Ok(chosen)
 }
 
+/// Checks that every pin is a time of every requested clip.
 fn check_pins(arguments: &args::Clip, clips: &[&Clip]) -> Result {
     for pin in &arguments.pin {
         if let Some(clip) = clips.iter().find(|clip| !(0.0..=clip.length_s()).contains(pin)) {
@@ -136,7 +138,7 @@ fn check_pins(arguments: &args::Clip, clips: &[&Clip]) -> Result {
     Ok(())
 }
 
-/// What is to become of clips.
+/// Changes requested for all clips.
 struct Request<'a> {
     document: &'a Document,
     measurement: &'a Measurement,
@@ -146,13 +148,13 @@ struct Request<'a> {
     pins: &'a [f32],
 }
 
-/// What became of a clip.
+/// Result of the requested changes to a clip.
 struct Changed {
     root: Option<RootReport>,
     extracted: Option<Extracted>,
     mended: Option<bool>,
     before_reduction: Clip,
-    /// `None` where it stays as it is.
+    /// The changed clip; `None` if it stays as it is.
     after: Option<Clip>,
 }
 

@@ -1,4 +1,4 @@
-//! `aim count`: the operations of what is emitted.
+//! `aim count`: counts the operations of the emitted code.
 
 use aim_codegen::objective::{AIM_GRADIENT, FirstLink, Function, functions};
 use aim_codegen::{Kernel, RigSpec, kernels};
@@ -9,24 +9,24 @@ use crate::args;
 use crate::failure::Result;
 use crate::files;
 
-/// The numbers of a count, each under its key in JSON, which is part of the contract.
+/// Returns the numbers of a count, each under its JSON key. Users rely on these keys.
 pub(crate) fn numbers(count: Count) -> [(&'static str, usize); 7] {
     let Count { add, mul, div, sqrt, select, call: _, series: _ } = count;
     let (total, pow) = (count.total(), Count::POW);
     [("total", total), ("add", add), ("mul", mul), ("div", div), ("sqrt", sqrt), ("pow", pow), ("select", select)]
 }
 
-/// The operations of what is emitted for joint 0 and for the chain.
+/// Operation counts of the code emitted for joint 0 and for the chain.
 pub(crate) struct Counts {
     rig: String,
     rows: Vec<Row>,
 }
 
-/// The count of one program.
+/// Operation count of one program.
 pub(crate) struct Row {
-    /// Its key in JSON, which is part of the contract.
+    /// Key in the JSON output, which users rely on.
     key: &'static str,
-    /// The words for readers.
+    /// Name of the program for readers.
     pub(crate) title: String,
     pub(crate) count: Count,
 }
@@ -49,7 +49,7 @@ impl Counts {
         Self { rig: spec.name.clone(), rows: single.chain(whole).collect() }
     }
 
-    /// The counts in their order.
+    /// Returns the counts, in the order of the table.
     pub(crate) fn rows(&self) -> &[Row] {
         &self.rows
     }

@@ -1,4 +1,5 @@
-//! `aim demo`: the bundled mannequin walks and runs while a target orbits it; the mannequin itself is left beside that.
+//! `aim demo`: aims the bundled mannequin at an orbiting target while it walks and runs; also writes the mannequin
+//! before it was aimed.
 
 use std::fs;
 
@@ -14,7 +15,7 @@ use crate::failure::{Failure, Result};
 use crate::files;
 use crate::target::TargetSpec;
 
-/// The time of one orbit where there is no clip, seconds.
+/// Time of one orbit if there is no clip, seconds.
 const ORBIT: f32 = 10.0;
 
 pub(super) fn run(arguments: &args::Demo) -> Result {
@@ -22,7 +23,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     let model =
         Mannequin::new().with_walk_to_run().glb(|_| PAPER_AXES).map_err(|error| Failure::input(error.to_string()))?;
     let document = Document::from_bytes(&model).map_err(|error| Failure::input(error.to_string()))?;
-    // One orbit in the time of the clip, so that the result loops.
+    // One orbit takes the length of the clip, so that the result loops.
     let seconds = document.clips().first().map_or(ORBIT, Clip::length_s);
     files::print(&format!(
         "aiming the mannequin's eye, neck and spine, as it walks and runs, at a target that orbits it once in {seconds:.1} s\n"
@@ -38,7 +39,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
         // 2 m away, a little above the eyes.
         target: TargetSpec::Orbit { radius: 2.0, height: 0.15, seconds: seconds.into() },
         rig: None,
-        // A player shows the first clip of a file.
+        // Replaces the file's first clip, because players show that one.
         clip: first.clone(),
         name: first,
         aiming: arguments.aiming,

@@ -1,4 +1,4 @@
-//! `aim explain`: the derivation as a document.
+//! `aim explain`: writes the derivation as a document.
 
 use aim_codegen::kernels;
 
@@ -33,11 +33,11 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
         Some(path) => files::write(path, text.as_bytes())?,
         None => files::print(&text)?,
     }
-    // What is wrong is told by the document, too.
+    // The document is written even if a check failed, and shows which one.
     all_passed(&arguments.rig, &spec, &verdicts)
 }
 
-/// Format of the output: as asked, else by the file's ending, else a page.
+/// Returns the output format: `--format` if given, else by the file extension, else HTML.
 fn paper(arguments: &args::Explain) -> Result<Paper> {
     let (format, Some(path)) = (arguments.format, &arguments.output) else {
         return Ok(arguments.format.unwrap_or(Paper::Html));

@@ -1,4 +1,4 @@
-//! `aim generate`: a rig's solver, or a differentiated function, as source text.
+//! `aim generate`: emits a rig's solver, or a differentiated function, as source code.
 
 use std::fmt::Write;
 use std::fs;
@@ -40,7 +40,7 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
     }
 }
 
-/// The rig; Rust is read for a function only.
+/// Loads the rig. Rust files are rejected, because they are read for `--function` only.
 fn load_rig(path: &Path) -> Result<RigSpec> {
     if files::ending(path) == "rs" {
         return Err(Failure::in_file(path, "is no rig; name a differentiated function of it: --function NAME"));
@@ -53,7 +53,7 @@ fn load_function(path: &Path, function: &str) -> Result<Differentiated> {
     Ok(Differentiated::from_file(&path.display().to_string(), &text, function)?)
 }
 
-/// A function of a Rust file, and its derivatives.
+/// Returns the source code of a function of a Rust file and of its derivatives.
 fn differentiated(path: &Path, function: &str, language: Language) -> Result<String> {
     let derived = load_function(path, function)?;
     let what = format!("The derivatives of {function}");
@@ -88,13 +88,13 @@ fn emit(spec: &RigSpec, language: Language) -> String {
     }
 }
 
-/// The book-keeping of the derivation: operation counts, and the rules that brought them down.
+/// Returns the trace of a rig's derivation: operation counts, and the rules that lowered them.
 fn trace(spec: &RigSpec) -> String {
     let mut out = heading(&spec.name);
     let kernels = kernels(spec);
     for function in functions(&kernels) {
         let kernel = function.kernel;
-        // Equal kernels once.
+        // A kernel that several joints share is listed once.
         if function.joint.is_some_and(|joint| joint != kernel.joints[0]) {
             continue;
         }
@@ -104,7 +104,7 @@ fn trace(spec: &RigSpec) -> String {
     out
 }
 
-/// The same of a function of a Rust file.
+/// Returns the trace of the derivation of a function of a Rust file.
 fn trace_of(path: &Path, function: &str) -> Result<String> {
     let derived = load_function(path, function)?;
     Ok(format!("{}\n{}", heading(function), steps(&derived.derivation(), &derived.notation())))
@@ -116,7 +116,7 @@ fn heading(name: &str) -> String {
     )
 }
 
-/// A derivation's steps, and where its statement is singular, line by line.
+/// Returns the steps of a derivation and the singular points of its statement, one per line.
 fn steps(derivation: &Derivation, notation: &Notation) -> String {
     let mut out = String::new();
     for (i, step) in derivation.steps.iter().enumerate() {
@@ -137,7 +137,7 @@ fn steps(derivation: &Derivation, notation: &Notation) -> String {
     out
 }
 
-/// The solver in Rust, formatted.
+/// Returns the solver as formatted Rust code.
 fn rust(rig: &Rig<'_>) -> String {
     let tokens = emit::rust::emit_with_struct(rig, &emit::rust::Item::of(rig.spec, quote!(::aim)));
     let header = format!(
@@ -148,7 +148,7 @@ fn rust(rig: &Rig<'_>) -> String {
     header + &aim_codegen::format_rust(tokens)
 }
 
-/// Whether `existing` holds `code`, line ends aside.
+/// Checks that the file `existing` contains `code`, apart from line endings.
 fn check(existing: &Path, code: &str, arguments: &args::Generate) -> Result {
     let found = fs::read_to_string(existing)
         .map_err(|error| Failure::in_file(existing, format!("cannot be read ({error}); generate it first with -o")))?;

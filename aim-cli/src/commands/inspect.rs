@@ -1,4 +1,4 @@
-//! `aim inspect`: bones with measured axes and roles, and clips.
+//! `aim inspect`: shows a model's bones with measured axes and roles, and its clips.
 
 use std::path::Path;
 
@@ -13,10 +13,10 @@ use crate::files;
 use crate::html::{self, Inspected};
 use crate::outputs::Outputs;
 
-/// Beyond this, degrees, a signed axis is no description of a bone.
+/// Deviation above which signed axes do not describe a bone, degrees.
 const FAR_OFF_DEG: f64 = 20.0;
 
-/// Summary of the measurement: facing with its evidence, pose, size, and bones that need a general frame.
+/// Returns a summary of the measurement: facing with its evidence, pose, size, and the bones that need a general frame.
 fn in_words(measurement: &Measurement, document: &Document) -> String {
     let mut out = format!("{}\n", evidence::facing(measurement, document));
     for against in evidence::against(measurement, document) {
@@ -24,7 +24,7 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     }
     out += &format!("Confidence {:.2}.", measurement.confidence);
     out += &evidence::doubt(measurement).map_or("\n".to_owned(), |doubt| format!(" {doubt}\n"));
-    // A root that carries no skin may lie anywhere in either pose.
+    // If any bone has a role, only such bones are compared: a root without skin may lie anywhere in either pose.
     let has_role = |bone: &&BoneAxes| bone.role.is_some();
     let any = measurement.bones.iter().any(|bone| bone.role.is_some());
     let bones = measurement.bones.iter().filter(|bone| !any || has_role(bone));
@@ -51,7 +51,7 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     out
 }
 
-/// The necks that carry arms, each with their names.
+/// Returns the necks that carry arms, each with the names of those arms.
 fn limbs_on_necks<'d>(measurement: &Measurement, document: &'d Document) -> Vec<(&'d str, Vec<&'d str>)> {
     let skeleton = document.skeleton();
     let mut necks: Vec<usize> =
@@ -62,7 +62,7 @@ fn limbs_on_necks<'d>(measurement: &Measurement, document: &'d Document) -> Vec<
     limbs.map(|(neck, limbs)| (name(neck), limbs.into_iter().map(name).collect())).collect()
 }
 
-/// What `--json` prints.
+/// Returns the output of `--json`.
 fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
     let names = document.skeleton().names();
     let bone = |bone: &BoneAxes| {
@@ -99,7 +99,7 @@ fn json(file: &str, document: &Document, measurement: &Measurement) -> Value {
     })
 }
 
-/// Bones and clips, a line each.
+/// Returns the table of bones and the list of clips.
 fn table(document: &Document, measurement: &Measurement) -> String {
     let widths = measurement.bones.iter().map(|bone| bone.name.chars().count());
     let width = widths.max().unwrap_or(0).max(4);
@@ -116,12 +116,13 @@ fn table(document: &Document, measurement: &Measurement) -> String {
     out
 }
 
-/// To a millionth: what is beyond is noise of the file.
+/// Rounds to a millionth, because further digits are noise of the file. Returns 0 instead of −0.
 fn rounded(x: f64) -> f64 {
     (x * 1e6).round() / 1e6 + 0.0
 }
 
-/// Writes the page: with the rig that was given, else the proposed one, else the bones alone.
+/// Writes the page with the given rig, or else the proposed one. If none can be proposed, the page shows only the
+/// bones.
 fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement: &Measurement) -> Result {
     let (spec, rig) = match &arguments.rig {
         Some(path) => (Some(files::load_rig(path)?), path.display().to_string()),

@@ -1,4 +1,4 @@
-//! One module a command.
+//! One module for each command.
 
 mod bake;
 pub(crate) mod check;
@@ -17,7 +17,7 @@ mod view;
 use crate::args::Command;
 use crate::failure::Result;
 
-/// Runs the command.
+/// Runs a command.
 pub(crate) fn run(command: Command) -> Result {
     match command {
         Command::Demo(arguments) => demo::run(&arguments),

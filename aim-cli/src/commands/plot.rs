@@ -1,4 +1,4 @@
-//! `aim plot`: the aim function of a joint as a picture.
+//! `aim plot`: draws the aim function of a joint.
 
 use crate::args;
 use crate::failure::{Failure, Result};

@@ -1,4 +1,4 @@
-//! `aim reach`: leads a hand or foot through points and writes the model back.
+//! `aim reach`: guides a hand or foot through points and writes the result.
 
 use aim_character::{Goal, LimbNodes, Measurement, ReachPlan, reach};
 use aim_gltf::Document;

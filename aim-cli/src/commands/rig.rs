@@ -1,4 +1,4 @@
-//! `aim rig`: the declaration proposed for a file.
+//! `aim rig`: proposes a rig declaration for a file.
 
 use aim_character::{declaration, evidence, propose};
 
@@ -19,11 +19,11 @@ pub(super) fn run(arguments: &args::Rig) -> Result {
     let about = format!("Measured from {name}. {}{doubt}", evidence::facing(&measurement, &document));
     let mut toml = declaration::toml(&proposal, &about);
     if aim_codegen::declare::from_toml(&name, &toml).is_err() {
-        // A file may be called as a keyword of some language is.
+        // The file may be named like a keyword of some language.
         proposal.spec.name += "Rig";
         toml = declaration::toml(&proposal, &about);
     }
-    // What is proposed is right: it passes the checks that any declaration passes.
+    // The proposal must pass the same checks as any other declaration.
     aim_codegen::declare::from_toml(&name, &toml).map_err(|errors| {
         Failure::in_file(file, format!("no declaration can be proposed for it: {}; rename its bones", errors.render()))
     })?;

@@ -1,4 +1,5 @@
-//! `aim view`: a window with a live character. The window is a feature, so that the command stays lean without it.
+//! `aim view`: opens a window with a live character. The window is behind the feature `view`, so that a build without
+//! it has fewer dependencies.
 
 use crate::args;
 use crate::failure::{Failure, Result};
@@ -21,7 +22,7 @@ pub(super) fn run(arguments: args::View) -> Result {
     if told.is_empty() { Ok(()) } else { crate::files::print(&format!("{told}\n")) }
 }
 
-/// Refuses a picture over what is read, or under another kind's name.
+/// Rejects a screenshot path that is an input file or does not end in `.png`.
 #[cfg(feature = "view")]
 fn check_outputs(arguments: &args::View) -> Result {
     let Some(out) = &arguments.screenshot else { return Ok(()) };
@@ -75,7 +76,7 @@ fn options(arguments: args::View) -> aim_viewer::Options {
     options
 }
 
-/// Pictures are taken on a display that nobody sees, where there is one to be had.
+/// Screenshots on a virtual X display, so that they need no real one.
 #[cfg(feature = "view")]
 mod hidden {
     use std::process::Command;
@@ -83,10 +84,14 @@ mod hidden {
     use super::{Failure, Result, args};
     use crate::plot::Size;
 
-    /// Set in the process that runs on the hidden display.
+    /// Environment variable that is set in the process on the virtual display.
     const HIDDEN: &str = "AIM_VIEW_HIDDEN";
 
-    /// Runs this very command on a hidden display and tells how it ended; `None` where it is to run here.
+    /// Runs this command again on a virtual display and returns its result. `None` if it should run in this process:
+    /// without `--screenshot`, on other systems than Linux, on the virtual display itself, or if `xvfb-run` cannot be
+    /// started and there is a display.
+    ///
+    /// Ends the process with code 2 if the other one failed.
     pub(super) fn run(arguments: &args::View) -> Result<Option<Result>> {
         if arguments.screenshot.is_none() || !cfg!(target_os = "linux") || std::env::var_os(HIDDEN).is_some() {
             return Ok(None);
@@ -100,14 +105,14 @@ mod hidden {
             .arg(program)
             .args(std::env::args_os().skip(1))
             .env(HIDDEN, "1")
-            // A point is a pixel there.
+            // One logical point is one pixel on the virtual display.
             .env("WINIT_X11_SCALE_FACTOR", "1")
             .env_remove("WAYLAND_DISPLAY")
             .status();
         let has_display = ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some());
         match status {
             Ok(status) if status.success() => Ok(Some(Ok(()))),
-            // It has said why.
+            // The other process has printed the reason.
             Ok(_) => std::process::exit(2),
             Err(_) if has_display => Ok(None),
             Err(_) => Err(Failure::input(

@@ -1,4 +1,4 @@
-//! What the derivation was held against, and what it costs.
+//! The sections on the numerical check of the derivation and on operation counts.
 
 use aim_codegen::{Kernel, RigSpec};
 
@@ -7,7 +7,7 @@ use crate::commands::check::{TOLERANCE_F32, TOLERANCE_F64, Verdict};
 use crate::commands::count::{Counts, Row, numbers};
 use crate::words::{counted, scientific};
 
-/// Subject of a document: all of it belongs to one rig.
+/// Input of a document; all of it belongs to one rig.
 pub(crate) struct Explained<'a> {
     pub(crate) spec: &'a RigSpec,
     pub(crate) kernels: &'a [Kernel],
@@ -18,7 +18,7 @@ pub(crate) struct Explained<'a> {
     pub(crate) samples: u32,
 }
 
-/// The comparison with central differences.
+/// Returns the section on the comparison with central differences.
 pub(super) fn section(subject: &Explained<'_>) -> Section {
     let rows = subject.verdicts.iter().map(|verdict| {
         let result = if verdict.passed() { Inline::from("agrees") } else { Inline::Strong("FAILED".into()) };
@@ -53,7 +53,7 @@ pub(super) fn section(subject: &Explained<'_>) -> Section {
     }
 }
 
-/// The table of `aim count`.
+/// Returns the section with the table of `aim count`.
 pub(super) fn counts(subject: &Explained<'_>) -> Section {
     let head = ["", "total", "add", "mul", "div", "sqrt", "pow", "select"];
     let rows = subject.counts.rows().iter().map(|Row { title, count, .. }| {

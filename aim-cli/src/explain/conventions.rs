@@ -1,4 +1,4 @@
-//! The bones' axes, what heading and pitch do in them, what symbols mean, and the chain.
+//! The sections on the bones' axes and the effects of heading and pitch, on the notation, and on the chain.
 
 use aim_codegen::objective::{HEADING, PITCH, Scope, basis_symbols};
 use aim_codegen::{AngleRange, Frame, JointSpec, LimitsFrom, RigSpec};
@@ -56,23 +56,23 @@ fn axes(spec: &RigSpec, frame: &Frame, joints: &[usize]) -> Drawing {
     drawing::of_axes(frame, declared_turns(spec, joints), told, text![code(names), format!(": {said}.")])
 }
 
-/// True for heading and for pitch if any of these joints has it.
+/// Returns for heading and for pitch whether any of these joints has that angle.
 fn declared_turns(spec: &RigSpec, joints: &[usize]) -> [bool; 2] {
     let any = |has: fn(&JointSpec) -> bool| joints.iter().any(|&joint| has(&spec.joints[joint]));
     [any(|joint| joint.heading.is_some()), any(|joint| joint.pitch.is_some())]
 }
 
-/// `+X`, or the components of a vector that is no axis, with the minus sign of print.
+/// Formats a unit vector like [`words::axis`], with a typographic minus sign.
 fn axis(v: [f64; 3]) -> String {
     words::axis(v).replace('-', "−")
 }
 
-/// The symbols that hold without any joint.
+/// Returns the notation for a single joint, in which angles have no joint number.
 fn letters(spec: &RigSpec) -> Notation {
     aim_codegen::objective::notation(spec, Scope::Joint)
 }
 
-/// The turns in the axes forward, left, up.
+/// Returns the matrices of heading and pitch in the axes forward, left, up.
 fn turns() -> Vec<Equation> {
     let mut g = Graph::new();
     let notation = Notation::default();
@@ -85,7 +85,7 @@ fn turns() -> Vec<Equation> {
         .to_vec()
 }
 
-/// A rotation's matrix, columns the images of the axes.
+/// Returns the matrix of a rotation; its columns are the images of the axes.
 fn matrix(g: &mut Graph, rotation: Rotation, notation: &Notation) -> Formula {
     let columns = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| {
         let axis = g.constant_vector(axis);
@@ -96,7 +96,7 @@ fn matrix(g: &mut Graph, rotation: Rotation, notation: &Notation) -> Formula {
     Formula::Matrix((0..3).map(row).collect())
 }
 
-/// The bone's axes, and the turns in them.
+/// Returns the matrix of a frame, and those of its joints' heading and pitch in the bone's own axes.
 fn in_bones(spec: &RigSpec, frame: &Frame, symbol: &Formula, joints: &[usize]) -> Vec<Equation> {
     let notation = letters(spec);
     let mut g = Graph::new();
@@ -115,13 +115,13 @@ fn in_bones(spec: &RigSpec, frame: &Frame, symbol: &Formula, joints: &[usize]) -
     equations
 }
 
-/// An entry of M's row k.
+/// Returns the symbol for an entry of row k of M.
 fn entry(axis: usize) -> Formula {
     let index = Formula::Row(vec![Formula::italic("k"), Formula::Number(axis.to_string())]);
     Formula::italic("M").indexed(index)
 }
 
-/// The section on symbols.
+/// Returns the section on symbols.
 pub(super) fn notation(spec: &RigSpec) -> Section {
     let letters = letters(spec);
     let [f, l, u] = ["f", "l", "u"].map(Formula::vector);
@@ -199,6 +199,7 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
     }
 }
 
+/// Returns the components of a vector after a quarter turn in the plane of heading and in that of pitch.
 fn quarter_turns(letters: &Notation) -> Vec<Equation> {
     let mut g = Graph::new();
     let v = g.vector_input("v");
@@ -214,7 +215,7 @@ fn quarter_turns(letters: &Notation) -> Vec<Equation> {
         .to_vec()
 }
 
-/// The joints, and how they lead from the effector to the last one.
+/// Returns the section on the joints, and on the formula that leads from the effector to the last one.
 pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
     let g = &kernel.derivation.graph;
     let mut blocks = vec![Block::Paragraph(text![
@@ -243,7 +244,7 @@ pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
     Section { id: "chain", title: "The chain".into(), blocks }
 }
 
-/// The effector's direction in the chain's stated aim.
+/// Returns the effector's direction in the chain's stated aim.
 fn direction(g: &Graph, kernel: &Kernel<'_>) -> Option<Vector> {
     let Points { tip, .. } = Points::find(g, kernel.derivation.stated[0])?;
     match g.vector_node(tip) {
@@ -287,7 +288,7 @@ fn range(range: Option<AngleRange>) -> String {
     }
 }
 
-/// An angle as it was declared, but for rounding.
+/// Formats an angle in degrees as it was declared, without the rounding error of its conversion to radians.
 fn degrees(radians: f64) -> String {
     let rounded = (radians.to_degrees() * 1e6).round() / 1e6;
     format!("{rounded}°").replace('-', "−")

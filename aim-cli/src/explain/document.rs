@@ -1,13 +1,13 @@
-//! Parts of a document, independent of the language it is written in.
+//! Parts of a document, independent of the output format.
 
 use aim_symbolic::print::Formula;
 
-/// A part of a line.
+/// A part of a line of text.
 #[derive(Clone, Debug)]
 pub(super) enum Inline {
     Text(String),
     Strong(String),
-    /// A title.
+    /// Title of a publication.
     Emphasis(String),
     Code(String),
     Math(Formula),
@@ -33,12 +33,12 @@ impl From<Formula> for Inline {
     }
 }
 
-/// Code in a line.
+/// Returns inline code.
 pub(super) fn code(text: impl Into<String>) -> Inline {
     Inline::Code(text.into())
 }
 
-/// A line of text, code and formulas.
+/// Builds a line of text, code and formulas.
 macro_rules! text {
     ($($part:expr),* $(,)?) => { vec![$($crate::explain::document::Inline::from($part)),*] };
 }
@@ -49,7 +49,7 @@ pub(super) use text;
 pub(super) struct Equation {
     pub(super) left: Formula,
     pub(super) right: Formula,
-    /// The number of the same equation in the paper.
+    /// Number of the same equation in the paper.
     pub(super) paper: Option<u8>,
 }
 
@@ -63,7 +63,7 @@ impl From<(Formula, Formula)> for Equation {
 pub(super) enum Block {
     Paragraph(Text),
     Equations(Vec<Equation>),
-    /// One formula becomes another: each with how often that happened.
+    /// Formulas that became others, each with the number of occurrences.
     Rewritings(Vec<Rewriting>),
     Table(Table),
     Drawings(Vec<Drawing>),
@@ -77,8 +77,9 @@ pub(super) enum Block {
 pub(super) struct Rewriting {
     pub(super) from: Formula,
     pub(super) to: Formula,
+    /// Number of occurrences.
     pub(super) times: usize,
-    /// Letters with the formulas they stand for.
+    /// Letters, with the formulas they stand for.
     pub(super) letters: Vec<(Formula, Formula)>,
 }
 
@@ -87,9 +88,9 @@ pub(super) struct Rewriting {
 pub(super) enum Kind {
     /// The first column names the row.
     Facts,
-    /// Numbers but for the first column, which names the row.
+    /// All columns hold numbers except the first, which names the row.
     Numbers,
-    /// Code, formula, meaning.
+    /// The columns hold code, a formula and its meaning.
     Code,
 }
 
@@ -102,13 +103,13 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// A table whose columns are called `head`.
+    /// Creates a table with the column names `head`.
     pub(super) fn new(kind: Kind, caption: impl Into<String>, head: &[&str], rows: Vec<Vec<Text>>) -> Self {
         Self { kind, caption: caption.into(), head: head.iter().map(|name| text![*name]).collect(), rows }
     }
 }
 
-/// Meaning of a line; the page decides its look.
+/// Meaning of a line in a drawing; the output format decides its look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ink {
     /// One of the bone's own axes.
@@ -121,7 +122,7 @@ pub(super) enum Ink {
 
 #[derive(Clone, Debug)]
 pub(super) struct Arrow {
-    /// From the first to the last, where its head is.
+    /// Points of the line from its start to the tip of its head.
     pub(super) points: Vec<[f64; 2]>,
     pub(super) ink: Ink,
 }
@@ -133,7 +134,7 @@ pub(super) struct Label {
     pub(super) ink: Ink,
 }
 
-/// A drawing, y downwards; labels are centred on their points.
+/// A drawing with y pointing downwards; labels are centred on their points.
 #[derive(Clone, Debug)]
 pub(super) struct Drawing {
     pub(super) size: [f64; 2],
@@ -146,7 +147,7 @@ pub(super) struct Drawing {
 
 #[derive(Clone, Debug)]
 pub(super) struct Section {
-    /// Its name in links.
+    /// Target of links to the section.
     pub(super) id: &'static str,
     pub(super) title: String,
     pub(super) blocks: Vec<Block>,
@@ -161,7 +162,7 @@ pub(crate) struct Explanation {
 }
 
 impl Rewriting {
-    /// True if it differs from `other` at most in its count.
+    /// Returns `true` if the two differ at most in their counts.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (&self.from, &self.to, &self.letters) == (&other.from, &other.to, &other.letters)
     }

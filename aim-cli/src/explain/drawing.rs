@@ -8,14 +8,15 @@ use crate::projection::Projection;
 
 const SIZE: [f64; 2] = [400.0, 300.0];
 const CENTRE: [f64; 2] = [196.0, 178.0];
-/// Of a length of 1.
+/// Units of the drawing per unit of space.
 const SCALE: f64 = 104.0;
 
-/// Position of the viewer: angle from the character's front to its left, and angle above, degrees.
+/// Angle of the viewer from the character's front towards its left, degrees.
 const FROM_LEFT: f64 = 33.0;
+/// Angle of the viewer above the horizontal, degrees.
 const FROM_ABOVE: f64 = 24.0;
 
-/// A point, given by its coordinates forward, left and up, as the viewer sees it.
+/// Returns the place in the drawing of a point given by its coordinates forward, left and up.
 fn seen(point: [f64; 3]) -> [f64; 2] {
     let view = Projection::from_aside([DVec3::Z, DVec3::X, DVec3::Y], FROM_LEFT, FROM_ABOVE, CENTRE);
     let DVec3 { x, y, .. } = Projection { scale: SCALE, ..view }.project(point.into());
@@ -26,7 +27,8 @@ fn along(direction: [f64; 3], length: f64) -> [f64; 2] {
     seen(direction.map(|c| c * length))
 }
 
-/// A bone's own axes among the directions of the character that carries it, and how heading and pitch turn it.
+/// Draws a bone's own axes among the directions of the character, and arcs for the turns that the joint has: heading,
+/// pitch.
 pub(super) fn of_axes(frame: &Frame, turns: [bool; 2], told: String, caption: Text) -> Drawing {
     const DIRECTIONS: [(&str, [f64; 3]); 3] =
         [("forward", [1.0, 0.0, 0.0]), ("left", [0.0, 1.0, 0.0]), ("up", [0.0, 0.0, 1.0])];
@@ -38,7 +40,7 @@ pub(super) fn of_axes(frame: &Frame, turns: [bool; 2], told: String, caption: Te
         let [x, y] = along(direction, 1.6);
         drawing.labels.push(Label { at: [x, y], text: name.to_owned(), ink });
     }
-    // The first axis of a turn's plane is forward.
+    // Both turns begin at forward (axis 0): heading leads to left (1), pitch to up (2).
     for (has, ink, [name, letter], towards, aside) in [
         (turns[0], Ink::Heading, ["heading", "h"], 1, [6.0, 20.0]),
         (turns[1], Ink::Pitch, ["pitch", "p"], 2, [-50.0, -10.0]),
@@ -62,7 +64,7 @@ pub(super) fn of_axes(frame: &Frame, turns: [bool; 2], told: String, caption: Te
         let ink = Ink::Axis(axis);
         let tip = along(direction, 1.0);
         drawing.arrows.push(Arrow { points: vec![origin, tip], ink });
-        // Beside the arrow, on the side that is further from the middle's other arrows.
+        // The label is beside the arrow, to the right of its direction.
         let (dx, dy) = (tip[0] - origin[0], tip[1] - origin[1]);
         let length = dx.hypot(dy).max(1.0);
         let at = [origin[0] + 0.72 * dx - 19.0 * dy / length, origin[1] + 0.72 * dy + 15.0 * dx / length];

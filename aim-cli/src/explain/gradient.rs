@@ -32,7 +32,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     Section { id: "gradient", title: "The gradient".into(), blocks }
 }
 
-/// The sweeps, and what becomes of their results.
+/// Returns the tables of the sweeps, and the blocks on the rewriting of their results.
 pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let mut blocks = Vec::new();
@@ -65,7 +65,7 @@ fn sweep(kernel: &Kernel<'_>, swept: &Swept) -> Table {
     Table::new(Kind::Code, caption, &head, rows)
 }
 
-/// Short enough to be written wherever it is needed.
+/// Length up to which a formula is repeated instead of named.
 const SHORT: usize = 3;
 
 fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
@@ -82,7 +82,7 @@ fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
         };
         let right = print::node(g, *derivative, &notation);
         rows.push(vec![text![symbol.clone()], text![right.clone()], needed_by(g, swept, *node)]);
-        // A sweep hands a derivative on unchanged through sums: then it keeps its first name.
+        // Sums pass a derivative on unchanged; it then keeps its first name.
         if right.length() > SHORT && !notation.parts.iter().any(|(known, _)| known == derivative) {
             notation.parts.push((*derivative, symbol));
         }
@@ -103,7 +103,7 @@ fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
     rows
 }
 
-/// Why a turn gives what it gives.
+/// Returns the reason for the derivative of a turned vector by the angle of the turn.
 fn turned(g: &Graph, rotation: Rotation, part: &Formula, notation: &Notation) -> Text {
     let turn = print::rotation(g, rotation, notation);
     let back = matches!(g.rotation_node(rotation), RotationNode::Transpose(_));
@@ -119,7 +119,7 @@ fn turned(g: &Graph, rotation: Rotation, part: &Formula, notation: &Notation) ->
     ]
 }
 
-/// The rules by which those parts that need this one hand their derivatives on to it.
+/// Returns the rules by which the parts that use this one pass their derivatives on to it.
 fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     let mut reasons: Vec<&'static str> = Vec::new();
     let mut times = 0;
@@ -141,7 +141,7 @@ fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
     }
 }
 
-/// The rule by which an expression changes: with all of its parts, or with the one that is given.
+/// Returns the rule for the change of an expression with all of its parts, or with the given one.
 fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
     const SUM: &str = "a sum changes as its terms do";
     const FIRST_TERM: &str = "a difference changes as its first term does";

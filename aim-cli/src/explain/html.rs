@@ -1,4 +1,5 @@
-//! The document as one page that needs nothing but itself: no network, no script; light, dark and for paper.
+//! The document as a self-contained HTML page without network access or scripts, for light and dark screens and for
+//! paper.
 
 use aim_symbolic::print::{Formula, Sign, mathml};
 use maud::{Markup, PreEscaped, html};
@@ -6,7 +7,7 @@ use maud::{Markup, PreEscaped, html};
 use super::document::{Arrow, Block, Drawing, Equation, Explanation, Ink, Inline, Kind, Rewriting, Section, Table};
 use crate::words::n;
 
-/// The page.
+/// Returns the HTML page.
 pub(crate) fn page(document: &Explanation) -> String {
     let content = html! {
         h1 { (document.title) }
@@ -64,7 +65,7 @@ fn math(formula: &Formula) -> Markup {
     html! { math { (PreEscaped(mathml(formula))) } }
 }
 
-/// Content that scrolls by itself, also by keys, if it is wider than the page.
+/// Returns a container that scrolls on its own, also by keyboard, if its content is wider than the page.
 fn scrolling(class: &str, told: &str, content: &Markup) -> Markup {
     html! { div class=(class) tabindex="0" role="group" aria-label=(told) { (content) } }
 }

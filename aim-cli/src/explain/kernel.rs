@@ -1,4 +1,4 @@
-//! One kernel of a rig with its derivation and what its parts are called.
+//! [`Kernel`]: one kernel of a rig with its derivation and the symbols of its parts.
 
 use aim_codegen::RigSpec;
 use aim_codegen::objective::{self, Scope, notation};
@@ -13,11 +13,11 @@ pub(super) struct Kernel<'a> {
     pub(super) emitted: &'a objective::Kernel,
     pub(super) derivation: Derivation,
     pub(super) notation: Notation,
-    /// What its outputs are called.
+    /// Symbols of the outputs: the values, then the derivatives of each.
     pub(super) outputs: Vec<Formula>,
-    /// The notation with names for what derivatives are taken through.
+    /// The notation, with symbols for all parts that derivatives are taken through.
     pub(super) named: Notation,
-    /// What those names stand for, each after those that it is made of.
+    /// Definitions of the symbols in `named`, each after those that it depends on.
     pub(super) parts: Vec<Equation>,
 }
 
@@ -36,17 +36,17 @@ impl<'a> Kernel<'a> {
         Self { spec, emitted, derivation, notation, outputs, named, parts }
     }
 
-    /// Its joints' names.
+    /// Returns the names of its joints.
     pub(super) fn names(&self) -> Inline {
         code(joint_names(self.spec, &self.emitted.joints))
     }
 
-    /// Its values' names.
+    /// Returns the symbols of its values.
     pub(super) fn values(&self) -> &[Formula] {
         &self.outputs[..self.derivation.stated.len()]
     }
 
-    /// What a variable is called.
+    /// Returns the symbol of a variable.
     pub(super) fn variable(&self, variable: Variable) -> Formula {
         let g = &self.derivation.graph;
         match variable {
@@ -56,18 +56,19 @@ impl<'a> Kernel<'a> {
         }
     }
 
-    /// Whether its formulas are short enough to be written out at every step.
+    /// Returns `true` for the kernel of a single joint, whose formulas are short enough to be written out at every
+    /// step.
     pub(super) fn is_small(&self) -> bool {
         self.emitted.objective.scope == Scope::Joint
     }
 }
 
-/// These joints' names in a row.
+/// Returns the names of these joints, separated by commas.
 pub(super) fn joint_names(spec: &RigSpec, joints: &[usize]) -> String {
     joints.iter().map(|&joint| spec.joints[joint].name.as_str()).collect::<Vec<_>>().join(", ")
 }
 
-/// Names for what was swept over, and the equations that say what they stand for.
+/// Returns the notation with symbols for all parts that the sweeps visit, and the definitions of these symbols.
 fn parts(derivation: &Derivation, notation: &Notation, values: &[Formula]) -> (Notation, Vec<Equation>) {
     let mut nodes: Vec<Node> = Vec::new();
     for swept in &derivation.sweeps {

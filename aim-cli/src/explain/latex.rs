@@ -1,4 +1,4 @@
-//! The document for a LaTeX compiler, with amsmath, longtable and `TikZ`.
+//! The document as LaTeX source, which needs amsmath, longtable and `TikZ`.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -9,7 +9,7 @@ use super::document::{Block, Drawing, Equation, Explanation, Ink, Inline, Kind, 
 
 const PREAMBLE: &str = include_str!("preamble.tex");
 
-/// The document's text.
+/// Returns the LaTeX source.
 pub(crate) fn text(document: &Explanation) -> String {
     let mut out = format!("% Written by aim {}. Do not edit: write it again.\n", env!("CARGO_PKG_VERSION"));
     out += PREAMBLE;
@@ -110,9 +110,9 @@ fn table(out: &mut String, table: &Table) {
     *out += "\\hline\n\\end{longtable}}\n";
 }
 
-/// The columns' widths, as parts of the line's: by their longest cells.
+/// Returns the widths of the columns as shares of the line width, in proportion to their longest cells.
 fn widths(table: &Table) -> Vec<f64> {
-    /// Of the space between two columns.
+    /// Space between two columns, as a share of the line width.
     const GAP: f64 = 0.026;
     let length = |cell: &Vec<Inline>| -> u32 {
         let length = |part: &Inline| match part {
@@ -133,7 +133,7 @@ fn widths(table: &Table) -> Vec<f64> {
 }
 
 fn drawing(out: &mut String, drawing: &Drawing) {
-    // Of its points.
+    // Centimetres per unit of the drawing.
     const UNIT: f64 = 0.022;
     let at = |[x, y]: [f64; 2]| format!("({:.2},{:.2})", UNIT * x, UNIT * (drawing.size[1] - y));
     *out += "\\begin{tikzpicture}[>=stealth]\n";
@@ -158,10 +158,10 @@ fn ink(ink: Ink) -> &'static str {
     }
 }
 
-/// Each letter that LaTeX reads as an order, or that its fonts lack, and the text that prints it: a line each.
+/// Characters that are special in LaTeX or missing in its fonts, one per line with the text that prints it.
 const LETTERS: &str = include_str!("letters.txt");
 
-/// Text as LaTeX prints it.
+/// Escapes text for LaTeX.
 fn plain(text: &str) -> String {
     let known: HashMap<&str, &str> = LETTERS.lines().filter_map(|line| line.split_once(' ')).collect();
     let mut buffer = [0; 4];

@@ -1,4 +1,4 @@
-//! The emitted code, each line beside its formula and what that is.
+//! The section on the emitted code: each line with its formula and the meaning of that.
 
 use aim_codegen::emit::rust_kernels;
 use aim_codegen::format_rust;
@@ -24,7 +24,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     Section { id: "code", title: "The code of one joint".into(), blocks }
 }
 
-/// What the function is given, and its lines.
+/// Returns the table of the function's inputs and the table of its lines.
 pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     vec![Block::Table(inputs(kernel)), Block::Table(lines(kernel))]
 }
@@ -85,7 +85,7 @@ fn lines(kernel: &Kernel<'_>) -> Table {
     Table::new(Kind::Code, caption, &["line", "formula", "what it is"], rows)
 }
 
-/// The longest formula that tells a line's meaning better than nothing.
+/// Maximum length of a formula that is shown as the meaning of a line.
 const MOST: usize = 18;
 
 fn meaning(kernel: &Kernel<'_>, notation: &print::Notation, meaning: Meaning) -> Option<Formula> {
@@ -117,9 +117,9 @@ fn meaning(kernel: &Kernel<'_>, notation: &print::Notation, meaning: Meaning) ->
     })
 }
 
-/// A line of the emitted code as it stands in the file, on one line.
+/// Returns a line of the emitted code as it is in the file, without line breaks.
 fn formatted(line: impl ToTokens) -> String {
-    // As deep as a kernel is in the file: so long lines are broken as they are there.
+    // Nested as deeply as a kernel is in the file, so that long lines break at the same places.
     let text = format_rust(quote!(const _: () = { fn kernel() { #line } };));
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     lines[2..lines.len() - 2].join(" ")

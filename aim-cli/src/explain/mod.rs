@@ -1,7 +1,7 @@
 //! `aim explain`: the derivation of a rig's code as a document.
 //!
-//! What the document says of formulas, counts and code comes from the expression graph, the derivation's books and the
-//! emitted text; only the words between them are written here. The same rig gives the same bytes.
+//! All formulas, counts and code in the document come from the expression graph, the recorded derivation and the
+//! emitted text; only the sentences between them are written here. The same rig gives the same bytes.
 
 mod check;
 mod conventions;
@@ -29,7 +29,7 @@ pub(crate) use latex::text as latex;
 use document::{Block, Equation, Inline, Section, code, text};
 use kernel::{Kernel, joint_names};
 
-/// The document.
+/// Returns the document about a rig.
 pub(crate) fn document(subject: &Explained<'_>) -> Explanation {
     let spec = subject.spec;
     let kernels = subject.kernels.iter().map(|kernel| Kernel::new(spec, kernel));
@@ -57,7 +57,7 @@ pub(crate) fn document(subject: &Explained<'_>) -> Explanation {
     }
 }
 
-/// The formulas alone: each objective as stated and as rewritten, then the steps of its program.
+/// Returns a document of formulas only: each objective as stated and as rewritten, then the steps of its program.
 pub(crate) fn formulas(rig: &Rig<'_>) -> Explanation {
     let section = |kernel: &objective::Kernel| {
         let notation = notation(rig.spec, kernel.objective.scope);
@@ -114,7 +114,7 @@ fn lead(subject: &Explained<'_>, first: &Kernel<'_>) -> Vec<Block> {
     ]
 }
 
-/// The kernels of the joints that have other axes or angles than the first.
+/// Returns the section on the joints whose axes or angles differ from those of the first.
 fn other_joints(kernels: &[Kernel<'_>]) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
         "The same was done for the joints whose axes or angles are others than those of ",
@@ -139,7 +139,7 @@ fn whole_chain(chain: &[Kernel<'_>]) -> Section {
     Section { id: "whole-chain", title: "The whole chain".into(), blocks }
 }
 
-/// A kernel's derivation from rewriting to code, to be opened by whoever wants to see it.
+/// Returns a kernel's derivation from rewriting to code, folded away until it is opened.
 fn whole(kernel: &Kernel<'_>, name: Inline) -> Block {
     let steps = &kernel.derivation.steps;
     let before = steps.first().map_or(0, |step| step.before.total());

@@ -1,4 +1,5 @@
-//! The steps that bring the operation count down: which rules, why, on what, and what is left.
+//! The section on rewriting: for each step that lowers the operation count, the rules, their reasons, the formulas that
+//! changed, and the result.
 
 use std::ops::Range;
 
@@ -12,7 +13,7 @@ use super::kernel::Kernel;
 use super::statement::defined;
 use crate::words::counted;
 
-/// Rewriting the first joint's aim.
+/// Returns the section on rewriting the first joint's aim.
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
         "The statement is right, but as it stands it is dear, and so are its derivatives. Rules rewrite it. Each looks at one \
@@ -24,7 +25,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     Section { id: "rewriting", title: "Rewriting the aim".into(), blocks }
 }
 
-/// Everything up to where derivatives are taken.
+/// Returns the blocks on rewriting before differentiation.
 pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let overview = Block::Table(overview(&derivation.steps));
@@ -42,7 +43,7 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     blocks
 }
 
-/// Where that has no derivative.
+/// Returns the table of the points at which a derivative has no limit, with the value that is computed there.
 fn singular(kernel: &Kernel<'_>) -> Table {
     let Derivation { graph, singular, .. } = &kernel.derivation;
     let row = |Singular { at, convention }: &Singular| {
@@ -52,7 +53,7 @@ fn singular(kernel: &Kernel<'_>) -> Table {
     Table::new(Kind::Facts, caption, &["where", "by convention"], singular.iter().map(row).collect())
 }
 
-/// Rewriting after derivatives have been taken.
+/// Returns the blocks on rewriting after differentiation; empty if nothing was rewritten.
 pub(super) fn after_derivatives(kernel: &Kernel<'_>) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let range = derivation.before_sweeps..derivation.rewrites.len();
@@ -64,7 +65,7 @@ pub(super) fn after_derivatives(kernel: &Kernel<'_>) -> Vec<Block> {
     blocks
 }
 
-/// The counts in a row.
+/// Returns the table of operation counts, one row per step.
 fn overview(steps: &[Step]) -> Table {
     let most = steps.first().map_or(0, |step| step.before.total());
     let share = |count: usize| {
@@ -88,12 +89,12 @@ fn multiplied(times: usize) -> String {
     if times > 1 { format!(" (×{times})") } else { String::new() }
 }
 
-/// The rules whose reasons have been given.
+/// Rules whose reasons have already been given.
 #[derive(Default)]
 struct Told(Vec<Rule>);
 
 impl Told {
-    /// The rule with its reason, at the first time.
+    /// Returns a paragraph that names the rule, with its reason the first time.
     fn rule(&mut self, rule: Rule, times: usize) -> Block {
         let name = Inline::Strong(sentence(rule.name));
         if self.0.contains(&rule) {
@@ -104,13 +105,13 @@ impl Told {
     }
 }
 
-/// As at the start of a sentence.
+/// Returns the text with an upper-case first letter.
 fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The rules of arithmetic, which come first.
+/// Returns the blocks on the rules of arithmetic, which are applied first.
 fn arithmetic(kernel: &Kernel<'_>, told: &mut Told) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let first: Vec<(usize, &Step)> =
@@ -138,7 +139,7 @@ fn arithmetic(kernel: &Kernel<'_>, told: &mut Told) -> Vec<Block> {
     blocks
 }
 
-/// The effector's direction in components: of nine products hardly one is left.
+/// Returns the effector's direction in components, as an example: hardly any of the nine products is left.
 fn example(kernel: &Kernel<'_>) -> Block {
     let mut g = Graph::new();
     let inputs = Inputs::of_joint(&mut g);
@@ -159,7 +160,7 @@ fn heading(place: usize, step: &Step) -> Block {
     )])
 }
 
-/// The steps of these rewrites.
+/// Returns the blocks on the steps within this range of rewrites.
 fn steps(kernel: &Kernel<'_>, range: Range<usize>, notation: &Notation, told: &mut Told) -> Vec<Block> {
     let derivation = &kernel.derivation;
     let mut blocks = Vec::new();
@@ -186,7 +187,7 @@ fn steps(kernel: &Kernel<'_>, range: Range<usize>, notation: &Notation, told: &m
     blocks
 }
 
-/// Rules with their reasons, and what they were applied to.
+/// Returns the applied rules, each with its reason and the formulas that it changed.
 fn applied(kernel: &Kernel<'_>, rewrites: &[Rewrite], notation: &Notation, told: &mut Told) -> Vec<Block> {
     let mut rules: Vec<(Rule, usize, Vec<Rewriting>)> = Vec::new();
     let g = &kernel.derivation.graph;
@@ -207,7 +208,7 @@ fn applied(kernel: &Kernel<'_>, rewrites: &[Rewrite], notation: &Notation, told:
     rules.into_iter().flat_map(block).collect()
 }
 
-/// A rewriting with letters for what stays as it is; what those stand for where there is room for it.
+/// Returns a rewrite with letters for the unchanged parts. The letters are defined only if `with_letters`.
 fn shown(g: &Graph, rewrite: &Rewrite, notation: &Notation, with_letters: bool) -> Rewriting {
     let ([from, to], letters): ([Formula; 2], _) = rewriting(g, rewrite.from, rewrite.to, notation);
     Rewriting { from, to, times: 1, letters: if with_letters { letters } else { Vec::new() } }

@@ -1,4 +1,4 @@
-//! The objectives as they are stated, taken apart at the effector's origin and tip.
+//! The sections on the stated objectives, decomposed at the effector's origin and tip.
 
 use aim_codegen::objective::CHAIN_RESIDUAL_JACOBIAN;
 use aim_symbolic::print::{self, Formula};
@@ -7,14 +7,15 @@ use aim_symbolic::{Graph, Node, Scalar, ScalarNode, Vector, VectorNode};
 use super::document::{Block, Equation, Section, text};
 use super::kernel::Kernel;
 
-/// The effector's origin and tip in a stated aim.
+/// Origin and tip of the effector in a stated aim.
 pub(super) struct Points {
     pub(super) origin: Vector,
     pub(super) tip: Vector,
 }
 
 impl Points {
-    /// The points of `(P − origin) / |P − origin| · (tip − origin)`; `None` for what is stated in another way.
+    /// Finds the points in an aim stated as `(P − origin) / |P − origin| · (tip − origin)`; `None` if it has another
+    /// form.
     pub(super) fn find(g: &Graph, aim: Scalar) -> Option<Self> {
         let ScalarNode::Dot(a, b) = g.scalar_node(aim) else { return None };
         [(a, b), (b, a)].into_iter().find_map(|(direction, to_target)| {
@@ -25,7 +26,7 @@ impl Points {
     }
 }
 
-/// The aim of one joint.
+/// Returns the section on the aim of one joint.
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let g = &kernel.derivation.graph;
     let aim = kernel.derivation.stated[0];
@@ -62,7 +63,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     Section { id: "aim", title: "The effector and its aim".into(), blocks }
 }
 
-/// The statement of one of the chain's objectives.
+/// Returns the statement of one of the chain's objectives.
 pub(super) fn of_chain(kernel: &Kernel<'_>) -> Vec<Block> {
     let words = if *kernel.emitted.objective == CHAIN_RESIDUAL_JACOBIAN {
         text![
@@ -78,7 +79,7 @@ pub(super) fn of_chain(kernel: &Kernel<'_>) -> Vec<Block> {
     vec![Block::Paragraph(words), defined(&derivation.graph, &derivation.stated, kernel.values(), notation)]
 }
 
-/// These expressions under their names, after the equations of what is needed more than once in them.
+/// Returns the equations that define these expressions under their names, after those of their common subexpressions.
 pub(super) fn defined(g: &Graph, scalars: &[Scalar], names: &[Formula], notation: &print::Notation) -> Block {
     let defined = print::defined(g, scalars, notation);
     let mut equations: Vec<Equation> = defined.equations(g).into_iter().map(Equation::from).collect();

@@ -1,22 +1,22 @@
-//! A line chart over time as inline SVG: axes with units, broken lines where values wrap, a band of statuses. All colours
-//! come from the page's style, so that one drawing serves light, dark and paper.
+//! A line chart over time as inline SVG: axes with units, lines that break where values wrap, and a band of statuses.
+//! All colours come from the page's style, so that the same drawing works on light and dark screens and on paper.
 
 use maud::{Markup, html};
 
 use crate::axis::{Axis, multiples, nice};
 use crate::words::{self, Wanted, n, shown, trimmed};
 
-/// One line.
+/// One line of a chart.
 pub(super) struct Series<'a> {
-    /// In the key; empty where it has no place there.
+    /// Name in the key; empty if the line has no entry there.
     pub(super) name: &'a str,
-    /// Its class in the page's style.
+    /// CSS class of the line.
     pub(super) class: &'static str,
-    /// One value a frame; what is not finite is a gap.
+    /// One value per frame; a value that is not finite is a gap.
     pub(super) values: Vec<f64>,
 }
 
-/// A dashed line across.
+/// A dashed horizontal line.
 pub(super) struct Mark {
     pub(super) value: f64,
     pub(super) class: &'static str,
@@ -26,11 +26,11 @@ pub(super) struct Mark {
 /// Mapping of values to heights.
 #[derive(Clone, Copy)]
 pub(super) enum Scale {
-    /// From the first to the second.
+    /// Linear, from the first to the second value.
     Linear(f64, f64),
-    /// The same, the ticks at parts of a turn.
+    /// Linear in degrees, from the first to the second value, with ticks at round parts of a turn.
     Degrees(f64, f64),
-    /// From one power of ten to another; what is outside is drawn at the end.
+    /// Logarithmic, from one power of ten to another; values outside are drawn at the nearer end.
     Log(f64, f64),
 }
 
@@ -44,13 +44,13 @@ pub(super) struct Chart<'a> {
     pub(super) statuses: &'a [&'a str],
     pub(super) wanted: Wanted,
     pub(super) scale: Scale,
-    /// A jump of half of this is the value wrapping round.
+    /// Period of the values, if they wrap: the line breaks where it jumps by more than half of this.
     pub(super) wraps: Option<f64>,
     pub(super) series: Vec<Series<'a>>,
     pub(super) marks: Vec<Mark>,
-    /// Frames that are shaded because something is at its limit.
+    /// Frames to shade because something is at its limit.
     pub(super) bound: Vec<bool>,
-    /// Times at which something is to happen.
+    /// Times to mark with vertical lines.
     pub(super) moments: &'a [f64],
 }
 
@@ -81,12 +81,15 @@ impl<'a> Base<'a> {
     }
 }
 
-/// The room around the plot.
+/// Margin to the left of the plot.
 const LEFT: f64 = 44.0;
+/// Margin to the right of the plot.
 const RIGHT: f64 = 44.0;
+/// Margin above the plot.
 const TOP: f64 = 22.0;
+/// Margin below the plot.
 const BELOW: f64 = 44.0;
-/// Points drawn of a series at most; longer ones are drawn by the extremes of each stretch.
+/// Approximate maximum number of points drawn of a series. Longer series are drawn by the extremes of each stretch.
 const MOST_POINTS: usize = 1600;
 
 impl Chart<'_> {
@@ -113,7 +116,7 @@ impl Chart<'_> {
         }
     }
 
-    /// The chart with its title and key.
+    /// Returns the chart with its title and key.
     pub(super) fn figure(&self, title: &str) -> Markup {
         let (width, height) = self.size();
         let bottom = height - BELOW;
@@ -179,7 +182,7 @@ impl Chart<'_> {
         }
     }
 
-    /// The time of a frame; of the one after the last the end.
+    /// Returns the time of a frame, or the end if there is no such frame.
     fn time(&self, frame: usize) -> f64 {
         self.times.get(frame).copied().unwrap_or(self.span().1)
     }
@@ -188,7 +191,7 @@ impl Chart<'_> {
         format!("{}–{} s", trimmed(self.time(start), 2), trimmed(self.time(stop), 2))
     }
 
-    /// Shading of the frames at a limit.
+    /// Draws the shading of the frames at a limit.
     fn shading(&self, bottom: f64) -> Markup {
         html! {
             @for (start, stop) in runs(&self.bound).into_iter().filter(|(start, _)| self.bound[*start]) {
@@ -200,7 +203,7 @@ impl Chart<'_> {
         }
     }
 
-    /// A stretch of the same status each, named where there is room.
+    /// Draws the band of statuses: one rectangle for each run of equal statuses, labelled if there is room.
     fn band(&self, top: f64, thick: f64) -> Markup {
         html! {
             @for (start, stop) in runs(self.statuses) {
@@ -217,7 +220,7 @@ impl Chart<'_> {
         }
     }
 
-    /// The dashed lines; labels at the right keep out of each other's way.
+    /// Draws the dashed lines. Their labels at the right are moved down where they would overlap.
     fn limits(&self, width: f64) -> Markup {
         let mut marks: Vec<(f64, &Mark)> = self.marks.iter().map(|mark| (self.y(mark.value), mark)).collect();
         marks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -246,7 +249,7 @@ impl Chart<'_> {
             d += if broken { "M" } else { "L" };
             d += &format!("{} {}", n(self.x(t)), n(self.y(value)));
             if broken {
-                // A single frame is a dot: a line of no length with round ends.
+                // Zero-length segment with round caps: draws an isolated frame as a dot.
                 d += "h0";
             }
             before = Some(value);
@@ -255,7 +258,7 @@ impl Chart<'_> {
     }
 }
 
-/// Stretches of the same value: where each begins and where the next does.
+/// Returns the runs of equal values, as the index of the first and the index after the last.
 fn runs<T: PartialEq>(values: &[T]) -> Vec<(usize, usize)> {
     let mut start = 0;
     let run = |same: &[T]| {
@@ -266,7 +269,7 @@ fn runs<T: PartialEq>(values: &[T]) -> Vec<(usize, usize)> {
     values.chunk_by(|a, b| a == b).map(run).collect()
 }
 
-/// All points, or the extremes of each stretch of many.
+/// Returns all points, or the extremes of each stretch if there are more than [`MOST_POINTS`].
 fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     if points.len() <= MOST_POINTS {
         return points.to_vec();

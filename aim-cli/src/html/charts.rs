@@ -1,4 +1,4 @@
-//! The charts: what each shows and over which values; drawn by [`Chart`].
+//! The charts of the page about a bake: their contents and scales.
 
 use aim_character::range_in_frame;
 use aim_codegen::AngleRange;
@@ -13,7 +13,7 @@ use super::subject::BakePage;
 use crate::bake_report::{BakeFrame, BakeReport, JointReport};
 use crate::words::{self, Wanted, chip, shown, trimmed};
 
-/// Every chart of the page.
+/// Returns all charts of the page.
 pub(super) fn all(subject: &BakePage<'_>) -> Markup {
     let BakePage { spec, report, .. } = *subject;
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
@@ -60,7 +60,7 @@ fn error(base: &Base<'_>, report: &BakeReport) -> Markup {
     chart.series.push(Series { name: "error", class: "one", values });
     let pair: Vec<f64> = report.frames.iter().filter_map(BakeFrame::pair_off_deg).collect();
     if !pair.is_empty() && pair.len() == report.frames.len() {
-        // Below the other, which is the one that counts.
+        // Drawn below the error of the aimed eye, which decides the status.
         chart.series.insert(0, Series { name: "the other eye's", class: "pitch", values: pair });
     }
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{}°", trimmed(tolerance, 3)) });
@@ -114,7 +114,7 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
                 [first, rest @ ..] if rest.iter().all(|value| value == first || (value - first).abs() < 1e-6) => {
                     marks.push(Mark { value: *first, class: name, label: format!("{}°", shown(*first, 1)) });
                 }
-                // A limit that moves is a line of its own.
+                // A limit that changes over time is drawn as a line.
                 _ => series.push(Series {
                     name: "",
                     class: if *name == "heading" { HEADING_END } else { PITCH_END },
@@ -154,16 +154,18 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
     }
 }
 
-/// As little off the end of its range, degrees, nobody sees an angle hold off.
+/// Distance from an end of its range at which an angle counts as at its limit, degrees.
 const AT_END: f64 = 1e-2;
-/// A speed is at its rate from so little below it: angles are single precision.
+/// Share of its rate by which a speed may be below it and still count as at its rate, because angles are in single
+/// precision.
 const AT_RATE: f64 = 1e-3;
 
-/// Limits that move, as lines.
+/// CSS class of heading limits that change over time.
 const HEADING_END: &str = "heading limit";
+/// CSS class of pitch limits that change over time.
 const PITCH_END: &str = "pitch limit";
 
-/// The lower and upper ends of heading and pitch in every frame, degrees.
+/// Returns the lower and upper ends of heading and pitch in every frame, degrees.
 fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
     let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
     for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
@@ -176,7 +178,8 @@ fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
     ends
 }
 
-/// The speed with which each value was come to, from the one before it; the first has none.
+/// Returns the speed from the previous value to each value, per second; NaN for the first. A free range takes the
+/// shorter way around.
 pub(super) fn speeds(times: &[f64], values: &[f64], range: AngleRange) -> Vec<f64> {
     let between = |k: usize| {
         let change = values[k] - values[k - 1];

@@ -1,4 +1,4 @@
-//! The page about the clips of a file: what they cost before and after, bone by bone, and how far they are off.
+//! The page about the clips of a file: their sizes before and after, by bone, and the error of their reduction.
 
 use aim_animation::Clip;
 use aim_gltf::Document;
@@ -12,13 +12,13 @@ use crate::deviation::Deviation;
 use crate::page::report as report_page;
 use crate::words::{Wanted, counted, grouped, trimmed};
 
-/// A report and what it is of.
+/// Input of the page: a report and the clips it describes.
 pub(crate) struct ClipPage<'a> {
     pub(crate) report: &'a ClipReport,
-    /// Those of the report, in its order.
+    /// Clips of the report, in its order.
     pub(crate) takes: &'a [ClipTakes<'a>],
     pub(crate) document: &'a Document,
-    /// True if nothing was to be changed, and what is told of reduction is what it would do.
+    /// `true` if no change was requested and the page shows a proposed reduction.
     pub(crate) is_preview: bool,
 }
 
@@ -26,11 +26,11 @@ pub(crate) struct ClipPage<'a> {
 pub(crate) struct ClipTakes<'a> {
     pub(crate) before: &'a Clip,
     pub(crate) after: &'a Clip,
-    /// Of the reduced clip.
+    /// Deviation of the reduced clip; `None` if the clip was not reduced.
     pub(crate) deviation: Option<Deviation>,
 }
 
-/// The page.
+/// Returns the page.
 pub(crate) fn page(page: &ClipPage<'_>) -> String {
     let ClipPage { report, takes, is_preview, .. } = *page;
     let file = report.file.rsplit(['/', '\\']).next().unwrap_or(&report.file);
@@ -145,7 +145,7 @@ fn error(page: &ClipPage<'_>, cost: &ClipCost, deviation: &Deviation) -> Markup 
     let values: Vec<f64> = deviation.distances.iter().map(|distance| distance / page.report.millimetre).collect();
     let tolerance = cost.reduced.as_ref().map_or(0.0, |reduced| reduced.tolerance_mm);
     let label = format!("How far the bone that is furthest off is from where it was over {}, millimetres.", cost.clip);
-    // With no tolerance and no error the axis still has a length.
+    // Gives the axis a length even if both tolerance and error are 0.
     let most = values.iter().copied().fold(tolerance.max(1e-3), f64::max);
     let base = Base { times: &deviation.times, statuses: &[], wanted: Wanted::Target };
     let mut chart =

@@ -1,5 +1,5 @@
-//! Where the target, the gaze and the head are, as the effector would see them if no joint of the chain had moved from
-//! its bind pose: in its bind frame, carried by the bone that the chain hangs on.
+//! Directions to the target, of the gaze and of the head, in the effector's bind frame. The frame moves with the bone
+//! that carries the chain, but not with the joints of the chain.
 
 use aim_character::chain_nodes;
 use aim_codegen::Role;
@@ -8,18 +8,18 @@ use aim_runtime::glam::{DAffine3, DMat3, DVec3};
 use super::subject::BakePage;
 use crate::effector::Effector;
 
-/// Azimuth and elevation of one thing in every frame, degrees; NaN where it has no direction.
+/// Azimuth and elevation of one direction in every frame, degrees; NaN if it is not finite.
 pub(super) type Bearings = Vec<[f64; 2]>;
 
 pub(super) struct Directions {
     pub(super) target: Bearings,
     pub(super) gaze: Bearings,
-    /// Direction of the gaze if the effector's joint, an eye, were as in the bind pose.
+    /// Direction of the head: of the gaze if the eye were as in the bind pose. `None` if the effector is not an eye.
     pub(super) head: Option<Bearings>,
 }
 
 impl Directions {
-    /// Nothing where the rig's bones are not in the document.
+    /// Computes the directions; `None` if the document lacks bones of the rig.
     pub(super) fn new(subject: &BakePage<'_>) -> Option<Self> {
         let BakePage { spec, report, document, measurement, baked } = *subject;
         let skeleton = document.skeleton();
@@ -54,7 +54,7 @@ impl Directions {
     }
 }
 
-/// The difference of two angles, degrees, −180…180.
+/// Returns the difference of two angles, degrees, in −180…180.
 pub(super) fn apart(a: f64, b: f64) -> f64 {
     let difference = a - b;
     difference - 360.0 * (difference / 360.0).round()

@@ -1,4 +1,4 @@
-//! The film strips: drawings of the character over time, always from the same side, with its line of sight.
+//! The film strips: drawings of the character with its line of sight over time, each strip from one side.
 
 use aim_character::{AimedFrame, Criterion, chain_nodes};
 use aim_runtime::glam::{DAffine3, DVec3};
@@ -10,17 +10,17 @@ use crate::bake_report::BakeFrame;
 use crate::effector::Effector;
 use crate::words::{self, Wanted, n, segment};
 
-/// Drawings in a strip over time.
+/// Number of drawings in a strip over time.
 const DRAWINGS: usize = 8;
-/// Less than this is nothing to look at: degrees, or degrees a second.
+/// Smallest worst value that makes an event, degrees or degrees per second.
 const SEEN: f64 = 1.0;
-/// Distance of the drawn line of sight from the eye.
+/// Distance from the eye to the start of the drawn line of sight, in units of the drawing.
 const START: f64 = 13.0;
-/// Radius of the plan view in the corner.
+/// Radius of the plan view in the corner, in units of the drawing.
 const PLAN: f64 = 24.0;
 
-/// The strips: evenly over time from before and from the side, and from the side where something is at its most. Nothing where
-/// the rig's bones are not in the document.
+/// Returns three strips: at even times from the front and from the side, and the events from the side. `None` if the
+/// document lacks bones of the rig.
 pub(super) fn strips(subject: &BakePage<'_>) -> Option<[Markup; 3]> {
     let BakePage { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
@@ -37,10 +37,11 @@ pub(super) fn strips(subject: &BakePage<'_>) -> Option<[Markup; 3]> {
     ])
 }
 
-/// A frame, and what there is to see in it.
+/// Index of a frame, and what is notable in it.
 type Moment = (usize, Option<String>);
 
-/// Where things are at their most, and where the target gets out of reach; the first frame aside, in order of time.
+/// Returns the frames in which a criterion is worst, and the first in which the target is out of reach, in order of
+/// time. The first frame is never an event.
 fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     let BakePage { report, .. } = *subject;
     let measured = &report.plausibility;
@@ -61,7 +62,7 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     moments.extend(out.map(|frame| (frame, Some("first out of reach".to_owned()))));
     moments.retain(|(frame, _)| (1..all).contains(frame));
     moments.sort_by_key(|(frame, _)| *frame);
-    // What happens in one frame is told under one drawing.
+    // Events in the same frame share one drawing.
     moments.dedup_by(|later, first| {
         let same = later.0 == first.0;
         if let (true, Some(first), Some(later)) = (same, &mut first.1, &later.1) {
@@ -144,13 +145,14 @@ impl Scene<'_> {
         }
     }
 
-    /// The ends of a line of sight in the drawing; it begins a little in front of the eye, which stays visible.
+    /// Returns the ends of a line of sight in the drawing. It begins in front of the eye, so that the eye stays
+    /// visible.
     fn sight(&self, eye_ws: DVec3, gaze_ws: DVec3, world: &[DAffine3]) -> (DVec3, DVec3) {
         let (near, far) = (START / self.camera.view.scale, HEIGHT / self.camera.view.scale * 4.0);
         (self.camera.project(eye_ws + gaze_ws * near, world), self.camera.project(eye_ws + gaze_ws * far, world))
     }
 
-    /// The target where it is, or an arrow at the border that it is beyond.
+    /// Draws the target, or, if it is outside the drawing, an arrow at the border towards it.
     pub(super) fn target(&self, from: DVec3, target: DVec3) -> Markup {
         const MARGIN: f64 = 9.0;
         let inside = |p: DVec3| (MARGIN..=WIDTH - MARGIN).contains(&p.x) && (MARGIN..=HEIGHT - MARGIN).contains(&p.y);
@@ -174,7 +176,8 @@ impl Scene<'_> {
         }
     }
 
-    /// From above, the viewer at the lower edge: the front as a notch, the gaze, the target's direction.
+    /// Draws the plan view from above, with the viewer at the lower edge: the front as a notch, the gaze, and the
+    /// target's direction.
     fn plan(&self, frame: &AimedFrame, gaze_ws: DVec3, eye_ws: DVec3, status: &str) -> Markup {
         let level = self.camera.view.right.cross(self.measurement.up);
         let plan = |v: DVec3| (v.dot(self.camera.view.right), v.dot(level));

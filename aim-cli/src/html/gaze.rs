@@ -1,5 +1,5 @@
-//! How eye and head share the gaze: target, gaze, head and eye in head on one chart, over the whole length and close up
-//! where the gaze shifts furthest.
+//! Charts of how eye and head share the gaze: target, gaze, head and eye in head, over the whole length, and a close-up
+//! of the largest quick shift of the gaze.
 
 use aim_runtime::glam::DVec3;
 use std::ops::Range;
@@ -10,17 +10,19 @@ use super::chart::{Base, Scale, Series};
 use super::directions::{Bearings, Directions, apart};
 use crate::words::{self, trimmed};
 
-/// The time in which a shift is looked for, seconds, and how far it has to go, degrees.
+/// Time within which a quick shift takes place, seconds.
 const SHIFT_S: f64 = 0.3;
+/// Smallest size of a quick shift, degrees.
 const SHIFT_DEG: f64 = 20.0;
-/// Span of a close-up before and after the beginning of a shift, seconds.
+/// Span of a close-up before the beginning of a shift, seconds.
 const BEFORE_S: f64 = 0.15;
+/// Span of a close-up after the beginning of a shift, seconds.
 const AFTER_S: f64 = 1.05;
 
-/// Scales end at a multiple of this.
+/// Scales end at a multiple of this angle, degrees.
 const STEP_DEG: f64 = 30.0;
 
-/// One of the two angles.
+/// Azimuth or elevation, and how it is drawn.
 #[derive(Clone, Copy)]
 struct GazeAngle {
     name: &'static str,
@@ -35,7 +37,7 @@ const AZIMUTH: GazeAngle =
 const ELEVATION: GazeAngle =
     GazeAngle { name: "Elevation", unit: "degrees, positive upwards", index: 1, most: 90.0, wraps: None };
 
-/// Azimuth, the close-up where there is something to see, elevation.
+/// Returns the charts: azimuth, a close-up if there is a quick shift, and elevation.
 pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
     let whole = |angle: GazeAngle| {
         let series = series(directions, angle, 0..base.times.len());
@@ -64,7 +66,7 @@ fn what(directions: &Directions) -> &'static str {
     }
 }
 
-/// The lines of these frames; what is drawn later lies above.
+/// Returns the lines for these frames. Later ones are drawn above earlier ones.
 fn series(directions: &Directions, angle: GazeAngle, frames: Range<usize>) -> Vec<Series<'static>> {
     let pick = |course: &Bearings| course[frames.clone()].iter().map(|at| at[angle.index]).collect::<Vec<f64>>();
     let gaze = pick(&directions.gaze);
@@ -79,21 +81,22 @@ fn series(directions: &Directions, angle: GazeAngle, frames: Range<usize>) -> Ve
     series
 }
 
-/// The largest change of gaze in a short time.
+/// Largest change of the gaze within [`SHIFT_S`].
 struct Shift {
-    /// The frame that it begins in.
+    /// Index of the frame in which it begins.
     begins: usize,
-    /// Its size, degrees.
+    /// Angle between the gaze before and after, degrees.
     degrees: f64,
     angle: GazeAngle,
 }
 
+/// Returns the largest shift of the gaze, or `None` if it is smaller than [`SHIFT_DEG`].
 fn furthest_shift(times: &[f64], gaze: &Bearings) -> Option<Shift> {
     let count = times.len().min(gaze.len());
     let after = |k: usize| times.partition_point(|t| *t <= times[k] + SHIFT_S).clamp(1, count) - 1;
     let far = |a: usize, b: usize| between(gaze[a], gaze[b]);
     let shifts = (0..count).map(|k| (k, far(k, after(k)))).filter(|(_, degrees)| degrees.is_finite());
-    // The first of equals.
+    // Of equal shifts, the first.
     let (from, degrees) = shifts.reduce(|best, at| if at.1 > best.1 { at } else { best })?;
     if degrees < SHIFT_DEG {
         return None;
@@ -101,13 +104,14 @@ fn furthest_shift(times: &[f64], gaze: &Bearings) -> Option<Shift> {
     let to = after(from);
     let steps = || (from + 1..=to).map(|k| (k - 1, far(k - 1, k)));
     let fastest = steps().map(|(_, step)| step).fold(0.0, f64::max);
+    // The shift begins with the first step of at least a quarter of the fastest one.
     let begins = steps().find(|(_, step)| *step >= 0.25 * fastest).map_or(from, |(k, _)| k);
     let turned = apart(gaze[to][0], gaze[from][0]).abs();
     let raised = (gaze[to][1] - gaze[from][1]).abs();
     Some(Shift { begins, degrees, angle: if raised > turned { ELEVATION } else { AZIMUTH } })
 }
 
-/// Degrees between two directions.
+/// Returns the angle between two directions, degrees.
 fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
     let [a, b] = [a, b].map(|[azimuth, elevation]| {
         let ((sin, cos), (up, level)) = (azimuth.to_radians().sin_cos(), elevation.to_radians().sin_cos());

@@ -1,5 +1,5 @@
-//! The page of `aim inspect --html`: the character from several sides with its rig's axes as arrows, as an artist would
-//! check them.
+//! The page of `aim inspect --html`: the character from several sides with its rig's axes as arrows, so that they can
+//! be checked by eye.
 
 use aim_character::{Fit, JointFit, Measurement, NAMES, Palette, evidence};
 use aim_gltf::Document;
@@ -12,30 +12,33 @@ use crate::page::report as report_page;
 use crate::projection::Projection;
 use crate::words::{n, points, segment};
 
-/// The size of a drawing, and pixels of its picture for each unit.
+/// Width and height of a drawing.
 const SIZE: f64 = 420.0;
+/// Pixels of the embedded picture per unit of the drawing.
 const PIXELS: f64 = 1.5;
-/// The lengths of an arrow and of the gaze, as shares of the drawing.
+/// Length of an arrow, as a share of the drawing.
 const ARROW: f64 = 0.15;
+/// Length of the gaze, as a share of the drawing.
 const GAZE: f64 = 0.3;
-/// The window around the chain: at least this share of the height, and this many times the chain.
+/// Smallest window around the chain, as a share of the character's height.
 const OF_HEIGHT: f64 = 0.42;
+/// Smallest window around the chain, as a multiple of the chain's extent.
 const OF_CHAIN: f64 = 2.4;
 const CLAY: [f64; 3] = [0.80, 0.74, 0.68];
 const COLOURS: [&str; 3] = ["axis-up", "axis-forward", "axis-left"];
 
-/// Subject of the page.
+/// Input of the page.
 pub(crate) struct Inspected<'a> {
     pub(crate) file: &'a str,
     pub(crate) document: &'a Document,
     pub(crate) measurement: &'a Measurement,
-    /// The rig whose axes are drawn, if any, and what of it is wrong.
+    /// The rig whose axes are drawn, compared with the model; `None` if there is none.
     pub(crate) fit: Option<&'a Fit<'a>>,
-    /// Source of that rig, in words.
+    /// Origin of that rig, in words.
     pub(crate) rig: &'a str,
 }
 
-/// The page.
+/// Returns the page.
 pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let Inspected { file, document, measurement, fit, rig } = inspected;
     let skinned = SkinnedSurface::new(document);
@@ -69,7 +72,7 @@ fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
     }
 }
 
-/// From the front, from the left, from above, and the whole character.
+/// Returns the views from the front, from the left and from above, and one of the whole character.
 fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, Projection)> {
     let Measurement { up, forward, left, height, bones, .. } = inspected.measurement;
     let (up, forward, left) = (*up, *forward, *left);
@@ -119,7 +122,7 @@ fn drawing(inspected: &Inspected<'_>, name: &str, view: &Projection, skinned: &S
     }
 }
 
-/// The three declared axes of a joint.
+/// Draws the three declared axes of a joint. A wrong one is marked, and the measured axis is drawn beside it.
 fn arrows(joint: &JointFit<'_>, view: &Projection) -> Markup {
     let place = &joint.bone.bind_world;
     let length = ARROW * SIZE / view.scale;
@@ -134,7 +137,7 @@ fn arrows(joint: &JointFit<'_>, view: &Projection) -> Markup {
             @let mark = if wrong { " ✗" } else { "" };
             @let name = if wrong { NAMES[side] } else { "" };
             @let axis = evidence::direction(joint.declared[side]);
-            // A general direction is its arrow; its numbers are in the table.
+            // The components of a general direction are in the table, not at its arrow.
             @let axis = if axis.starts_with('(') { "" } else { &axis };
             @let class = format!("{}{}", COLOURS[side], if wrong { " dashed" } else { "" });
             (arrow(view, at, tip(joint.declared[side]), &class, format!("{name} {axis}{mark}").trim()))
@@ -145,14 +148,14 @@ fn arrows(joint: &JointFit<'_>, view: &Projection) -> Markup {
     }
 }
 
-/// The effector's gaze.
+/// Draws the effector's gaze.
 fn gaze(effector: &JointFit<'_>, view: &Projection) -> Markup {
     let place = &effector.bone.bind_world;
     let ahead = place.transform_vector3(effector.declared[1]).normalize_or_zero() * (GAZE * SIZE / view.scale);
     arrow(view, place.translation, ahead, "gaze", "gaze")
 }
 
-/// An arrow of the world; one that leads along the line of sight is a dot.
+/// Draws an arrow from a point along a vector, both in the world; nothing if it points along the line of sight.
 fn arrow(view: &Projection, at: DVec3, along: DVec3, class: &str, label: &str) -> Markup {
     let (a, b) = (view.project(at), view.project(at + along));
     let flat = DVec3::new(b.x - a.x, b.y - a.y, 0.0);
@@ -176,7 +179,7 @@ fn arrow(view: &Projection, at: DVec3, along: DVec3, class: &str, label: &str) -
     }
 }
 
-/// Which way the character's own directions go in a view.
+/// Draws the directions of the character's up, forward and left in a view.
 fn compass(measurement: &Measurement, view: &Projection) -> Markup {
     let corner = view.centre + (view.up * -0.34 - view.right * 0.34) * (SIZE / view.scale);
     let length = 0.075 * SIZE / view.scale;
@@ -215,7 +218,7 @@ fn table(fit: &Fit<'_>) -> Markup {
     }
 }
 
-/// The surface in the bind pose as a pale picture.
+/// Returns the surface in the bind pose as a `data:` URI; `None` if nothing is visible.
 fn figure(inspected: &Inspected<'_>, view: &Projection, skinned: &SkinnedSurface) -> Option<String> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a constant of some hundreds")]
     let pixels = (SIZE * PIXELS) as usize;

@@ -1,4 +1,4 @@
-//! A clip's keys bone by bone, before and after: their bytes as bars, and their times as ticks beside them.
+//! Charts of a clip's keys by bone, before and after: their bytes as bars, and their times as ticks.
 
 use std::collections::BTreeSet;
 
@@ -12,21 +12,22 @@ use crate::clip_report::{BoneBytes, ClipCost, Kinds, rounded};
 use crate::deviation::bone_times;
 use crate::words::{self, grouped, n, shown};
 
-/// Bones that have a row; the others share one.
+/// Number of bones with a row of their own; the others share one.
 const ROWS: usize = 12;
 const WIDTH: f64 = 520.0;
 const TOP: f64 = 18.0;
 const ROW: f64 = 24.0;
-/// The height of a bar, of which a row has two.
+/// Height of a bar; each row has two.
 const BAR: f64 = 8.0;
-/// The room for names, and for numbers.
+/// Width of the column of names.
 const LEFT: f64 = 132.0;
+/// Width of the column of numbers.
 const RIGHT: f64 = 112.0;
 const KINDS: [&str; 4] = ["translation", "rotation", "scale", "weights"];
-/// Letters of a name that are shown.
+/// Maximum number of characters shown of a name.
 const LETTERS: usize = 21;
 
-/// A bone, or all that have no row of their own.
+/// A row: one bone, or all bones without a row of their own.
 struct Row {
     name: String,
     bones: Vec<usize>,
@@ -59,7 +60,7 @@ fn rows(cost: &ClipCost) -> Vec<Row> {
     rows
 }
 
-/// Both charts.
+/// Returns both charts.
 pub(super) fn charts(document: &Document, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
     let rows = rows(cost);
     let height = TOP + ROW * words::count(rows.len()) + 30.0;
@@ -84,7 +85,7 @@ fn name(row: &Row, y: f64) -> Markup {
 
 fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
     let sum = |side: &[f64; 4]| side.iter().sum::<f64>();
-    // What shares a row would make the others' bars short: it has none, its number tells.
+    // The shared row has only numbers: its bar would make all others short.
     let own = rows.iter().filter(|row| row.bones.len() == 1).flat_map(|row| &row.sides).map(sum);
     let most = own.fold(1.0, f64::max);
     let axis = Axis { values: [0.0, most], places: [0.0, WIDTH - LEFT - RIGHT] };
@@ -121,7 +122,7 @@ fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
     }
 }
 
-/// Each kind's part of a bar: where it begins, and how long it is.
+/// Returns the parts of a bar: kind, start and length of each.
 fn stacked(bytes: &[f64; 4]) -> Vec<(usize, f64, f64)> {
     let mut end = 0.0;
     let part = |(kind, bytes): (usize, &f64)| {
@@ -168,7 +169,7 @@ fn ticks(rows: &[Row], document: &Document, take: &ClipTakes<'_>, height: f64) -
     }
 }
 
-/// A tick for each time; those that would be one on the screen are one.
+/// Returns the path of a tick for each key time. Ticks at the same half pixel are merged.
 fn path(document: &Document, clip: &Clip, bones: &[usize], x: impl Fn(f64) -> f64, top: f64) -> String {
     let mut places = BTreeSet::new();
     let mut add = |t: f32| places.insert(half_pixels(x(t.into())));

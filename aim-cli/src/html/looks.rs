@@ -1,5 +1,5 @@
-//! Charts of what makes a gaze look plausible or not: the head from the chest, the gaze above or below the target, the head's
-//! acceleration. Measured on what was written.
+//! Charts of the plausibility of a gaze, measured on the written model: heading of the head from the chest, elevation
+//! and heading of the gaze from the target, and acceleration of the head.
 
 use aim_character::{Appearance, Criterion, Plausibility};
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use super::chart::{Base, Mark, Scale, Series};
 use crate::words::trimmed;
 
-/// Those of the charts that have something to show.
+/// Returns the charts of the criteria that could be measured.
 pub(super) fn charts(base: &Base<'_>, measured: &Plausibility) -> Markup {
     html! {
         (chart(base, measured, Criterion::HeadToChestHeading, |seen| seen.head_to_chest_heading_deg))
@@ -51,7 +51,7 @@ fn chart(
             "degrees a second squared",
         ),
     };
-    // A limit far from everything would flatten the curve.
+    // A limit far beyond all values is left out: it would flatten the curve.
     let room = most.max(must.filter(|must| *must < 2.5 * most.max(5.0)).unwrap_or(0.0)).max(5.0) * 1.08;
     let is_size = criterion == Criterion::HeadAcceleration;
     let scale = if is_size { Scale::Linear(0.0, room) } else { Scale::Degrees(-room, room) };

@@ -1,7 +1,7 @@
-//! Triangles to a picture: depth-buffered, smoothly lit, on nothing, as a PNG in a `data:` address. The same triangles
-//! give the same bytes.
+//! Rasteriser for triangles: depth-buffered and smoothly lit, on a transparent background, encoded as a PNG in a
+//! `data:` URI. The same triangles give the same bytes.
 //!
-//! A shaded figure as SVG triangles would be ten times as large and show its seams; the lines over it are vectors.
+//! A shaded figure as SVG triangles would be ten times as large and show its seams; only the lines over it are vectors.
 
 use aim_animation::{Mesh, MeshPose, Skin};
 use aim_gltf::{Document, Surface, Triangle};
@@ -12,15 +12,17 @@ use base64::engine::general_purpose::STANDARD;
 use crate::projection::Projection;
 use crate::words::count;
 
-/// Samples a pixel in each direction.
+/// Samples per pixel in each direction.
 const SAMPLES: usize = 2;
-/// Towards the key light in camera space: x right, y up, z to the viewer.
+/// Direction to the key light in camera space: x right, y up, z to the viewer.
 const LIGHT: DVec3 = DVec3::new(-0.40, 0.62, 0.67);
-/// Shares of light: from everywhere, from above, from the key light.
+/// Share of ambient light.
 const AMBIENT: f64 = 0.44;
+/// Share of light from above.
 const SKY: f64 = 0.16;
+/// Share of the key light.
 const KEY: f64 = 0.52;
-/// The share of the picture at its lower end over which a figure fades out that the border cuts.
+/// Share of the picture's height at its lower edge over which a figure that is cut off there fades out.
 pub(super) const FADE: f64 = 0.12;
 
 /// Colour of a face.
@@ -35,11 +37,11 @@ pub(super) enum Paint {
 /// A corner of a face.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
-    /// Pixels right and down, and how near it is.
+    /// Position in pixels, right and down, and nearness to the viewer.
     screen: DVec3,
     /// Unit normal in camera space.
     normal: DVec3,
-    /// Its place in the world, for [`Paint::Eye`].
+    /// Position in the world, for [`Paint::Eye`].
     world: DVec3,
 }
 
@@ -50,30 +52,32 @@ struct Face {
     paint: Paint,
 }
 
-/// A picture in the making.
+/// A picture to draw triangles into.
 #[derive(Debug)]
 pub(super) struct Raster {
     width: usize,
     height: usize,
     fade: f64,
-    /// The drawing so far.
+    /// Faces of which a sample was visible when they were drawn.
     faces: Vec<Face>,
-    /// Per sample how near the nearest face is, and where it is hit.
+    /// Nearness of the nearest face at each sample.
     depth: Vec<f64>,
+    /// Point of the nearest face at each sample.
     nearest: Vec<Hit>,
 }
 
-/// A point of a face.
+/// A point of a face, in barycentric coordinates.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hit {
-    /// Its index in [`Raster::faces`].
+    /// Index of the face in [`Raster::faces`].
     face: usize,
-    /// The shares of the first and of the second corner; the third has the rest.
+    /// Coordinate of the first corner.
     u: f64,
+    /// Coordinate of the second corner; that of the third is `1 − u − v`.
     v: f64,
 }
 
-/// A surface, ready to be posed as often as it is drawn.
+/// A surface with its skin, prepared for drawing in any number of poses.
 pub(super) struct SkinnedSurface {
     pub(super) surface: Surface,
     mesh: Mesh,
@@ -89,14 +93,15 @@ impl SkinnedSurface {
 }
 
 impl Raster {
-    /// An empty picture of that many pixels; what is drawn fades out over the share `fade` at its lower end.
+    /// Creates an empty picture of that many pixels. The drawing fades out over the share `fade` of the height at its
+    /// lower edge.
     pub(super) fn new(width: usize, height: usize, fade: f64) -> Self {
         let samples = width * height * SAMPLES * SAMPLES;
         let (depth, nearest) = (vec![f64::NEG_INFINITY; samples], vec![Hit::default(); samples]);
         Self { width, height, fade, faces: Vec::new(), depth, nearest }
     }
 
-    /// Draws a surface as it is with the nodes at `world`, in a view whose unit is so many `pixels`.
+    /// Draws a surface posed by the nodes at `world`, in a view whose unit is that many `pixels`.
     pub(super) fn draw_surface(
         &mut self,
         skinned: &SkinnedSurface,
@@ -109,7 +114,7 @@ impl Raster {
         let mut matrices = vec![Affine3A::IDENTITY; skin.len()];
         let (mut positions, mut normals) = (vec![Vec3::ZERO; surface.points().len()], Vec::new());
         normals.clone_from(&positions);
-        // All of equal lengths.
+        // Cannot fail: all slices have the expected lengths.
         let _ = skin.matrices(&model, &mut matrices);
         let pose = MeshPose::new(&matrices).with_morph_weights(surface.morph_weights());
         let _ = mesh.deform(&pose, &mut positions);
@@ -125,9 +130,10 @@ impl Raster {
         }
     }
 
-    /// Draws one face where it is the nearest.
+    /// Draws one face into the samples where it is the nearest.
     ///
-    /// The loops have only numbers and no iterators in them: a figure is millions of samples, and tests are hardly optimised.
+    /// The loops use plain numbers instead of iterators, because a figure has millions of samples and test builds are
+    /// barely optimised.
     fn draw(&mut self, face: Face) {
         let [a, b, c] = face.corners.map(|corner| corner.screen);
         let area = cross(b - a, c - a);
@@ -141,7 +147,7 @@ impl Raster {
         };
         let rows = span(a.y.min(b.y).min(c.y), a.y.max(b.y).max(c.y), self.height);
         let columns = span(a.x.min(b.x).min(c.x), a.x.max(b.x).max(c.x), self.width);
-        // The sides opposite the first and the second corner: a share is the distance from them.
+        // Barycentric coordinates are linear: u is 0 on the side bc and 1 at a; v is 0 on the side ca and 1 at b.
         let (bc_x, bc_y) = ((c.x - b.x) / area, (c.y - b.y) / area);
         let (ca_x, ca_y) = ((a.x - c.x) / area, (a.y - c.y) / area);
         let (first_x, step) = ((count(columns.start) + 0.5) / samples, 1.0 / samples);
@@ -172,7 +178,7 @@ impl Raster {
         }
     }
 
-    /// The picture as a `data:` address; `None` where nothing was drawn.
+    /// Returns the picture as a `data:` URI; `None` if nothing was drawn.
     pub(super) fn data_uri(&self) -> Option<String> {
         if self.depth.iter().all(|depth| *depth == f64::NEG_INFINITY) {
             return None;
@@ -189,7 +195,7 @@ impl Raster {
         Some(format!("data:image/png;base64,{}", STANDARD.encode(bytes)))
     }
 
-    /// Red, green, blue and opacity of each pixel, the mean of its samples.
+    /// Returns red, green, blue and opacity of each pixel, as the mean of its samples.
     fn pixels(&self) -> Vec<u8> {
         let mut out = vec![0; self.width * self.height * 4];
         let light = LIGHT.normalize();
@@ -210,7 +216,7 @@ impl Raster {
                 if hits == 0 {
                     continue;
                 }
-                // Colours are kept in steps of 4: unseen, and the file is half as large.
+                // Colours are rounded to steps of 4, which is invisible and halves the file.
                 let part = |value: f64| byte((value / count(hits) * 63.0).round() * (255.0 / 63.0));
                 let opacity = byte(count(hits) / count(SAMPLES * SAMPLES) * fade * 255.0);
                 let pixel = 4 * (y * self.width + x);
@@ -221,11 +227,11 @@ impl Raster {
     }
 }
 
-/// The colour of a face where its corners have these shares, lit along `light`.
+/// Returns the colour of a face at these barycentric coordinates, lit from the direction `light`.
 fn shade(face: &Face, [u, v, w]: [f64; 3], light: DVec3) -> DVec3 {
     let [a, b, c] = &face.corners;
     let normal = (a.normal * u + b.normal * v + c.normal * w).normalize_or(DVec3::Z);
-    // Cloth and hair are single sheets: the side that is seen is the side that is lit.
+    // Cloth and hair are single sheets: the side that faces the viewer is lit.
     let normal = if normal.z < 0.0 { -normal } else { normal };
     let base = match face.paint {
         Paint::Plain(colour) => colour,
@@ -235,13 +241,13 @@ fn shade(face: &Face, [u, v, w]: [f64; 3], light: DVec3) -> DVec3 {
         }
     };
     let lit = AMBIENT + SKY * normal.y + KEY * normal.dot(light).max(0.0);
-    // A darker rim keeps the figure apart from any background.
+    // A darker rim separates the figure from any background.
     let rim = 0.62 + 0.38 * (normal.z / 0.45).min(1.0);
     let part = |part: f64| (part * lit * rim * 1.16).clamp(0.0, 1.0);
     DVec3::new(part(base[0]), part(base[1]), part(base[2]))
 }
 
-/// The colour of an eyeball by the cosine of the angle off its axis; a human iris spans ±29° of it.
+/// Returns the colour of an eyeball by the cosine of the angle from its axis; a human iris spans ±29°.
 fn eye(along: f64) -> [f64; 3] {
     match along {
         x if x > 0.971 => [0.03, 0.03, 0.04],

@@ -1,4 +1,4 @@
-//! The rig as it was declared, and how much of it the bake used.
+//! The table of the declared rig, and of the angles and speeds that the bake used.
 
 use aim_codegen::{AngleRange, JointSpec, LimitsFrom, RigSpec};
 use maud::{Markup, html};
@@ -7,7 +7,7 @@ use super::charts::speeds;
 use crate::bake_report::{BakeReport, JointReport};
 use crate::words::{axis, fixed, shown, trimmed};
 
-/// The table of joints.
+/// Returns the table of joints.
 pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     html! {

@@ -1,4 +1,5 @@
-//! The character as it is drawn: one camera for the whole film, the skinned surface as a picture, or else its bones.
+//! The drawn character: one camera for a whole film strip, and the skinned surface as a picture, or the bones if there
+//! is none.
 
 use aim_character::{AimedFrame, ChainNodes, LimbNodes, Measurement, Palette, Role};
 use aim_gltf::{Document, Surface, Triangle};
@@ -10,53 +11,61 @@ use super::subject::BakePage;
 use crate::projection::Projection;
 use crate::words::{n, segment, span};
 
-/// The size of a drawing, and of its picture in pixels: so many for each unit of the drawing.
+/// Width of a drawing.
 pub(super) const WIDTH: f64 = 240.0;
+/// Height of a drawing.
 pub(super) const HEIGHT: f64 = 250.0;
+/// Width and height of the picture in a drawing, pixels.
 const PICTURE: (usize, usize) = (480, 500);
+/// Pixels per unit of a drawing.
 const PIXELS: f64 = 2.0;
-/// The camera stands this far to the side of the front on which the effector is (a limb's way is mostly to the front,
-/// and seen from aside), and this far above.
+/// Angle of the front camera towards the side of the effector, degrees.
 const ASIDE_DEG: f64 = 27.0;
+/// Angle of the camera for limbs towards the side of the limb, degrees. It is larger, because limbs move mostly
+/// forwards.
 const LIMB_ASIDE_DEG: f64 = 55.0;
+/// Angle of these cameras above the horizontal, degrees.
 const ABOVE_DEG: f64 = 9.0;
-/// Where a camera stands.
+/// Position of a camera: its angles from the character's front and above the horizontal, degrees.
 #[derive(Clone, Copy)]
 pub(super) struct Stand {
     aside_deg: f64,
     above_deg: f64,
 }
 
-/// In front of the character, as in a portrait.
+/// A camera in front of the character, as in a portrait.
 pub(super) const IN_FRONT: Stand = Stand { aside_deg: ASIDE_DEG, above_deg: ABOVE_DEG };
-/// At its side, on its own level, where a head that leans back is plain to see.
+/// A level camera at the side of the character, where a head that leans back is clearly visible.
 pub(super) const BESIDE: Stand = Stand { aside_deg: 90.0, above_deg: 0.0 };
+/// A camera for the path of a limb.
 const BEFORE_THE_LIMB: Stand = Stand { aside_deg: LIMB_ASIDE_DEG, above_deg: ABOVE_DEG };
 
-/// A head's length for its width.
+/// Largest size of a head, as a multiple of its width.
 const WIDE: f64 = 1.6;
-/// The window's height in heads, and as a share of a character without any surface.
+/// Height of the window, in sizes of the head.
 const HEADS: f64 = 2.5;
+/// Height of the window as a share of the character's height, if there is no surface to measure the head.
 const OF_HEIGHT: f64 = 0.9;
 /// Height of the head above the middle of the window, as a share of the window.
 const RAISED: f64 = 0.14;
-/// The window for what it shows, and how far beyond the character it goes for a target, as a share of the character.
+/// Size of the window as a multiple of its content.
 const AROUND: f64 = 1.1;
+/// Distance from the character up to which a target is kept in the window, as a share of the character.
 const BEYOND: f64 = 0.4;
-/// The colour of surfaces whose own is not known, sRGB.
+/// Colour of surfaces without a known one, sRGB.
 const CLAY: [f64; 3] = [0.80, 0.70, 0.62];
 
-/// All that the drawings share.
+/// Data shared by all drawings of a film strip.
 pub(super) struct Scene<'a> {
     document: &'a Document,
     pub(super) measurement: &'a Measurement,
     skinned: SkinnedSurface,
-    /// The rig's own bones.
+    /// Nodes of the rig's joints, or of the limb.
     joints: Vec<usize>,
-    /// Those whose surface is an eyeball.
+    /// Nodes whose surface is drawn as an eyeball.
     pub(super) eyes: Vec<Eye>,
     pub(super) camera: FollowingCamera,
-    /// The share of the picture at its lower end over which the figure fades out.
+    /// Share of the picture's height at its lower edge over which the figure fades out.
     fade: f64,
 }
 
@@ -68,14 +77,14 @@ pub(super) struct Eye {
     pub(super) forward: DVec3,
 }
 
-/// A camera that goes where the bone `follows` goes, and never turns; its centre is given from that bone.
+/// A camera that moves with the bone `follows`, but never turns. The centre of its view is relative to that bone.
 pub(super) struct FollowingCamera {
     pub(super) view: Projection,
     follows: Option<usize>,
 }
 
 impl FollowingCamera {
-    /// Before the character, to the side on which the effector is.
+    /// Creates a camera in front of the character, towards the side of the effector.
     fn new(measurement: &Measurement, stand: Stand, follows: Option<usize>, eye_bind: DVec3) -> Self {
         let &Measurement { up, forward, left, height, .. } = measurement;
         let (low, high) = span(measurement.bones.iter().map(|bone| bone.bind_world.translation.dot(left)));
@@ -85,8 +94,8 @@ impl FollowingCamera {
         Self { view: Projection::from_aside([up, forward, left], aside_deg, stand.above_deg, middle), follows }
     }
 
-    /// Brings into the picture the `head`, given by its extent in the bind pose, wherever the effector is: at `eye_bind`
-    /// in that pose, at `places` from the followed bone in the drawings.
+    /// Frames the head wherever the effector is. `head` is the head's extent and `eye_bind` the effector's place, both
+    /// in the bind pose; `places` are the effector's places in the drawings, relative to the followed bone.
     fn framing(
         mut self,
         measurement: &Measurement,
@@ -97,13 +106,13 @@ impl FollowingCamera {
         let known = if measurement.height > 0.0 { measurement.height } else { 1.0 };
         let (mut size, mut middle) = (OF_HEIGHT * known / HEADS, DVec3::ZERO);
         if let Some((low, high)) = head {
-            // A head is as wide as its skull, however long its hair is.
+            // The width limits the size, however long the hair is.
             let extent = high - low;
             let wide = extent.dot(measurement.left.abs());
             size = extent.max_element().min(WIDE * wide).clamp(0.04 * known, 0.6 * known);
             middle = (low + high) * 0.5 + measurement.up * ((extent.dot(measurement.up) - size) * 0.5) - eye_bind;
         }
-        // A long neck moves its head further than a head is long.
+        // The window contains all places of the effector: a long neck moves it by more than the length of a head.
         let seen = places.filter(|place| place.is_finite()).map(|place| self.view.turn(place));
         let (low, high) = ends(seen).unwrap_or_default();
         let spread = high - low;
@@ -115,7 +124,7 @@ impl FollowingCamera {
         self
     }
 
-    /// Brings `character` into the picture, all its points, and `target` unless it is far away.
+    /// Frames all points of `character`, and `target` unless it is far away.
     fn around(mut self, character: impl Iterator<Item = DVec3>, target: DVec3) -> Self {
         let seen = character.filter(|point| point.is_finite()).map(|point| self.view.turn(point));
         let (low, high) = ends(seen).unwrap_or_default();
@@ -129,18 +138,18 @@ impl FollowingCamera {
         self
     }
 
-    /// Place of a point of the world in the drawing, with the nodes at `world`.
+    /// Returns the place in the drawing of a point of the world, with the nodes at `world`.
     pub(super) fn project(&self, point: DVec3, world: &[DAffine3]) -> DVec3 {
         self.view_of(world).project(point)
     }
 
-    /// The view, where the camera is with the nodes at `world`.
+    /// Returns the view with the nodes at `world`.
     fn view_of(&self, world: &[DAffine3]) -> Projection {
         Projection { centre: self.view.centre + at(self.follows, world), ..self.view }
     }
 }
 
-/// The lowest and highest coordinates.
+/// Returns the lowest and highest coordinates of some points; `None` if there are none.
 pub(super) fn ends(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
     points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
 }
@@ -150,7 +159,8 @@ fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
 }
 
 impl<'a> Scene<'a> {
-    /// The head, or what the `eye` of joint 0 is on, in all the frames that are `drawn`.
+    /// Creates the scene of a gaze: the head, or the bone that carries the `eye` of joint 0, in all the frames that are
+    /// `drawn`.
     pub(super) fn of_gaze<'f>(
         subject: &BakePage<'a>,
         chain: &ChainNodes,
@@ -177,7 +187,8 @@ impl<'a> Scene<'a> {
                 forward: bind[node].inverse().transform_vector3(forward).normalize_or_zero(),
             }));
         }
-        // The head is what hangs on the bone that carries the eye.
+        // The framed surface is that of the nearest bone with the role head, or else of the eye's parent, or, if the
+        // effector is not an eye, of its own bone.
         let carrier = skeleton.ancestry(first).find(|node| role(*node) == Some(Role::Head));
         let carrier = carrier.or_else(|| skeleton.parents()[first].filter(|_| is_eye)).unwrap_or(first);
         let positions = Palette::new(skeleton, bind).positions(surface);
@@ -190,7 +201,7 @@ impl<'a> Scene<'a> {
         Self { document, measurement, skinned, joints: chain.joints.clone(), eyes, camera, fade: FADE }
     }
 
-    /// The whole character in each of the poses `worlds`, and what the limb is led to.
+    /// Creates the scene of a limb: the whole character in each of the poses `worlds`, and the limb's target.
     pub(super) fn of_limb<'w>(
         document: &'a Document,
         measurement: &'a Measurement,
@@ -210,7 +221,7 @@ impl<'a> Scene<'a> {
         Self { document, measurement, skinned, joints, eyes: Vec::new(), camera, fade: 0.0 }
     }
 
-    /// The surface; without one the bones.
+    /// Draws the surface, or the bones if there is none.
     pub(super) fn character(&self, world: &[DAffine3]) -> Markup {
         match self.figure(world) {
             Some(uri) => html! { image width=(n(WIDTH)) height=(n(HEIGHT)) href=(uri) {} },
@@ -218,7 +229,7 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// The surface as a picture.
+    /// Returns the surface as a `data:` URI; `None` if nothing is visible.
     fn figure(&self, world: &[DAffine3]) -> Option<String> {
         let (skeleton, surface) = (self.document.skeleton(), &self.skinned.surface);
         let paint = |triangle: &Triangle| {
@@ -236,7 +247,7 @@ impl<'a> Scene<'a> {
         picture.data_uri()
     }
 
-    /// Lines from bone to bone, the rig's own ones thicker.
+    /// Draws lines from bone to bone, and circles at the joints of the rig or limb.
     fn bones(&self, world: &[DAffine3]) -> Markup {
         let parents = self.document.skeleton().parents();
         let shown = |node: usize| self.camera.project(world[node].translation, world);
@@ -251,7 +262,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The lowest and highest coordinates of the surface that hangs on `carrier`; where none does, on the bones below it.
+/// Returns the extent of the surface on `carrier`, or, if it has none, of the surface on the bones below it.
 fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: usize) -> Option<(DVec3, DVec3)> {
     let skeleton = document.skeleton();
     let below: Vec<bool> = (0..skeleton.len()).map(|node| skeleton.ancestry(node).any(|at| at == carrier)).collect();
@@ -265,6 +276,6 @@ fn extent(document: &Document, surface: &Surface, positions: &[DVec3], carrier: 
 }
 
 fn srgb(linear: [f32; 4]) -> [f64; 3] {
-    // A tenth of clay keeps black cloth apart from a dark page.
+    // A tenth of clay keeps black cloth visible on a dark page.
     std::array::from_fn(|i| 0.9 * f64::from(linear[i]).powf(1.0 / 2.2) + 0.1 * CLAY[i])
 }

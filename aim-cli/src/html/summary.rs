@@ -1,4 +1,4 @@
-//! The bake in words and numbers: nothing here is claimed, all of it is counted or measured from the report.
+//! The summary of a bake in words and numbers, all counted or measured from the report.
 
 use aim_character::Plausibility;
 use aim_codegen::RigSpec;
@@ -9,14 +9,14 @@ use crate::effector::Effector;
 use crate::plausibility;
 use crate::words::{self, Wanted, chip, counted, fixed, listed, shown, tiny, trimmed};
 
-/// An excess over a rate or a range up to this is rounding.
+/// Excess over a rate or a range that is attributed to rounding, degrees per second or degrees.
 const ROUNDING: f64 = 1e-2;
 
 fn percent(part: usize, of: usize) -> f64 {
     words::count(part) / words::count(of.max(1)) * 100.0
 }
 
-/// Names and values under a caption.
+/// Returns a table of names and values under a caption.
 pub(super) fn table(caption: &str, rows: &[(&str, String)]) -> Markup {
     html! {
         table {
@@ -26,7 +26,7 @@ pub(super) fn table(caption: &str, rows: &[(&str, String)]) -> Markup {
     }
 }
 
-/// The summary: a paragraph, the share of each status, the facts.
+/// Returns the summary: a paragraph, the share of each status, and the facts.
 pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     let counts = report.counts();
     let all = report.frames.len();
@@ -54,7 +54,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     }
 }
 
-/// What an animator would judge it by, as written, with limits.
+/// Returns the table of plausibility criteria with their limits, measured on the written model.
 fn looks(measured: &Plausibility) -> Markup {
     let sentence =
         |name: &str| name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>();
@@ -132,7 +132,7 @@ fn seconds(report: &BakeReport) -> f64 {
     }
 }
 
-/// One bar, a part of it for each status.
+/// Returns a bar that shows the share of each status.
 fn shares(wanted: Wanted, counts: &[(&str, usize, &str)], all: usize) -> Markup {
     let label: Vec<String> =
         counts.iter().map(|(word, n, _)| format!("{} {} %", wanted.status(word), fixed(percent(*n, all), 1))).collect();

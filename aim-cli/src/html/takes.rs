@@ -1,4 +1,5 @@
-//! The film strip of a limb that is led to a point: the character about that time as it was, and below as it is.
+//! The film strip of a limb guided to a target: the character around the target's time, as animated above and as
+//! written below.
 
 use aim_animation::Clip;
 use aim_character::{Goal, LimbNodes, Measurement};
@@ -9,27 +10,29 @@ use maud::{Markup, html};
 use super::scene::{HEIGHT, Scene, WIDTH};
 use crate::words::{self, n};
 
-/// Moments drawn before a target's own and as many after it; of several targets each has fewer, for the page's size.
+/// Number of moments drawn before a target's time, and also after it. With several targets there are fewer, to limit
+/// the size of the page.
 const AROUND: i16 = 2;
-/// Targets that are drawn.
+/// Maximum number of targets drawn.
 const TARGETS: usize = 8;
-/// Between moments, seconds at most and as a share of the clip.
+/// Longest time between moments, seconds.
 const STEP: f32 = 0.15;
+/// Longest time between moments, as a share of the clip.
 const SHARE: f32 = 0.1;
-/// Points of the way between moments.
+/// Number of points of the path between moments.
 const POINTS: i16 = 8;
 
 /// A character in a clip before and after it was changed.
 pub(crate) struct Takes<'a> {
     pub(crate) document: &'a Document,
-    /// Of the document.
+    /// Measurement of `document`.
     pub(crate) measurement: &'a Measurement,
     pub(crate) limb: LimbNodes,
     pub(crate) before: &'a Clip,
     pub(crate) after: &'a Clip,
 }
 
-/// The character at one time, world ← node of every node.
+/// The character at one time, before and after: the world transforms of all nodes.
 struct Take {
     t: f32,
     before: Vec<DAffine3>,
@@ -37,7 +40,7 @@ struct Take {
 }
 
 impl Takes<'_> {
-    /// A strip for each goal.
+    /// Returns a strip for each of the first [`TARGETS`] goals.
     pub(super) fn strips(&self, goals: &[Goal]) -> Markup {
         let around = match goals.len() {
             0 | 1 => AROUND,
@@ -50,7 +53,7 @@ impl Takes<'_> {
         }
     }
 
-    /// `around` moments before the goal's own and as many after it, where the clip has them.
+    /// Returns a strip with the moment of the goal, and up to `around` moments before and after it within the clip.
     fn strip(&self, goal: &Goal, around: i16) -> Markup {
         let moments = self.moments(goal, around, 1);
         let way = self.moments(goal, AROUND, POINTS);
@@ -81,7 +84,7 @@ impl Takes<'_> {
         }
     }
 
-    /// `parts` moments to a step, in order.
+    /// Returns the moments around a goal in order of time, `parts` of them per step.
     fn moments(&self, goal: &Goal, around: i16, parts: i16) -> Vec<Take> {
         let skeleton = self.document.skeleton();
         let seconds = self.before.length_s();
@@ -93,7 +96,7 @@ impl Takes<'_> {
         times.iter().map(|&t| Take { t, before: world(self.before, t), after: world(self.after, t) }).collect()
     }
 
-    /// The angle between the limb's two bones at each time, degrees; 180 is straight.
+    /// Returns the angle between the limb's two bones at each time, degrees; 180 is straight.
     pub(super) fn bent(&self, clip: &Clip, times: &[f64]) -> Vec<f64> {
         let skeleton = self.document.skeleton();
         let at = |t: &f64| {

@@ -1,4 +1,4 @@
-//! The page as a whole: it parses, says everything once more for hostile names, and works when nearly nothing is there.
+//! Tests of the whole page: it parses, escapes hostile names, and works for nearly empty input.
 
 use std::sync::LazyLock;
 
@@ -17,8 +17,9 @@ use crate::effector::Effector;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
-/// A file of bones alone, with a name that wants to be markup.
+/// A bone's name that looks like markup.
 const HOSTILE: &str = "<script>alert(\"1\")</script>&'";
+/// A file of bones without a surface, one of them with the hostile name.
 const BONES: &str = r#"{"asset":{"version":"2.0"},"nodes":[
     {"name":"hips","children":[1],"translation":[0,1,0]},
     {"name":"neck","children":[2],"translation":[0,0.4,0]},
@@ -67,7 +68,7 @@ impl Case {
             fps: 30.0,
             settle: Settle::Animation,
             looped: false,
-            // Joints that go at their rates, and to their limits.
+            // The exact solver moves joints at their rates and to their limits.
             settings: Settings::default().with_solver(Solver::Exact),
             target_node: None,
         };
@@ -99,7 +100,7 @@ impl Case {
         Self::new(RIG, &mannequin(|_| PAPER_AXES).expect("constants"), seconds)
     }
 
-    /// The first `frames` frames only.
+    /// Keeps only the first `frames` frames.
     fn cut(mut self, frames: usize) -> Self {
         self.baked.frames.truncate(frames);
         self.report.frames.truncate(frames);
@@ -112,19 +113,19 @@ impl Case {
     }
 }
 
-/// A bake over the mannequin's turn, and its page: what two tests look at takes seconds to draw.
+/// A bake of the mannequin and its page, shared by two tests because drawing it takes seconds.
 static WHOLE: LazyLock<(Case, String)> = LazyLock::new(|| {
     let case = Case::mannequin(6.3);
     let page = case.page();
     (case, page)
 });
 
-/// Parses, and fails on anything that a strict parser has to mend.
+/// Parses a page. Panics on markup errors, references to other resources, and numbers that are not finite.
 #[track_caller]
 fn parsed(page: &str) -> Html {
     let html = Html::parse_document(page);
     assert!(html.errors.is_empty(), "{:?}", html.errors);
-    // Pictures may spell anything.
+    // Base64 data may contain any of these strings by chance.
     let text: String = page
         .split("base64,")
         .enumerate()
@@ -163,7 +164,7 @@ fn the_mannequins_page_is_whole() {
     );
     assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
     for title in ["Head from chest", "Gaze above or below the target", "Gaze beside the target", "Head acceleration"] {
-        // In the table and over a chart.
+        // Once in the table and once above a chart.
         assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
     }
     assert_eq!(count(&html, ".looks tr"), 8);
@@ -196,7 +197,7 @@ fn limits_are_shaded_just_where_they_bind() {
         };
         chart.select(&bound).map(|at| stretch(at).expect("from, to")).collect()
     };
-    // Times are told to a hundredth, frames are three apart.
+    // Times are printed in hundredths of a second; frames are at least three hundredths apart.
     let is_in =
         |stretches: &[(f64, f64)], t: f64| stretches.iter().any(|(from, to)| (from - 0.006..to - 0.006).contains(&t));
     let frames = &case.report.frames;

@@ -1,5 +1,5 @@
-//! The page about a trajectory that was led through points: as it was and as it is, on the character and from
-//! three sides.
+//! The page about a trajectory guided through points: as animated and as written, on the character and from three
+//! sides.
 
 use aim_character::Goal;
 use aim_codegen::AngleRange;
@@ -24,12 +24,12 @@ const STATUSES: [(&str, &str); 4] = [
     ("degenerate", "the limb has no length to turn"),
 ];
 
-/// The limb's status in a frame.
+/// Returns the limb's status in a frame.
 fn follows(frame: &ReachFrame) -> &'static str {
     if frame.status == "reached" { "follows" } else { frame.status }
 }
 
-/// The page about a report; `takes` are of the same clip, before and after.
+/// Returns the page about a report; `takes` contains the same clip before and after.
 pub(crate) fn page(report: &ReachReport, goals: &[Goal], takes: &Takes<'_>) -> String {
     let title = format!("{} led through {}", report.bone, report.clip);
     let content = html! {
@@ -113,7 +113,7 @@ fn summary(report: &ReachReport) -> Markup {
     }
 }
 
-/// Targets listed in the summary.
+/// Maximum number of targets listed in the summary.
 const TARGETS_TOLD: usize = 8;
 
 fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
@@ -173,7 +173,7 @@ fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
     }
 }
 
-/// A chart of two series, as animated and as written, from 0 on.
+/// Returns a chart of two series, as animated and as written, on an axis from 0.
 fn beside<'a>(base: &Base<'a>, label: String, unit: &'static str, values: [Vec<f64>; 2]) -> Chart<'a> {
     let most = values.iter().flatten().copied().filter(|value| value.is_finite()).fold(1e-3, f64::max);
     let mut chart = base.chart(label, unit, Scale::Linear(0.0, 1.08 * most));
@@ -183,7 +183,7 @@ fn beside<'a>(base: &Base<'a>, label: String, unit: &'static str, values: [Vec<f
     chart
 }
 
-/// The directions drawn to the right and up in each picture.
+/// Name of each view, and the directions drawn to the right and up.
 const VIEWS: [(&str, DVec3, DVec3); 3] = [
     ("along −z, x to the right", DVec3::X, DVec3::Y),
     ("along −x, z to the left", DVec3::NEG_Z, DVec3::Y),
@@ -192,7 +192,7 @@ const VIEWS: [(&str, DVec3, DVec3); 3] = [
 const SIZE: f64 = 260.0;
 const BORDER: f64 = 16.0;
 
-/// All three pictures have one scale.
+/// Draws one view of the path. All three views have the same scale.
 fn view(report: &ReachReport, (name, right, up): (&str, DVec3, DVec3)) -> Markup {
     let targets: Vec<[f64; 3]> = report.targets.iter().map(|goal| goal.target).collect();
     let [before, after] = [|frame: &ReachFrame| frame.before, |frame: &ReachFrame| frame.after]

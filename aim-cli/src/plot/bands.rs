@@ -1,19 +1,19 @@
-//! The bands of a plot: where its contour lines are, and their colours.
+//! The bands of a plot: its contour levels and colours.
 
 use colorous::VIRIDIS;
 
-/// Degrees off the target in even bands, the nearer the lighter.
+/// Even bands of the angle off the target, degrees; nearer bands are lighter.
 pub(super) struct Bands {
     step: f64,
     first: f64,
     last: f64,
 }
 
-/// Contour lines drawn at most.
+/// Maximum number of bands.
 const MOST: f64 = 9.0;
 
 impl Bands {
-    /// For aims between these.
+    /// Creates the bands that cover the aims from `least` to `most`.
     pub(super) fn over(least: f64, most: f64) -> Self {
         let (near, far) = (off(most), off(least));
         let fits = |step: &f64| (far / step).ceil() - (near / step).floor() <= MOST;
@@ -22,40 +22,40 @@ impl Bands {
         Self { step, first, last: ((far / step).ceil() * step).max(first + step) }
     }
 
-    /// Borders of the bands, degrees off, the nearest first.
+    /// Returns the borders of the bands, degrees off the target, nearest first.
     pub(super) fn edges(&self) -> Vec<f64> {
         let edge = |k: u8| self.first + f64::from(k) * self.step;
         (0..=u8::MAX).map(edge).take_while(|edge| *edge < self.last + self.step / 2.0).collect()
     }
 
-    /// The contour lines, degrees off, the furthest first: as they are painted.
+    /// Returns the contour levels, degrees off the target, furthest first: the order of painting.
     pub(super) fn levels(&self) -> Vec<f64> {
         let edges = self.edges();
         edges[1..edges.len() - 1].iter().rev().copied().collect()
     }
 
-    /// The colour of the band that begins this far off.
+    /// Returns the colour of the band that begins at this angle off the target, degrees.
     pub(super) fn beginning_at(&self, off: f64) -> String {
         self.colour(off + self.step / 2.0)
     }
 
-    /// The colour of what is so far off.
+    /// Returns the colour for an angle off the target, degrees.
     pub(super) fn colour(&self, off: f64) -> String {
         format!("#{:x}", VIRIDIS.eval_continuous(self.lightness(off)))
     }
 
-    /// 0 is dark, 1 is light.
+    /// Returns the lightness for an angle off the target, degrees: from 0 (dark, furthest) to 1 (light, nearest).
     pub(super) fn lightness(&self, off: f64) -> f64 {
         ((self.last - off) / (self.last - self.first)).clamp(0.0, 1.0)
     }
 }
 
-/// Degrees off the target at this aim.
+/// Returns the angle off the target at this aim, degrees.
 pub(super) fn off(aim: f64) -> f64 {
     aim.clamp(-1.0, 1.0).acos().to_degrees()
 }
 
-/// The aim at so many degrees off.
+/// Returns the aim at this angle off the target, degrees.
 pub(super) fn aim(off: f64) -> f64 {
     off.to_radians().cos()
 }

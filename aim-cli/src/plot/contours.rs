@@ -1,4 +1,4 @@
-//! The aim over heading and pitch, seen from above: filled contours, the range of motion, both solvers' ways.
+//! The aim over heading and pitch as filled contours, with the range of motion and the paths of both solvers.
 
 use aim_codegen::AngleRange;
 use contour::ContourBuilder;
@@ -12,8 +12,9 @@ use super::picture::{PlotPicture, Size, c, cased, path};
 use super::subject::{JointPlot, degrees};
 use crate::words::{fixed, shown, trimmed};
 
-/// Values to a side of the panel; those beyond its border let contour lines leave it.
+/// Number of grid cells along each side of the panel.
 const CELLS: u16 = 180;
+/// Number of further grid cells beyond each border, so that contour lines leave the panel.
 const BEYOND: u16 = 2;
 
 pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
@@ -57,8 +58,8 @@ pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     finished(subject, size, "filled contours", &[("heading", x), ("pitch", y)], &content)
 }
 
-/// Heading and pitch that are drawn, degrees: the range of motion and some room around it, both to one scale where that
-/// does not lead beyond the poles.
+/// Returns the drawn intervals of heading and pitch, degrees: the range of motion with a margin. Both have the same
+/// scale, unless that would lead beyond ±180° of heading or ±90° of pitch.
 pub(super) fn window(subject: &JointPlot, aspect: f64) -> [[f64; 2]; 2] {
     let [x, y] = [subject.joint.heading, subject.joint.pitch].map(|range| with_room(range, 0.18));
     let span = |[lo, hi]: [f64; 2]| hi - lo;
@@ -70,7 +71,8 @@ pub(super) fn window(subject: &JointPlot, aspect: f64) -> [[f64; 2]; 2] {
     [grown(x, wide, 180.0), grown(y, high, 90.0)]
 }
 
-/// A range with that part of it as room at either end, degrees; without ends a whole turn.
+/// Returns a range, degrees, with the share `part` of it as a margin at either end, 4° to 40°; a whole turn if the
+/// range has no ends.
 pub(super) fn with_room(range: Option<AngleRange>, part: f64) -> [f64; 2] {
     match range.map(degrees) {
         Some([lo, hi]) if lo.is_finite() => {
@@ -81,6 +83,7 @@ pub(super) fn with_room(range: Option<AngleRange>, part: f64) -> [f64; 2] {
     }
 }
 
+/// Returns the angle at which the furthest band begins, degrees off the target.
 fn furthest(bands: &Bands) -> f64 {
     let edges = bands.edges();
     edges[edges.len() - 2]
@@ -90,7 +93,7 @@ fn ink(bands: &Bands, off: f64) -> &'static str {
     if bands.lightness(off) < 0.55 { "#ffffff" } else { "#000000" }
 }
 
-/// The area nearer than `off`, with its border as a contour line.
+/// Draws the area nearer than `off`, with its border as a contour line.
 fn filled(off: f64, rings: &[Vec<[f64; 2]>], bands: &Bands) -> Markup {
     let nearer = bands.edges().into_iter().rfind(|edge| *edge < off - 1e-9).unwrap_or(off);
     let d: String = rings.iter().map(|ring| path(ring, true)).collect();
@@ -101,7 +104,7 @@ fn filled(off: f64, rings: &[Vec<[f64; 2]>], bands: &Bands) -> Markup {
     }
 }
 
-/// A way as drawn, broken where its heading wraps.
+/// Returns a path as drawn, broken where its heading wraps.
 fn pieces(angles: &[[f64; 2]], panel: &Panel) -> Vec<Vec<[f64; 2]>> {
     angles
         .chunk_by(|a, b| (a[0] - b[0]).abs() < 180.0)
@@ -137,16 +140,16 @@ impl Grid {
         Self { columns: headings.len(), rows: pitches.len(), values, first, steps, least, most }
     }
 
-    /// The closed lines around what has at least this aim, as drawn.
+    /// Returns the closed lines around the area with at least this aim, as drawn.
     fn lines(&self, aim: f64, panel: &Panel) -> Vec<Vec<[f64; 2]>> {
-        // A value is in the middle of its cell.
+        // Values belong to the centres of their cells.
         let [x, y] = [0, 1].map(|k| self.first[k] - 0.5 * self.steps[k]);
         let builder = ContourBuilder::new(self.columns, self.rows, true)
             .x_origin(x)
             .y_origin(y)
             .x_step(self.steps[0])
             .y_step(self.steps[1]);
-        // It only refuses a grid of another size.
+        // Fails only for a grid of another size.
         let lines = builder.lines(&self.values, &[aim]).unwrap_or_default();
         let rings = lines.iter().flat_map(|line| &line.geometry().0);
         rings.map(|ring| ring.coords().map(|at| panel.at([at.x, at.y])).collect()).collect()

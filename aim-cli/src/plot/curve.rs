@@ -1,4 +1,4 @@
-//! The aim of a hinge over its only angle, with its range and where both solvers are in each frame.
+//! The aim of a hinge over its only angle, with its range and the place of both solvers in each frame.
 
 use maud::{Markup, html};
 
@@ -11,7 +11,7 @@ use super::subject::{JointPlot, SolverPath, degrees};
 use crate::axis::nice;
 use crate::words::{shown, span};
 
-/// Steps of the curve.
+/// Number of steps of the curve.
 const STEPS: u16 = 360;
 const CURVE: &str = "#0072b2";
 
@@ -52,7 +52,7 @@ pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     finished(subject, size, "a curve", &[(if turns { "heading" } else { "pitch" }, x)], &content)
 }
 
-/// Both ends of the range, as lines.
+/// Draws both ends of the range as lines.
 fn ends(panel: &Panel, range: [f64; 2]) -> Markup {
     let [_, top, _, height] = panel.rectangle();
     html! {
@@ -62,19 +62,19 @@ fn ends(panel: &Panel, range: [f64; 2]) -> Markup {
     }
 }
 
-/// The range in the key.
+/// Draws the range for the key.
 fn patch() -> Markup {
     html! {
         rect x="2" width="20" height="13" fill="#e6ebf0" stroke="#1b2127" stroke-dasharray="5 4" {}
     }
 }
 
-/// An axis at the right with the angles that the aims are cosines of.
+/// Draws an axis at the right with the angles off the target, of which the aims are the cosines.
 fn degrees_off(panel: &Panel, bands: &Bands, x: f64) -> Markup {
     let [low, high] = panel.y.values;
     let middle = 0.5 * (panel.y.places[0] + panel.y.places[1]);
     let mut clear_from = f64::NEG_INFINITY;
-    // The cosine crowds the smallest angles.
+    // The cosine crowds small angles, so labels that would overlap are left out.
     let apart = |edge: &f64| {
         let y = panel.y.at(aim(*edge));
         let fits = y >= clear_from + 14.0;

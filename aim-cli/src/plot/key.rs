@@ -1,4 +1,4 @@
-//! Lines and marks of a plot, and the key to them.
+//! Lines and marks of a plot, and its key.
 
 use maud::{Markup, html};
 
@@ -7,10 +7,10 @@ use super::picture::{Size, c, path};
 use super::subject::{FPS, JointPlot, SolverPath};
 use crate::words::{count, counted, degrees, fixed, shown};
 
-/// Marks nearer together than this are thinned out.
+/// Smallest distance between marks; nearer ones are thinned out.
 const APART: f64 = 7.0;
 
-/// Number of frames from mark to mark, so that marks do not touch on these drawn paths.
+/// Returns the number of frames from mark to mark, such that marks do not touch on these drawn paths.
 pub(super) fn frames_a_mark(ways: &[Vec<[f64; 2]>]) -> usize {
     let apart = |way: &Vec<[f64; 2]>| {
         let length: f64 = way.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
@@ -25,7 +25,7 @@ pub(super) fn distance([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     (ax - bx).hypot(ay - by)
 }
 
-/// A line with a light casing, so that it stands out from any colour.
+/// Draws a line with a light casing, so that it stands out from any colour.
 pub(super) fn line(points: &[[f64; 2]], colour: &str) -> Markup {
     let d = path(points, false);
     html! {
@@ -34,7 +34,7 @@ pub(super) fn line(points: &[[f64; 2]], colour: &str) -> Markup {
     }
 }
 
-/// A frame's mark of the first (round) or the second course (square).
+/// Draws the mark of a frame: round for the first path, square for the second.
 fn mark(course: usize, colour: &str, [x, y]: [f64; 2], size: f64) -> Markup {
     html! {
         @if course == 0 {
@@ -45,12 +45,12 @@ fn mark(course: usize, colour: &str, [x, y]: [f64; 2], size: f64) -> Markup {
     }
 }
 
-/// Mark of the start of both paths.
+/// Draws the mark of the common start of both paths.
 fn start([x, y]: [f64; 2]) -> Markup {
     html! { circle class="start" cx=(c(x)) cy=(c(y)) r="6" fill="#ffffff" stroke="#000000" stroke-width="2" {} }
 }
 
-/// Mark of the end of a path: a ring for the first, a lozenge within it for the second.
+/// Draws the mark of the end of a path: a ring for the first, a lozenge within it for the second.
 fn end(course: usize, colour: &str, [x, y]: [f64; 2]) -> Markup {
     html! {
         @if course == 0 {
@@ -63,8 +63,8 @@ fn end(course: usize, colour: &str, [x, y]: [f64; 2]) -> Markup {
     }
 }
 
-/// The frames of both courses as they are drawn, a mark each `frames_a_mark` of them where they are seen; their start and
-/// their ends.
+/// Draws the marks of both paths: one every `frames_a_mark` frames where the path is visible, their start and their
+/// ends.
 pub(super) fn frames(
     subject: &JointPlot,
     drawn: &[Vec<[f64; 2]>; 2],
@@ -84,7 +84,7 @@ pub(super) fn frames(
     }
 }
 
-/// The border of the range of motion.
+/// Draws the border of the range of motion.
 pub(super) fn range(outline: &[[f64; 2]]) -> Markup {
     let d = path(outline, outline.first() == outline.last());
     html! {
@@ -93,7 +93,7 @@ pub(super) fn range(outline: &[[f64; 2]]) -> Markup {
     }
 }
 
-/// Lines and marks with their meaning, two in a row, in the picture's lowest part.
+/// Draws the key, two entries in a row, in the lowest part of the picture.
 pub(super) fn legend(subject: &JointPlot, size: Size, frames_a_mark: usize, range_patch: &Markup) -> Markup {
     let [width, height] = size.units();
     let (first, second) = (74.0, 74.0 + 0.56 * (width - 74.0));
@@ -119,17 +119,17 @@ pub(super) fn legend(subject: &JointPlot, size: Size, frames_a_mark: usize, rang
     }
 }
 
-/// Result of a solver's path, in words.
+/// Returns the result of a solver's path, in words.
 pub(super) fn ending(course: &SolverPath) -> String {
     format!("{}: {}, ends {} off", course.name, counted(course.angles.len() - 1, "frame"), degrees(course.off_deg))
 }
 
-/// A box, as in [`range`].
+/// Draws a box in the style of [`range`] for the key.
 pub(super) fn range_patch() -> Markup {
     range(&[[2.0, 0.0], [22.0, 0.0], [22.0, 13.0], [2.0, 13.0], [2.0, 0.0]])
 }
 
-/// The bands with what their edges mean: degrees off the target, and the aim.
+/// Draws the scale of the bands, with the angle off the target and the aim at their edges.
 pub(super) fn scale(bands: &Bands, size: Size, top: f64, bottom: f64) -> Markup {
     const WIDTH: f64 = 18.0;
     let left = size.units()[0] - 120.0;

@@ -8,49 +8,53 @@ use super::subject::JointPlot;
 use crate::axis::{Axis, multiples};
 use crate::words::shown;
 
-/// The room around the panel, in units of the picture.
+/// Margin to the left of the panel, in units of the picture.
 const LEFT: f64 = 74.0;
+/// Margin to the right of the panel, in units of the picture.
 const RIGHT: f64 = 148.0;
+/// Margin above the panel, in units of the picture.
 const TOP: f64 = 76.0;
+/// Margin below the panel, in units of the picture.
 const BOTTOM: f64 = 126.0;
 const SOFT: &str = "#55606b";
 
-/// The panel that values are drawn in.
+/// The area in which values are drawn, with its axes.
 pub(super) struct Panel {
     pub(super) x: Axis,
     pub(super) y: Axis,
 }
 
 impl Panel {
-    /// With these values from end to end.
+    /// Creates a panel whose axes show these intervals.
     pub(super) fn new(size: Size, x: [f64; 2], y: [f64; 2]) -> Self {
         let [left, top, right, bottom] = Self::places(size);
         Self { x: Axis { values: x, places: [left, right] }, y: Axis { values: y, places: [bottom, top] } }
     }
 
-    /// Left, top, right and bottom.
+    /// Returns left, top, right and bottom of the panel.
     fn places(size: Size) -> [f64; 4] {
         let [width, height] = size.units();
         [LEFT, TOP, width - RIGHT, height - BOTTOM]
     }
 
-    /// Its width by its height.
+    /// Returns the ratio of the panel's width to its height.
     pub(super) fn aspect(size: Size) -> f64 {
         let [left, top, right, bottom] = Self::places(size);
         (right - left) / (bottom - top)
     }
 
+    /// Returns the place of a pair of values in the picture.
     pub(super) fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.x.at(x), self.y.at(y)]
     }
 
-    /// Left, top, width and height.
+    /// Returns left, top, width and height of the panel.
     pub(super) fn rectangle(&self) -> [f64; 4] {
         let ([left, right], [bottom, top]) = (self.x.places, self.y.places);
         [left, top, right - left, bottom - top]
     }
 
-    /// The border with ticks at these values, and what the axes mean.
+    /// Draws the border, ticks at these values, and the titles of the axes.
     pub(super) fn axes(&self, x_ticks: &[f64], x_title: &str, y_ticks: &[f64], y_title: &str) -> Markup {
         let [left, top, width, height] = self.rectangle();
         let (bottom, middle) = (top + height, top + height / 2.0);
@@ -72,7 +76,7 @@ impl Panel {
     }
 }
 
-/// The picture's name and, smaller, what it is of.
+/// Draws the title of the picture, and a smaller line about the target.
 pub(super) fn heading(subject: &JointPlot) -> Markup {
     html! {
         text x=(c(LEFT)) y="34" font-size="18" font-weight="bold" { (title(subject)) }
@@ -94,7 +98,8 @@ fn about(subject: &JointPlot) -> String {
     format!("Target {}, at ({point}) in the joint’s space", subject.target_in_words())
 }
 
-/// The picture with a description for those who cannot see it: how the aim is drawn, over which angles.
+/// Returns the picture, with a description for readers who cannot see it: `how` the aim is drawn, and `over` which
+/// angles.
 pub(super) fn finished(
     subject: &JointPlot,
     size: Size,
@@ -116,7 +121,7 @@ pub(super) fn finished(
     PlotPicture::new(size, &title(subject), &description, content)
 }
 
-/// Round angles over this span, degrees.
+/// Returns round angles in this interval, degrees.
 pub(super) fn angle_ticks([lo, hi]: [f64; 2]) -> Vec<f64> {
     let steps = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0, 90.0];
     let step = steps.into_iter().find(|step| hi - lo <= step * 10.0).unwrap_or(90.0);

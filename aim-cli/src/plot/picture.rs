@@ -1,4 +1,5 @@
-//! A finished picture: SVG, and the same drawn as PNG with fonts of our own, so that no machine's fonts matter.
+//! A finished picture as SVG or PNG. The PNG is rendered with embedded fonts, so that it does not depend on those of
+//! the machine.
 
 use std::str::FromStr;
 
@@ -14,7 +15,7 @@ pub(crate) struct Size {
     pub(crate) height: u16,
 }
 
-/// A side, pixels.
+/// Allowed lengths of a side, pixels.
 const SIDES: std::ops::RangeInclusive<u16> = 320..=8192;
 
 impl FromStr for Size {
@@ -30,11 +31,12 @@ impl FromStr for Size {
     }
 }
 
-/// The size that everything is laid out for; others have more room, or a smaller scale.
+/// Size that everything is laid out for. Other sizes are scaled, and have additional room if their aspect ratio
+/// differs.
 const USUAL: [f64; 2] = [1000.0, 720.0];
 
 impl Size {
-    /// Width and height in the units that are drawn in.
+    /// Returns width and height in units of the drawing, at least those of [`USUAL`].
     pub(super) fn units(self) -> [f64; 2] {
         let [width, height] = [f64::from(self.width), f64::from(self.height)];
         let scale = (width / USUAL[0]).min(height / USUAL[1]);
@@ -48,7 +50,8 @@ pub(crate) struct PlotPicture {
 }
 
 impl PlotPicture {
-    /// `content` in [units](Size::units), with its `title` and `description` for those who cannot see it.
+    /// Creates a picture from `content` in [units](Size::units), with a `title` and `description` for readers who
+    /// cannot see it.
     pub(super) fn new(size: Size, title: &str, description: &str, content: &Markup) -> Self {
         let [width, height] = size.units();
         let drawing = html! {
@@ -64,15 +67,15 @@ impl PlotPicture {
         Self { svg: format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", drawing.into_string()) }
     }
 
-    /// As an SVG document.
+    /// Returns the SVG document.
     pub(crate) fn svg(&self) -> &str {
         &self.svg
     }
 
-    /// As a PNG file.
+    /// Renders the picture as a PNG file.
     ///
     /// # Errors
-    /// It is larger than memory.
+    /// The picture is too large.
     #[cfg(feature = "pictures")]
     pub(crate) fn png(&self) -> Result<Vec<u8>> {
         use std::sync::Arc;
@@ -94,7 +97,7 @@ impl PlotPicture {
         pixels.encode_png().map_err(|error| fail(error.to_string()))
     }
 
-    /// As a PNG file, which needs the feature `pictures`.
+    /// Always fails: PNG needs the feature `pictures`.
     #[cfg(not(feature = "pictures"))]
     pub(crate) fn png(&self) -> Result<Vec<u8>> {
         Err(Failure::input(
@@ -104,12 +107,12 @@ impl PlotPicture {
     }
 }
 
-/// A coordinate of the picture.
+/// Formats a coordinate of the picture.
 pub(super) fn c(value: f64) -> String {
     trimmed(value, 2)
 }
 
-/// `x,y x,y …`, or with `M` and `L` where a path needs it.
+/// Returns the SVG path data of a polyline through `points`.
 pub(super) fn path(points: &[[f64; 2]], closed: bool) -> String {
     let mut d = String::new();
     for (k, [x, y]) in points.iter().enumerate() {
@@ -122,7 +125,7 @@ pub(super) fn path(points: &[[f64; 2]], closed: bool) -> String {
     d
 }
 
-/// Text with a casing, so that it can be read on any ground.
+/// Draws text with a casing, so that it is readable on any background.
 pub(super) fn cased(text: &str, [x, y]: [f64; 2], turned: f64, ink: &str, casing: &str) -> Markup {
     let turn = format!("rotate({} {} {})", c(turned), c(x), c(y));
     html! {

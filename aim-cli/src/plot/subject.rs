@@ -1,4 +1,4 @@
-//! Subject of a plot: a joint's aim function for one target, and the solvers' paths from rest to that target.
+//! Input of a plot: a joint's aim function for one target, and the solvers' paths from rest to that target.
 
 use aim_character::InterpretedRig;
 use aim_codegen::objective::{AIM_GRADIENT, FirstLink};
@@ -9,46 +9,48 @@ use aim_symbolic::Program;
 
 use crate::words::{listed, shown};
 
-/// Frames a second.
+/// Frames per second.
 pub(super) const FPS: f32 = 60.0;
-/// A solver that has not settled by then (20 s) is left there.
+/// Maximum number of frames (20 s), after which a solver that has not settled is stopped.
 const MOST_FRAMES: usize = 1200;
-/// A joint that turned by less in a frame, radians, has settled, unless its rate allows it no more.
+/// Turn per frame below which a joint has settled, radians. It is smaller for a joint with a very low rate.
 const SETTLED: f64 = 2e-5;
 
-/// One joint, the others at rest, with the effector's direction as the standing character has it. For the joint that
-/// carries the effector its origin is the declared one, for those further in the joint's own.
+/// One joint with the others at rest, and the effector's direction as on the standing character. The effector's origin
+/// is the declared one for the joint that carries the effector, and the joint's own origin for the others.
 pub(crate) struct JointPlot {
-    /// The rig's name.
+    /// Name of the rig.
     pub(super) rig_name: String,
     /// The joint that turns.
     pub(super) joint: JointSpec,
-    /// In the joint's space.
+    /// Target in the joint's space.
     pub(super) target: DVec3,
-    /// Of the effector at rest, in the joint's space.
+    /// Effector at rest, in the joint's space.
     effector: EffectorSpec,
+    /// Derived program of the joint's aim and gradient.
     program: Program,
-    /// From effector space to the joint's, as the kernels take it.
+    /// Transform from effector space to the joint's space, in the layout of the kernels' input.
     link: [f64; 12],
     /// Paths of the solvers: the paper's ascent, then the exact solver.
     pub(super) courses: [SolverPath; 2],
 }
 
-/// A solver's way from rest.
+/// Path of a solver from rest.
 pub(super) struct SolverPath {
     pub(super) name: &'static str,
     pub(super) colour: &'static str,
-    /// Heading and pitch, degrees, a frame each; the first is rest.
+    /// Heading and pitch in each frame, degrees; the first is rest.
     pub(super) angles: Vec<[f64; 2]>,
-    /// Final angle off the target by forward kinematics, degrees.
+    /// Final angle between effector and target by forward kinematics, degrees.
     pub(super) off_deg: f64,
 }
 
 impl JointPlot {
-    /// The joint called `joint` (the first if `None`) and a `target` in its space; if `None`, one that needs every angle.
+    /// Creates the plot of the joint named `joint`, or of the first if `None`, with a `target` in its space, or, if
+    /// `None`, a target that needs every angle.
     ///
     /// # Errors
-    /// There is no such joint, or the target is nothing to aim at.
+    /// There is no such joint, or no direction from the effector to the target.
     pub(crate) fn new(spec: &RigSpec, joint: Option<&str>, target: Option<DVec3>) -> Result<Self, String> {
         let index = match joint {
             None => 0,
@@ -95,7 +97,7 @@ impl JointPlot {
         Ok(Self { rig_name: spec.name.clone(), joint, target, effector, program, link, courses })
     }
 
-    /// The aim at this heading and pitch, degrees: the rig's derived program.
+    /// Returns the aim at this heading and pitch, degrees, by the rig's derived program.
     pub(super) fn aim(&self, [heading, pitch]: [f64; 2]) -> f64 {
         let ((sin_h, cos_h), (sin_p, cos_p)) = (heading.to_radians().sin_cos(), pitch.to_radians().sin_cos());
         let (target, sin_cos) = (self.target.to_array(), [sin_p, cos_p, sin_h, cos_h]);
@@ -105,17 +107,17 @@ impl JointPlot {
         out[0]
     }
 
-    /// True if the joint has one angle only.
+    /// Returns `true` if the joint has only one angle.
     pub(super) fn is_hinge(&self) -> bool {
         self.joint.angles() == 1
     }
 
-    /// The border of the range of motion, headings and pitches in degrees: closed, or of a free heading its two sides over
-    /// these headings.
+    /// Returns the border of the range of motion, as headings and pitches in degrees: a closed line, or, for a free
+    /// heading, the two limits of pitch over these headings.
     pub(super) fn range_outlines(&self, over: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
         let [lo, hi] = self.joint.heading.map_or([0.0; 2], degrees);
         let is_free = lo.is_infinite();
-        // Pitch narrows linearly to either side of rest.
+        // The range of pitch narrows linearly to either side of heading 0.
         let headings = if is_free { over.to_vec() } else { vec![lo, 0.0, hi] };
         let side = |end: usize| -> Vec<[f64; 2]> { headings.iter().map(|h| [*h, self.pitch_range(*h)[end]]).collect() };
         if is_free {
@@ -127,13 +129,13 @@ impl JointPlot {
         vec![around]
     }
 
-    /// The pitch's range at a heading, degrees.
+    /// Returns the range of pitch at a heading, degrees.
     fn pitch_range(&self, heading: f64) -> [f64; 2] {
         let range = self.joint.range_of_motion(None).pitch_at(heading.to_radians());
         range.ends().map(f64::to_degrees)
     }
 
-    /// The target's direction from the effector, as it looks at rest, in words.
+    /// Returns the direction of the target from the effector at rest, in words.
     pub(super) fn target_in_words(&self) -> String {
         let Frame { up, forward, left } = self.joint.frame;
         let to_target = self.target - DVec3::from(self.effector.origin);
@@ -173,17 +175,19 @@ impl SolverPath {
         Self { name, colour, angles, off_deg }
     }
 
+    /// Returns the final heading and pitch, degrees.
     pub(super) fn end(&self) -> [f64; 2] {
         self.angles[self.angles.len() - 1]
     }
 }
 
-/// The joint's space is the world.
+/// Returns a pose in which the joint's space is the world.
 fn standing() -> Pose<Vec<Affine3A>> {
     Pose::new(vec![Affine3A::IDENTITY])
 }
 
-/// A vector of one bone's space in another's that stands alike.
+/// Transforms a vector from the space of one bone to that of another, such that its components up, forward and left
+/// stay the same.
 fn seen(v: [f64; 3], from: &Frame, to: &Frame) -> [f64; 3] {
     let along = |axis: [f64; 3]| DVec3::from(v).dot(axis.into());
     (along(from.up) * DVec3::from(to.up)
@@ -192,13 +196,13 @@ fn seen(v: [f64; 3], from: &Frame, to: &Frame) -> [f64; 3] {
     .to_array()
 }
 
-/// A range in degrees; a free one is without ends.
+/// Converts a range to degrees; the ends of a free one are infinite.
 pub(super) fn degrees(range: AngleRange) -> [f64; 2] {
     range.ends().map(f64::to_degrees)
 }
 
-/// The point that the effector looks at with each angle well inside its range: ten lengths of its lever away, or 2 if it
-/// has none.
+/// Returns the point that the effector looks at with each angle well inside its range. Its distance is ten times that
+/// of the effector from the joint, or 2 if the effector is at the joint.
 fn usual_target(joint: &JointSpec, effector: &EffectorSpec) -> DVec3 {
     let well_inside = |range: Option<AngleRange>, most: f64| {
         let [lo, hi] = range.map_or([0.0; 2], degrees);

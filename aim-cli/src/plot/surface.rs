@@ -1,4 +1,5 @@
-//! The aim over heading and pitch as a surface in space, its height the aim, seen from where the target lies uphill.
+//! The aim over heading and pitch as a surface whose height is the aim. The view is chosen so that the surface rises
+//! away from the viewer, towards the target.
 
 use aim_runtime::glam::DVec3;
 use maud::{Markup, html};
@@ -13,21 +14,22 @@ use crate::axis::nice;
 use crate::projection::Projection;
 use crate::words::{shown, span};
 
-/// Meshes to a side.
+/// Number of meshes along each side.
 const MESHES: u16 = 46;
-/// The view: turned from straight along the pitch, and down, degrees.
+/// Angle between the horizontal view direction and the pitch axis, degrees.
 const TURNED: f64 = 36.0;
+/// Angle by which the view looks down, degrees.
 const DOWN: f64 = 30.0;
-/// The height of the surface's box; its longer side is 1.
+/// Height of the box; the longer side of its base is 1.
 const HEIGHT: f64 = 0.52;
 
 /// The box that heading, pitch and aim are drawn in.
 struct Room {
-    /// Heading, pitch and aim from side to side.
+    /// Drawn intervals of heading, pitch and aim.
     ends: [[f64; 2]; 3],
-    /// The box's sides.
+    /// Lengths of the box's sides.
     sides: [f64; 3],
-    /// Along heading and pitch, away from the viewer.
+    /// Direction away from the viewer, along heading and pitch.
     away: [f64; 2],
     view: Projection,
 }
@@ -54,7 +56,7 @@ impl Room {
         room
     }
 
-    /// Place of a heading, pitch and aim in the picture.
+    /// Returns the place of a heading, pitch and aim in the picture.
     fn at(&self, point: [f64; 3]) -> [f64; 2] {
         let in_box = [0, 1, 2].map(|k| {
             let [lo, hi] = self.ends[k];
@@ -64,17 +66,18 @@ impl Room {
         [x, y]
     }
 
-    /// The nearer (0) or further (1) end of heading or pitch.
+    /// Returns the end of heading (axis 0) or pitch (axis 1) that is nearer to the viewer, or further away.
     fn end(&self, axis: usize, far: bool) -> f64 {
         self.ends[axis][usize::from((self.away[axis] > 0.0) == far)]
     }
 
-    /// True if no other part of the surface hides this point of it.
+    /// Returns `true` if no other part of the surface hides this point of it.
     fn sees(&self, subject: &JointPlot, [heading, pitch]: [f64; 2]) -> bool {
         const STEP: f64 = 0.01;
         let height = |aim: f64| HEIGHT * (aim - self.ends[2][0]) / (self.ends[2][1] - self.ends[2][0]);
         let start = height(subject.aim([heading, pitch]));
         let per_side = [0, 1].map(|k| (self.ends[k][1] - self.ends[k][0]) / self.sides[k]);
+        // Walks from the point towards the viewer; the line of sight must stay above the surface.
         (2..=150_u8).map(|k| STEP * f64::from(k)).all(|far| {
             let at = [heading - far * self.away[0] * per_side[0], pitch - far * self.away[1] * per_side[1]];
             let is_outside = (0..2).any(|k| at[k] < self.ends[k][0] || at[k] > self.ends[k][1]);
@@ -133,7 +136,7 @@ pub(super) fn picture(subject: &JointPlot, size: Size) -> PlotPicture {
     finished(subject, size, "a surface", &[("heading", x), ("pitch", y)], &content)
 }
 
-/// A line over the surface as far as it can be seen; the rest is dashed.
+/// Draws a line on the surface; hidden parts are dashed.
 fn lying(subject: &JointPlot, room: &Room, line: &[[f64; 2]], seen: &dyn Fn(&[[f64; 2]]) -> Markup) -> Markup {
     let mut fine: Vec<[f64; 2]> = line.first().copied().into_iter().collect();
     for pair in line.windows(2).filter(|pair| (pair[0][0] - pair[1][0]).abs() < 180.0) {
@@ -154,14 +157,14 @@ fn lying(subject: &JointPlot, room: &Room, line: &[[f64; 2]], seen: &dyn Fn(&[[f
     }
 }
 
-/// Floor, back walls, and the axes along the nearer edges.
+/// Draws the floor, the back walls, and the axes along the nearer edges.
 fn walls(room: &Room, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup {
     let [near, far] = [false, true].map(|far| [room.end(0, far), room.end(1, far)]);
     let [floor, ceiling] = room.ends[2];
     let quad = |corners: [[f64; 3]; 4]| path(&corners.map(|corner| room.at(corner)), true);
     let line = |a: [f64; 3], b: [f64; 3]| path(&[room.at(a), room.at(b)], false);
     let beyond = |at: [f64; 3], axis: usize, by: f64| {
-        // From the far edge over the near one, so far in the picture.
+        // Extends the line from the far edge through the point at the near one by this much in the picture.
         let mut from = at;
         from[axis] = far[axis];
         let ([ax, ay], [bx, by_]) = (room.at(from), room.at(at));
@@ -169,7 +172,7 @@ fn walls(room: &Room, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup
         [bx + (bx - ax) / length * by, by_ + (by_ - ay) / length * by]
     };
     let anchor = |[x, _]: [f64; 2], [edge, _]: [f64; 2]| if x < edge - 1.0 { "end" } else { "start" };
-    // The aims stand at the edge that is furthest to the left.
+    // The axis of aims is at the leftmost edge.
     let posts = [[near[0], far[1]], [far[0], near[1]]];
     let post = if room.at([posts[0][0], posts[0][1], floor])[0] < room.at([posts[1][0], posts[1][1], floor])[0] {
         posts[0]
@@ -181,7 +184,7 @@ fn walls(room: &Room, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup
         let (on, off) = (room.at(at), beyond(at, axis, 14.0));
         html! {
             path d=(path(&[on, beyond(at, axis, 6.0)], false)) stroke="#1b2127" {}
-            // At the foot of the aims there is no room for two numbers.
+            // There is no room for two numbers at the foot of the axis of aims.
             @if key::distance(on, foot) > 22.0 { text x=(c(off[0])) y=(c(off[1] + 8.0)) text-anchor=(anchor(off, on)) { (text) } }
         }
     };
@@ -226,7 +229,7 @@ fn walls(room: &Room, headings: &[f64], pitches: &[f64], aims: &[f64]) -> Markup
     }
 }
 
-/// Text below a lower edge of the room, along it.
+/// Draws text below a lower edge of the box, along it.
 fn along(room: &Room, from: [f64; 3], to: [f64; 3], text: &str) -> Markup {
     const BELOW: f64 = 52.0;
     let [a, b] = [from, to].map(|at| room.at(at));

@@ -1,4 +1,4 @@
-//! Arguments that cannot be used: exit code 2 and one message that says what to do instead; nothing is written.
+//! Unusable arguments: exit code 2, one message that says what to do instead, and no file written.
 
 use crate::common::Place;
 
@@ -87,10 +87,10 @@ fn places_that_cannot_be_written() {
         place.refused(&format!("{bake} --out out.glb --report {stream}"), &[stream]);
     }
     place.refused(&format!("{bake} --out nowhere/out.glb"), &["nowhere/out.glb", "cannot write", "No such file"]);
-    // All or nothing: a report that cannot be written leaves no model either.
+    // All or nothing: if the report cannot be written, no model is written either.
     place.refused(&format!("{bake} --out out.glb --report nowhere/r.json"), &["nowhere/r.json"]);
     place.refused(&format!("{bake} --out out.glb --report r.json --html folder"), &["folder"]);
-    // One file for two things, or over an input that is something else.
+    // One file for two purposes, or an output over an input of another kind.
     for (more, file) in [
         ("--report out.glb", "out.glb"),
         ("--html ./out.glb", "out.glb"),
@@ -134,7 +134,7 @@ fn rigs_with_mistakes_name_the_place() {
             );
         }
     }
-    // All mistakes at once.
+    // All mistakes are reported together.
     place.write("bad.toml", "");
     let ran = place.aim("count bad.toml");
     assert_eq!((ran.code, ran.stderr.matches("--> bad.toml:1:1").count()), (2, 2), "{}", ran.stderr);

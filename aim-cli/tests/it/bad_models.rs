@@ -1,11 +1,11 @@
-//! Models that cannot be used: exit code 2, one message that names the file and says what to do, no panic, and no file
-//! left behind, by `inspect` and by `bake` alike.
+//! Unusable models: both `inspect` and `bake` exit with code 2, print one message that names the file and says what to
+//! do, and neither panic nor leave a file behind.
 
 use crate::common::gltf::{put_together, take_apart};
 use crate::common::{Place, changed, mannequin};
 use serde_json::{Value, json};
 
-/// Both commands refuse `bad.glb` with these words.
+/// Asserts that both commands refuse `bad.glb` with a message that contains these words.
 #[track_caller]
 fn refused(place: &Place, words: &[&str]) {
     let words = [&["bad.glb"], words].concat();
@@ -60,7 +60,7 @@ fn a_file_cut_off_anywhere() {
         place.write("bad.glb", &whole[..cut]);
         place.refused("inspect bad.glb", &["bad.glb"]);
         place.refused("bake bad.glb --rig m.toml --target 0,1,2 --out out.glb", &["bad.glb"]);
-        // With a header that agrees with the cut.
+        // With a length in the header that matches the truncated file.
         if cut > 12 {
             let mut shorter = whole[..cut].to_vec();
             shorter[8..12].copy_from_slice(&u32::try_from(cut).expect("small").to_le_bytes());
@@ -70,7 +70,7 @@ fn a_file_cut_off_anywhere() {
     }
 }
 
-/// Removes a key of the document.
+/// Returns a change that removes a key of the document.
 fn without(key: &str) -> impl Fn(&mut Value) + '_ {
     move |json| drop(json.as_object_mut().expect("an object").remove(key))
 }
@@ -123,7 +123,7 @@ fn characters_without_skin_names_or_roles() {
     place.write("bad.glb", &changed(nameless));
     place.refused(&format!("{bake} --rig m.toml"), &["bad.glb", "left_eye", "nearest", "node"]);
     place.done("inspect bad.glb");
-    // Its shape tells the head.
+    // The head is recognised by its shape.
     place.done(bake);
 
     place.write("bad.glb", r#"{"asset":{"version":"2.0"},"nodes":[{"children":[1,2]},{},{}]}"#);
@@ -161,7 +161,7 @@ fn bones_that_do_not_fit_the_rig() {
     place.write("bad.glb", &changed(|j| j["nodes"][6]["name"] = json!("neck")));
     place.refused(bake, &["bad.glb", "2 nodes are called \"neck\"", "rename"]);
 
-    // A namesake that is no joint is not meant.
+    // A node with the same name that is not a joint is ignored.
     place.write("twin.glb", &changed(|j| j["nodes"][25]["name"] = json!("neck")));
     place.done("bake twin.glb --rig m.toml --target 0,1,2 --out out.glb");
 

@@ -1,5 +1,5 @@
-//! A baked file does what its report says, whatever axes the bones have: each of the 48 conventions, mixes of them,
-//! mirrored bones and axes along no axis, by forward kinematics of the tests' own.
+//! A baked file does what its report says for all axis conventions of bones: each of the 48 signed ones, mixtures of
+//! them, mirrored bones and general frames. Checked by the tests' own forward kinematics.
 
 use crate::common::Place;
 use crate::common::forward::{Bake, list, number};
@@ -7,7 +7,7 @@ use crate::common::rig::{Axes, conventions, for_mannequin, joints};
 use aim_runtime::glam::{EulerRot, Quat, Vec3};
 use serde_json::Value;
 
-/// Bakes the mannequin in these axes and checks everything; returns the report.
+/// Bakes the mannequin with bones in these axes and checks everything; returns the report.
 #[track_caller]
 fn bake(axes_of: impl Fn(&str) -> Axes, more: &str) -> Value {
     let place = Place::new();
@@ -21,7 +21,7 @@ fn bake(axes_of: impl Fn(&str) -> Axes, more: &str) -> Value {
     report
 }
 
-/// The largest difference of the joints' angles between two reports, degrees.
+/// Returns the largest difference of the joints' angles between two reports, degrees.
 fn difference(a: &Value, b: &Value) -> f64 {
     let angles = |report: &Value| -> Vec<f64> {
         let joints = list(&report["frames"]).iter().flat_map(|frame| list(&frame["joints"]));

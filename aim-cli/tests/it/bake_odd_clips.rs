@@ -1,4 +1,4 @@
-//! Clips as exporters write them: steps, splines, jumps, doubled channels, none at all.
+//! Clips as exporters write them: steps, splines, jumps, duplicate channels, or no clip at all.
 
 use crate::common::forward::{Bake, list};
 use crate::common::rig::joints;
@@ -23,7 +23,8 @@ const ORBIT: &str = "--target orbit:2,0.2,8";
 fn a_channel_there_twice_counts_once_the_last() {
     let model = changed(|json| {
         let channels = json["animations"][0]["channels"].as_array_mut().expect("channels");
-        // The neck's rotation (after all others, so as it is) and before it one of another bone's keys.
+        // Insert, before the neck's channel, another channel of its rotation with a different bone's keys. The last one
+        // applies.
         let neck = channels.iter().position(|channel| channel["target"]["node"] == 5).expect("the neck moves");
         let mut other = channels[neck].clone();
         other["sampler"] = json!(neck + 1);
@@ -66,7 +67,7 @@ fn two_keys_at_one_time_are_a_jump() {
     let view = &json["bufferViews"][index(&input["bufferView"])];
     let start = index(&view["byteOffset"]) + index(&input["byteOffset"]);
     bin.copy_within(start + 20..start + 24, start + 24);
-    // No frame at the jump itself, where either key would do.
+    // A frame rate without a frame at the jump itself, where either key would be valid.
     bake(&crate::common::gltf::put_together(&json, &bin), &format!("{ORBIT} --fps 47"));
     bake(&crate::common::gltf::put_together(&json, &bin), &format!("{ORBIT} --fps 47 --seconds 3"));
 }
@@ -122,7 +123,7 @@ fn a_clip_that_moves_the_chain_by_steps_and_splines() {
                 }
             }
             if interpolation == "CUBICSPLINE" {
-                // A third as many keys: what were three values becomes in-tangent, value and out-tangent.
+                // A third as many keys: groups of three values become in-tangent, value and out-tangent.
                 let clip = json["animations"][0].clone();
                 for sampler in list(&clip["samplers"]) {
                     let (input, output) = (&sampler["input"], &sampler["output"]);

@@ -1,4 +1,5 @@
-//! Characters that are scaled, mirrored, tilted or no characters at all; hinges, turrets, and effectors of their own.
+//! Characters that are scaled, mirrored or tilted, models that are not characters, hinges, turrets, and custom
+//! effectors.
 
 use crate::common::forward::{Bake, angle_between, list, number, vector};
 use crate::common::rig::joints;
@@ -22,7 +23,7 @@ fn mannequin_rig() -> String {
     std::fs::read_to_string(crate::common::bundled_rig("mannequin")).expect("the rig is there")
 }
 
-/// The mannequin below one more node of this transform.
+/// Returns the mannequin with an additional root node of this transform.
 fn below(transform: Value) -> Vec<u8> {
     changed(|json| {
         let nodes = json["nodes"].as_array_mut().expect("nodes");
@@ -35,7 +36,7 @@ fn below(transform: Value) -> Vec<u8> {
     })
 }
 
-/// The largest difference of the angles in two reports, degrees.
+/// Returns the largest difference of the angles in two reports, degrees.
 fn difference(a: &Value, b: &Value) -> f64 {
     let angles = |report: &Value| -> Vec<f64> {
         let joints = list(&report["frames"]).iter().flat_map(|frame| list(&frame["joints"]));
@@ -69,7 +70,7 @@ fn a_mirrored_or_turned_root_changes_nothing_but_the_place() {
     for (root, target) in [
         (json!({ "scale": [-1, 1, 1] }), at(-x, y, z)),
         (json!({ "scale": [-2, -2, -2] }), at(-2.0 * x, -2.0 * y, -2.0 * z)),
-        // Up is +Z, as some exporters leave it.
+        // +Z is up, as some exporters leave it.
         (json!({ "rotation": [half, 0, 0, half] }), at(x, -z, y)),
         (json!({ "matrix": [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 5, 0, -3, 1] }), at(z + 5.0, y, -x - 3.0)),
     ] {
@@ -102,7 +103,7 @@ fn a_hidden_bone_has_no_direction_and_says_so() {
     }
 }
 
-/// Two nodes, and a clip that nods the barrel.
+/// Returns a model of two nodes and a clip that nods the barrel.
 fn turret() -> Vec<u8> {
     let times: [f32; 3] = [0.0, 0.5, 1.0];
     let nods: [[f32; 4]; 3] = [[0.0, 0.0, 0.0, 1.0], [0.05, 0.0, 0.0, 0.998_749_2], [0.0, 0.0, 0.0, 1.0]];

@@ -1,4 +1,5 @@
-//! The options of a bake: how it begins, how long it is, how many keys it has, whether it loops, which clip it takes.
+//! Options of `aim bake`: how it settles, its duration, frame rate, looping, the choice of the clip, solver settings
+//! and effectors.
 
 use crate::common::Place;
 use crate::common::forward::{Bake, both_eyes, list, number};
@@ -66,7 +67,7 @@ fn a_bake_covers_the_clip_once_or_as_long_as_asked() {
 #[test]
 fn a_loop_ends_where_it_begins() {
     let place = Place::with_mannequin();
-    // A loop too short to arrive in one round.
+    // A loop too short for the joints to arrive within one round.
     let short = Place::with_mannequin();
     let document = aim_gltf::Document::from_bytes(&short.read("m.glb")).expect("a file");
     let piece = document.clip("walk").expect("its clip").cut(0.0, 0.3);
@@ -88,7 +89,8 @@ fn a_loop_ends_where_it_begins() {
     }
 }
 
-/// A clip that jumps at its end: with `--loop` every bone ends where it begins, and goes on as fast, on what is written; and it is said.
+/// With `--loop`, a clip that jumps at its end is mended: every bone ends where it begins, with the same velocity, and
+/// the output says so.
 #[test]
 fn a_loop_mends_the_seam_of_its_clip() {
     let place = Place::with_mannequin();
@@ -106,25 +108,25 @@ fn a_loop_mends_the_seam_of_its_clip() {
         let at = |t: f64| model.pose(&clip, t);
         let [begin, after, before, end] = [at(0.0), at(h), at(clip.seconds - h), at(clip.seconds)];
         let place_jump = begin.iter().zip(&end).map(|(a, b)| a.difference(b)).fold(0.0, f64::max);
-        // The largest difference of the turn in a millisecond before the seam and after it.
+        // Largest difference between the angular velocities in the millisecond before and after the seam.
         let turn = |a: &Local, b: &Local| (b.rotation.normalize() * a.rotation.normalize().inverse()).xyz() * 2.0 / h;
         let kinks = (0..begin.len()).map(|node| {
             let [one, other] = [turn(&before[node], &end[node]), turn(&begin[node], &after[node])];
-            // Either quaternion of a turn.
+            // Either quaternion of the rotation.
             (one - other).length().min((one + other).length())
         });
         jumps.push((place_jump, kinks.fold(0.0, f64::max)));
     }
     let [(place_before, speed_before), (place_after, speed_after)] = jumps[..] else { unreachable!("two bakes") };
     assert!(place_before > 0.1 && speed_before > 1.0, "{place_before} {speed_before}");
-    // The joints of the chain have sixty straight keys a second.
+    // The joints of the chain are written with 60 linear keys per second.
     assert!(place_after < 1e-4 && speed_after < 0.1 * speed_before, "{place_after} {speed_after}");
-    // What closes is left alone, and nothing is said.
+    // A clip that already closes is left alone, without a message.
     let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --loop"));
     assert!(!ran.stdout.contains("is no loop"), "{}", ran.stdout);
 }
 
-/// A loop of a length that is no whole number of the clip's rounds closes, too: every bone ends where it begins.
+/// A loop whose length is not a whole number of the clip's rounds closes, too: every bone ends where it begins.
 #[test]
 fn a_loop_of_any_length_closes() {
     let place = Place::with_mannequin();
@@ -139,7 +141,7 @@ fn a_loop_of_any_length_closes() {
         let jump = begin.iter().zip(&end).map(|(a, b)| a.difference(b)).fold(0.0, f64::max);
         assert!(jump < 1e-3, "{seconds}: {jump} over the seam");
     }
-    // What is refused says nothing of loops.
+    // A refused command prints nothing about loops.
     place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out no.glb --seconds=-1 --loop"), &["-1 s"]);
 }
 
@@ -152,7 +154,7 @@ fn the_named_clip_is_aimed_over_and_the_others_stay() {
     other["extras"] = json!({ "kept": true });
     json["animations"].as_array_mut().expect("clips").push(other);
     place.write("m.glb", &crate::common::gltf::put_together(&json, &bin));
-    // Without a choice the first, and that is said.
+    // Without a choice, the first clip is used, with a message.
     let ran = place.done(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --report r.json"));
     for word in ["m.glb has 2 clips", "\"walk\"", "--clip"] {
         assert!(ran.stderr.contains(word), "{}", ran.stderr);
@@ -165,14 +167,14 @@ fn the_named_clip_is_aimed_over_and_the_others_stay() {
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
         crate::common::gltf::take_apart(&place.read("b.glb")).0["animations"].clone()
     };
-    // Beside it, with all that is said of it.
+    // The aimed clip is added after the others and keeps the extras of its source.
     let output = named("");
     assert_eq!((list(&output).len(), &output[0], &output[1]), (3, &json["animations"][0], &json["animations"][1]));
     assert_eq!(
         (&output[2]["name"], &output[2]["extras"]),
         (&json!("wälk <2>_aimed"), &json["animations"][1]["extras"])
     );
-    // Under another name, or in the place of a clip.
+    // Under another name, or replacing a clip.
     let output = named("--as other ");
     assert_eq!((list(&output).len(), &output[2]["name"], &output[1]), (3, &json!("other"), &json["animations"][1]));
     let output = named("--as walk ");
@@ -226,10 +228,10 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
     let sum = |headings: &[f64]| headings.iter().sum::<f64>();
     assert!((sum(&half) / sum(&whole) - 0.5).abs() < 0.05, "{half:?} of {whole:?}");
     assert_eq!(last(&format!("{aside} --weight 0")).0, [0.0; 3]);
-    // The eye comes back to its middle.
+    // The eye returns to its centre.
     let (attentive, _) = last(&format!("{aside} --attention 1"));
     assert!(whole[0].abs() > 5.0 && attentive[0].abs() < 1.0, "{attentive:?} instead of {whole:?}");
-    // Let go of what is behind.
+    // Targets behind: held at the limit by default, released with `--behind release`.
     let behind = "--target 0.1,1.66,-2 --seconds 1.2";
     let (clipped, status) = last(behind);
     assert!(clipped[1].abs() > 50.0 && status == "behind", "{clipped:?}, {status}");
@@ -237,7 +239,7 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
     assert!(released.iter().all(|heading| heading.abs() < 1e-3) && status == "behind", "{released:?}, {status}");
     let (impatient, _) = last(&format!("{behind} --patience 0.1"));
     assert!(impatient[1].abs() < 0.5 * clipped[1].abs(), "{impatient:?} after {clipped:?}");
-    // Nearly straight behind, on the plane it is nearly ahead.
+    // The target is nearly straight behind; with `--behind plane` the chain aims nearly straight ahead.
     let (on_plane, _) = last(&format!("{behind} --behind plane"));
     assert!(sum(&on_plane).abs() < 0.5 * sum(&clipped).abs(), "{on_plane:?} instead of {clipped:?}");
     for option in ["--attention 1", "--patience 1"] {
@@ -255,7 +257,7 @@ fn weight_attention_and_the_policy_behind_are_the_artists() {
 #[test]
 fn at_half_the_weight_words_and_errors_are_of_the_goal() {
     let place = Place::new();
-    // Nothing moves, so that the goal is half of the way from straight ahead to the target.
+    // Without animation, the goal is halfway from straight ahead to the target.
     place.write(
         "m.glb",
         &crate::common::changed(|json| drop(json.as_object_mut().expect("an object").remove("animations"))),
@@ -282,7 +284,7 @@ fn at_half_the_weight_words_and_errors_are_of_the_goal() {
         assert!(!page.contains("on target"), "{solver}: on the page");
         assert_eq!(last.get("pair_goal_error_deg").is_some_and(|off| number(off) < 0.2), !both.is_empty());
     }
-    // Both are of the target where nothing else is meant.
+    // At weight 1, errors and words refer to the target itself.
     let ran = place.done(&format!("{aside} --weight 1"));
     let report = place.json("r.json");
     assert!(report.get("weight").is_none() && report["summary"].get("of").is_none());
@@ -304,7 +306,7 @@ fn the_effector_is_another_joint_and_what_is_outside_it_rests() {
         let (own, report) = last_of(&aside);
         assert_eq!(report["effector"]["bone"], "left_eye");
         assert_eq!(last_of(&format!("{aside} --effector eyes")), (own.clone(), report), "{solver}");
-        // The neck turns to where the eye looked, and past what it shared with the eye.
+        // The neck turns to where the eye looked, further than its own part of that turn.
         let (turned, report) = last_of(&format!("{aside} --effector neck"));
         assert_eq!(report["effector"]["bone"], "neck", "{solver}");
         assert_eq!(report["effector"]["origin"], json!([0.0, 0.0, 0.0]), "{solver}");
@@ -324,11 +326,11 @@ fn a_bake_of_another_effector_says_so() {
     assert!(ran.stdout.contains("aimed by Mannequin with the effector \"neck\""), "{}", ran.stdout);
     let page = String::from_utf8(place.read("r.html")).expect("text");
     assert!(page.contains("neck, along ("), "the page names the effector");
-    // A hand hangs on the chest: the chest cannot catch up with it, the eye can.
+    // The hand is a descendant of the chest: the chest can never catch up with it, but the eye can.
     let at_hand = "bake m.glb --rig m.toml --out out.glb --seconds 0.2 --target node:left_hand";
     assert!(place.done(&format!("{at_hand} --effector chest")).stderr.contains("moves with the gaze itself"));
     assert_eq!(place.done(at_hand).stderr, "");
-    // An orbit is around what is aimed: level with it, the neck needs no pitch beyond the walk's.
+    // An orbit is centred on the effector: level with it, the neck needs no pitch beyond the walk's.
     let orbit = "bake m.glb --rig m.toml --seconds 1 --out out.glb --report r.json --target";
     place.done(&format!("{orbit} orbit:2,0,8 --effector neck"));
     let [neck, eye] = [&place.json("r.json"), &{
@@ -345,7 +347,7 @@ fn an_effector_that_the_rig_has_not_is_refused() {
     let refused = |more: &str, words: &[&str]| {
         place.refused(&format!("bake m.glb --rig m.toml {ASIDE} --out out.glb {more}"), words);
     };
-    // What is asked for, of which rig, and what is possible.
+    // The message names what was asked for, the rig, and what is possible.
     refused("--effector jaw", &["jaw", "Mannequin", "left_eye", "neck", "spine3", "eyes (left_eye)", "chest (spine3)"]);
     // This rig has no joint of that role.
     refused("--effector head", &["--effector head", "Mannequin", "neck"]);

@@ -1,4 +1,4 @@
-//! Characters that nobody here made, in the folder that `AIM_RIGS` names. Run by `AIM_RIGS=folder cargo test -- --ignored`.
+//! Third-party characters in the folder that `AIM_RIGS` names. Run with `AIM_RIGS=folder cargo test -- --ignored`.
 
 use std::path::Path;
 
@@ -29,7 +29,7 @@ fn bake(file: &Path, rig: Option<&str>, options: &[&str]) -> Value {
     report
 }
 
-/// The errors over the frames whose target can be followed, sorted.
+/// Returns the sorted errors of all frames whose target can be followed, degrees.
 fn errors(report: &Value) -> Vec<f64> {
     let followed = |frame: &&Value| frame["status"] == "reached" || frame["status"] == "rate_limited";
     let mut errors: Vec<f64> =
@@ -48,7 +48,7 @@ fn the_thug_of_the_paper() {
     assert_eq!(report["summary"]["frames"], 481);
     assert!(errors.len() > 240, "only {} frames can be followed", errors.len());
     assert!(errors[errors.len() / 2] < 0.5, "median {}", errors[errors.len() / 2]);
-    // Its clip is no loop. Made one, and written, it is left as it is.
+    // Its clip does not loop. After mending and writing it, a looped bake leaves it as it is.
     let document = Document::load(&file).expect("a file");
     let mended = mended_loop(&document, &Measurement::of(&document), &document.clips()[0]).expect("it has hips");
     let place = Place::new();
@@ -89,11 +89,11 @@ fn every_character_with_a_head_without_a_rig() {
         let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "6"]);
         assert_eq!(report["rig"].as_str(), file.file_stem().and_then(|stem| stem.to_str()), "{}", file.display());
         assert_eq!(report["frames"][0]["status"], "reached", "{}: {}", file.display(), report["frames"][0]);
-        // `bake` has held each status to the error in the written file, and every other bone to its place. A head with inertia
-        // does not follow each jerk of each clip; without it does.
+        // `bake` has checked every status against the error in the written file, and every other bone's transform. The
+        // natural solver's head has inertia and does not follow every jerk of a clip; the exact solver does.
         let report = bake(file, None, &["--target", "orbit:2,0.2,6", "--seconds", "6", "--solver", "exact"]);
         let reached = list(&report["frames"]).iter().filter(|frame| frame["status"] == "reached").count();
-        // The fewest has the horse that dies: the clip itself bends its neck as far as it goes.
+        // The smallest count is that of a dying horse, whose clip itself bends the neck to its limit.
         assert!(reached >= 75, "{}: only {reached} of 361 frames are reached", file.display());
         baked += 1;
     }
@@ -110,7 +110,7 @@ fn both_eyes_converge_on_what_is_near_and_are_parallel_for_what_is_far() {
     ] {
         let path = folder.join(file);
         let source = std::fs::read(&path).expect("the file is there");
-        // Metres from the eye, starting in front; the head turns only a little in a second.
+        // Distances from the eye in metres; the orbit starts in front, and the head turns little within a second.
         for (metres, apart_deg) in [("0.3", [6.0, 20.0]), ("50", [0.0, 0.1])] {
             let place = Place::new();
             let mut arguments: Vec<std::ffi::OsString> = vec!["bake".into(), path.clone().into(), "--rig".into()];

@@ -1,4 +1,4 @@
-//! Where the four kinds of targets are, computed again by the tests.
+//! Positions of the four kinds of targets, recomputed by the tests.
 
 use crate::common::Place;
 use crate::common::forward::{Bake, list, number, vector};
@@ -45,13 +45,13 @@ fn an_orbit_goes_from_the_front_to_the_left_in_metres_of_the_characters_size() {
     let height = heights.iter().copied().fold(f64::MIN, f64::max) - heights.iter().copied().fold(f64::MAX, f64::min);
     let (metre, eye) = (height / 1.7, DVec3::new(0.03, 1.66, 0.09));
     assert!((0.9..1.1).contains(&metre), "the mannequin is {height} m high");
-    // Faces +Z, its left is +X.
+    // The mannequin faces +Z; its left is +X.
     let report = bake(&place, "--target orbit:2,0.25,8 --seconds 8");
     targets_are(&report, |t| {
         let (sin, cos) = (std::f64::consts::TAU * t / 8.0).sin_cos();
         eye + metre * DVec3::new(2.0 * sin, 0.25, 2.0 * cos)
     });
-    // The other way round.
+    // In the other direction.
     let report = bake(&place, "--target orbit:1,0,-4");
     targets_are(&report, |t| {
         let (sin, cos) = (std::f64::consts::TAU * t / 4.0).sin_cos();
@@ -75,7 +75,7 @@ fn a_node_that_aiming_moves_where_it_is_then() {
     for (hand, solver) in
         [("left_hand", "natural"), ("right_hand", "natural"), ("left_hand", "exact"), ("right_hand", "ascent")]
     {
-        // Held out to the side and a little forward, so that the chest turns far and carries it away.
+        // Hold the arm out to the side and slightly forward, so that a large turn of the chest carries the hand away.
         let (mut json, bin) = crate::common::gltf::take_apart(&m);
         let arm = json["nodes"]
             .as_array()
@@ -113,8 +113,8 @@ fn a_node_that_aiming_moves_where_it_is_then() {
 
 #[test]
 fn a_node_of_the_chain_itself_is_answered_truthfully() {
-    // The eye itself has no direction, but the chain may lean until the eye sees where it was; what hangs on it, or is
-    // below it, has one.
+    // The eye has no direction to itself, but the chain may lean until the eye looks at where it was. Nodes that hang
+    // on the chain, and nodes that it hangs on, have a direction.
     for solver in ["natural", "exact", "ascent"] {
         bake(&Place::with_mannequin(), &format!("--target node:left_eye --solver {solver}"));
     }

@@ -1,4 +1,4 @@
-//! The commands that the book, the README and the crates' pages show, in the order in which a page shows them.
+//! Runs the commands shown in the book, the README and the crates' pages, in the order of each page.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +8,7 @@ use aim_character::{Mannequin, Vrm, mannequin};
 use crate::common::gltf::{put_together, take_apart};
 use crate::common::{Place, bundled_rigs, in_full};
 
-/// Commands that pages show and this test does not run: the beginning of the line, and what does.
+/// Commands shown on pages but not run by this test: the start of the line, and what checks it instead.
 const ELSEWHERE: &[(&str, &str)] = &[
     ("cargo new ", "`.ci/five-minutes` goes through the page in an empty folder"),
     ("cd hero", "the same"),
@@ -37,7 +37,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The pages that show commands.
+/// Returns the pages that may show commands.
 fn pages() -> Vec<PathBuf> {
     let list = |folder: PathBuf| fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
     let mut pages: Vec<PathBuf> =
@@ -49,7 +49,7 @@ fn pages() -> Vec<PathBuf> {
     pages
 }
 
-/// The lines of a page's blocks in `sh`, without comments, and those after `$` in `console`.
+/// Returns the commands of a page: lines of `sh` blocks without comments, and lines after `$` in `console` blocks.
 fn commands(text: &str) -> Vec<String> {
     let (mut language, mut commands) = (None, Vec::new());
     for line in text.lines().map(str::trim) {
@@ -67,10 +67,10 @@ fn commands(text: &str) -> Vec<String> {
     commands
 }
 
-/// Up, forward and left of the bones of the upper body.
+/// Up, forward and left of the upper body's bones in Mixamo characters.
 const MIXAMO_AXES: [[f32; 3]; 3] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
 
-/// The mannequin as a character of Mixamo, with a clip `Slap`.
+/// Returns the mannequin as a Mixamo character with a clip `Slap`.
 fn hero() -> Vec<u8> {
     let (mut json, bin) = take_apart(&mannequin(|_| MIXAMO_AXES).expect("orthonormal axes"));
     let names = [
@@ -89,7 +89,7 @@ fn hero() -> Vec<u8> {
     put_together(&json, &bin)
 }
 
-/// A folder with what pages call theirs: characters, rigs, a function.
+/// Returns a folder with the files that pages assume: characters, rigs, a function.
 fn place_of_a_user() -> Place {
     let place = Place::new();
     place.write("hero.glb", &hero());
@@ -110,7 +110,7 @@ fn place_of_a_user() -> Place {
     place
 }
 
-/// By default those of the pages that are read first.
+/// Runs only the introductory pages unless all tests are asked for.
 #[test]
 fn every_command_of_a_page_runs() {
     let (mut ran, mut known) = (0, vec![false; ELSEWHERE.len()]);

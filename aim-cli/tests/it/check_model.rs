@@ -1,10 +1,10 @@
-//! `aim check FILE --rig` and `aim inspect --html`: what is wrong with a declaration, in words and in a drawing.
+//! `aim check FILE --rig` and `aim inspect --html`: report what is wrong with a declaration, in words and in a drawing.
 
 use crate::common::rig::{conventions, for_mannequin};
 use crate::common::{Place, Ran};
 use scraper::{Html, Selector};
 
-/// The page that the arguments write, which has to be proper HTML without scripts or addresses.
+/// Returns the page written with these arguments; it must be valid HTML without scripts or addresses.
 fn page(place: &Place, arguments: &str) -> Html {
     place.done(arguments);
     let text = String::from_utf8(place.read("o.html")).expect("UTF-8");
@@ -27,7 +27,7 @@ fn of_48_declarations_the_right_one_passes_and_47_are_told_where_they_are_wrong(
         let place = Place::new();
         place.write("m.glb", &aim_character::mannequin(|_| conventions[truth]).expect("a frame"));
         for (number, axes) in conventions.iter().enumerate() {
-            // Only the neck is declared otherwise.
+            // Only the neck's declaration differs.
             let rig = for_mannequin(|bone| if bone == "neck" { *axes } else { conventions[truth] });
             place.write("r.toml", &rig);
             let Ran { code, stdout, stderr } = place.aim("check m.glb --rig r.toml");
@@ -103,7 +103,7 @@ fn the_drawing_marks_what_is_wrong_and_nothing_else() {
     let rig = String::from_utf8(place.read("m.toml")).expect("UTF-8");
     let right = page(&place, "inspect m.glb --html o.html --rig m.toml");
     assert_eq!((count(&right, ".views svg"), count(&right, ".dashed"), count(&right, ".wrong")), (4, 0, 0));
-    // Three joints, three axes and a compass, in four views.
+    // Three joints, their axes and a compass, in four views.
     assert_eq!(count(&right, ".axis-up:not(.expected)"), 4 * 4);
     assert_eq!(count(&right, ".gaze"), 4);
     let turned = "axes = { up = \"+X\", forward = \"+Z\", left = \"-Y\" }";
@@ -113,7 +113,7 @@ fn the_drawing_marks_what_is_wrong_and_nothing_else() {
     assert_eq!(count(&wrong, "ul.wrong li"), 6);
     let proposed = page(&place, "inspect m.glb --html o.html");
     assert_eq!((count(&proposed, ".gaze"), count(&proposed, ".dashed")), (4, 0));
-    // What has no chain is drawn without one.
+    // A model without a chain is drawn without one.
     place.write("thing.gltf", r#"{"asset":{"version":"2.0"},"nodes":[{"name":"<b>thing"}]}"#);
     assert_eq!(count(&page(&place, "inspect thing.gltf --html o.html"), ".gaze"), 0);
     place.refused("inspect m.glb --rig m.toml", &["--html"]);

@@ -1,4 +1,4 @@
-//! `aim clip`, judged by a reader and a forward kinematics of the tests' own.
+//! `aim clip`, checked with the tests' own glTF reader and forward kinematics.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use aim_gltf::Document;
 use aim_runtime::glam::{DMat4, DQuat, DVec3, Vec3};
 use serde_json::Value;
 
-/// The mannequin with its moves.
+/// Returns the mannequin with its moves.
 fn moving() -> Vec<u8> {
     Mannequin::new().with_moves().glb(|_| PAPER_AXES).expect("orthonormal axes")
 }
@@ -22,12 +22,12 @@ fn place_of_moves() -> Place {
     place
 }
 
-/// The report's part about a clip.
+/// Returns the part of the report about a clip.
 fn cost<'r>(report: &'r Value, clip: &str) -> &'r Value {
     list(&report["clips"]).iter().find(|cost| cost["clip"] == clip).unwrap_or_else(|| panic!("{clip}: {report}"))
 }
 
-/// Bytes of the keys of a clip in a file: of its accessors, each once.
+/// Returns the size of a clip's keys in a file, in bytes, counting shared accessors once.
 fn key_bytes(glb: &[u8], clip: &str) -> usize {
     let (json, _) = take_apart(glb);
     let clip = list(&json["animations"]).iter().find(|animation| animation["name"] == clip).expect("the clip");
@@ -52,7 +52,7 @@ fn key_bytes(glb: &[u8], clip: &str) -> usize {
     used.into_iter().map(size).sum()
 }
 
-/// The times of the accessors that a clip's channels have as input, each once.
+/// Returns the sorted key times of a clip's channels, counting shared accessors once.
 fn key_times(model: &Model, clip: &str) -> Vec<f64> {
     let clip = &model.json["animations"][model.clip_index(clip).expect("the clip")];
     let inputs = list(&clip["samplers"]).iter().map(|sampler| sampler["input"].as_u64().expect("an index"));
@@ -62,7 +62,7 @@ fn key_times(model: &Model, clip: &str) -> Vec<f64> {
     times
 }
 
-/// All transforms of a clip's nodes in the world.
+/// Returns the world transforms of all nodes at a time of a clip.
 fn world(model: &Model, clip: &str, t: f64) -> Vec<DMat4> {
     world_of(model, &model.clip(model.clip_index(clip).expect("the clip")), t)
 }
@@ -86,7 +86,7 @@ fn joint(world: &DMat4) -> DVec3 {
     world.transform_point3(DVec3::ZERO)
 }
 
-/// The largest distance of any joint in one file's clip from where it is in the other's, at all keys and between them.
+/// Returns the largest distance between a joint in one file's clip and in the other's, at all keys and between them.
 fn furthest(before: &[u8], after: &[u8], clip: &str) -> f64 {
     let (before, after) = (Model::new(before), Model::new(after));
     let mut times: Vec<f64> = key_times(&before, clip).into_iter().chain(key_times(&after, clip)).collect();
@@ -205,7 +205,7 @@ fn one_clip_is_reduced_and_the_others_stay() {
         assert_eq!(key_bytes(&old, name), key_bytes(&new, name));
         assert!(furthest(&old, &new, name) < 1e-9, "{name}");
     }
-    // In its own place.
+    // Overwriting its own input.
     place.done("clip s.glb --clip run --clip wave --reduce 1mm --out s.glb");
     assert!(key_bytes(&place.read("s.glb"), "run") < key_bytes(&old, "run"));
     assert_eq!(place.names(), ["m.glb", "s.glb"]);
@@ -247,14 +247,14 @@ fn a_clip_that_stands_still_keeps_its_length() {
     }
 }
 
-/// The keys of a turn there and back, 30 a second.
+/// Returns a track that swings there and back, with 30 keys per second.
 fn swing(seconds: u8, turn: impl Fn(f32) -> aim_runtime::glam::Quat) -> Track<aim_runtime::glam::Quat> {
     let times: Vec<f32> = (0..=30 * seconds).map(|k| f32::from(k) / 30.0).collect();
     let turns: Vec<_> = times.iter().map(|t| turn((3.0 * t).sin())).collect();
     Track::linear(times, turns).expect("a track")
 }
 
-/// A clip that is longer than what moves in it, because a track that does not move is: a key at its end needs to be somewhere.
+/// A clip that a constant track makes longer than its movement keeps its length when reduced.
 #[test]
 fn what_moves_is_not_replaced_where_what_stands_still_was_longer() {
     let document = Document::from_bytes(&crate::common::mannequin()).expect("a model");
@@ -287,8 +287,8 @@ fn what_moves_is_not_replaced_where_what_stands_still_was_longer() {
     }
 }
 
-/// A node that shows a triangle with two morph targets, and two clips of their weights: a smooth one, and steps. A track of the node that
-/// stands still is longer than the weights.
+/// Returns a node with a triangle, two morph targets, and two clips of their weights: a smooth one and one with steps.
+/// A constant track of the node is longer than the weights.
 fn face() -> Vec<u8> {
     let json = serde_json::json!({
         "asset": { "version": "2.0" },
@@ -329,7 +329,7 @@ fn reduced_weights_are_what_they_were() {
         assert_eq!((was.length_s(), is.length_s()), (seconds, seconds), "{name}");
         let mut found = 0.0_f64;
         for ((_, was), (_, is)) in was.scalars().iter().zip(is.scalars()) {
-            // The attacker's grid, and each key with what is just before it.
+            // A dense grid, and each key with the time just before it.
             let grid = (0..1300_u16).map(|k| f32::from(k) / 500.0);
             let keys = was.times().iter().chain(is.times()).flat_map(|t| [*t, t.next_down().max(0.0)]);
             let off = grid.chain(keys).map(|t| f64::from((was.sample(t) - is.sample(t)).abs()));
@@ -346,7 +346,7 @@ fn reduced_weights_are_what_they_were() {
     }
 }
 
-/// Half of the mannequin's walk, which ends elsewhere than it begins.
+/// Returns half of the mannequin's walk, which ends elsewhere than it begins.
 fn half_a_walk() -> Vec<u8> {
     let document = Document::from_bytes(&moving()).expect("a model");
     let half = document.clip("walk_ahead").expect("a clip").cut(0.1, 0.6).with_name("half");
@@ -365,7 +365,7 @@ fn a_loop_is_mended_in_place_and_speed() {
     assert!(said.contains("seam after it") && said.contains("loop  mended"), "{said}");
     assert!(said.contains("--reduce makes them small"), "{said}");
     assert_eq!(cost(&report, "half")["mended"], true);
-    // The poses: without the way, which goes on.
+    // Rotations only: without the hips, whose movement continues.
     let turns = |name: &str, t: f64| -> Vec<DQuat> {
         let model = Model::new(&place.read(name));
         let clip = model.clip(model.clip_index("half").expect("the clip"));
@@ -378,7 +378,7 @@ fn a_loop_is_mended_in_place_and_speed() {
         ends.map(|(a, b)| a.angle_between(b).to_degrees()).fold(0.0, f64::max)
     };
     assert!(apart("h.glb") > 5.0 && apart("l.glb") < 0.1, "{} {}", apart("h.glb"), apart("l.glb"));
-    // What is a loop stays as it is.
+    // A clip that already loops is left as it is.
     place.write("m.glb", &moving());
     let said = place.done("clip m.glb --clip walk --loop --out w.glb --report r.json").stdout;
     assert_eq!(place.read("w.glb"), place.read("m.glb"));
@@ -401,11 +401,11 @@ fn what_is_taken_out_and_what_is_left_are_the_clip_again() {
             let seconds = number(&extracted["seconds"]);
             let whole: Vec<f64> = list(&extracted["translation"]).iter().map(number).collect();
             let [was, is] = [[&model; 2], [&left; 2]].map(|both| [0.0, seconds].map(|t| world(both[0], clip, t)[hips]));
-            // In place: the hips end where they begin, as they stand.
+            // In place: the hips end at their starting position.
             let level = |world: &DMat4| joint(world) * (DVec3::X + DVec3::Z);
             assert!(level(&is[0]).distance(level(&is[1])) < 1e-3, "{clip} {kind}: {} {}", is[0], is[1]);
             assert!(level(&was[0]).distance(level(&is[0])) < 1e-3, "{clip} {kind}: begins where it began");
-            // M(end), from what was and what is: about the vertical by the angle that is told.
+            // M(end), from the original and the extracted clip: a rotation about the vertical by the reported angle.
             let motion = was[1] * is[1].inverse();
             let told_turn = number(&extracted["turn_deg"]);
             let turn = DQuat::from_mat4(&motion).angle_between(DQuat::IDENTITY).to_degrees();
@@ -430,7 +430,7 @@ fn what_is_taken_out_and_what_is_left_are_the_clip_again() {
             }
         }
     }
-    // As fast as the hips of the clip go.
+    // The reported speed is that of the hips in the clip.
     place.done("clip m.glb --clip walk_ahead --report r.json");
     let model = Model::new(&place.read("m.glb"));
     let [start, end] = [0.0, 1.1].map(|t| joint(&world(&model, "walk_ahead", t)[hips]));
@@ -467,7 +467,7 @@ fn a_tolerance_of_nothing_leaves_out_what_changes_nothing() {
 #[test]
 fn the_size_that_is_told_is_that_of_the_file() {
     let (json, bin) = take_apart(&moving());
-    // With blanks and bytes that nothing refers to, which a file written again has not.
+    // With whitespace and unreferenced bytes, which a rewritten file would not keep.
     let mut text = serde_json::to_vec_pretty(&json).expect("JSON");
     text.resize(text.len().next_multiple_of(4), b' ');
     let mut glb = b"glTF".to_vec();
@@ -499,7 +499,7 @@ fn all_changes_are_one() {
     assert!(number(&cost["after"]["seam"]["mm"]["most"]) < 1.5, "{}", cost["after"]["seam"]);
     place.done("clip h.glb --clip half --extract delta --loop --out whole.glb");
     assert!(key_bytes(&place.read("o.glb"), "half") * 2 < key_bytes(&place.read("whole.glb"), "half"), "{cost}");
-    // The same without a file.
+    // The same without an output file.
     let place2 = Place::new();
     place2.write("h.glb", &half_a_walk());
     let said = place2.done(&format!("{all} --report r.json")).stdout;
@@ -552,7 +552,7 @@ fn a_bake_can_be_reduced() {
     place.done("clip whole.glb --report c.json");
     let mm = number(&place.json("c.json")["millimetre"]);
     assert!(number(&told["error_mm"]) <= 1.0 && furthest(&whole, &small, clip) <= 1.001 * mm, "{told}");
-    // Where the eye looks: 1 mm at 1 m.
+    // Gaze direction: 1 mm at 1 m.
     let [was, is] = [&whole, &small].map(|glb| Model::new(glb));
     let eye = was.node("left_eye");
     let direction = |model: &Model, t: f64| DQuat::from_mat4(&world(model, clip, t)[eye]);
@@ -624,7 +624,7 @@ fn clips_of_one_name_are_told_of() {
     assert!(said.code == 0 && said.stderr.contains("several clips \"walk\""), "{said:?}");
 }
 
-/// The files of characters in a folder.
+/// Returns the character files in a folder.
 fn files(folder: &Path) -> Vec<std::path::PathBuf> {
     let entries =
         std::fs::read_dir(folder).expect("the folder can be listed").map(|entry| entry.expect("an entry").path());

@@ -1,4 +1,4 @@
-//! `aim demo`: what it writes, how well it aims, and how quiet it is in a pipe.
+//! `aim demo`: the files it writes, how well it aims, and its output in a pipe.
 
 use crate::common::Place;
 use crate::common::forward::{Bake, list, number};
@@ -15,7 +15,7 @@ fn the_demo_aims_well_and_writes_the_same_files_each_time() {
         assert!(place.read(&format!("aim-demo/{file}")).len() > 1000, "{file} is next to nothing");
         assert!(ran.stdout.contains(file), "{file} is not mentioned in {}", ran.stdout);
     }
-    // Wherever it is told to.
+    // With another output folder.
     place.done("demo --out a/b/c");
     for file in files {
         assert_eq!(place.read(&format!("a/b/c/{file}")), place.read(&format!("aim-demo/{file}")), "{file}");
@@ -35,7 +35,7 @@ fn the_demo_aims_well_and_writes_the_same_files_each_time() {
         list(&report["frames"]).iter().filter(followed).map(|frame| number(&frame["error_deg"])).collect();
     errors.sort_by(f64::total_cmp);
     assert!(errors.len() > 300, "only {} frames can be followed", errors.len());
-    // Where the target comes back into reach on the other side, the head takes half a second to get there.
+    // When the target comes back into reach on the other side, the head needs half a second to get there.
     let (median, p95) = (errors[errors.len() / 2], errors[errors.len() * 95 / 100]);
     assert!(median <= 0.1 && p95 <= 2.0, "median {median}°, 95th percentile {p95}°");
 }

@@ -1,4 +1,5 @@
-//! `examples/compiled-rigs` from outside: a declaration is edited, the program is built again and aims as before.
+//! Builds `examples/compiled-rigs` outside the workspace: declarations are edited, the program is rebuilt, and it aims
+//! as before.
 
 use aim_runtime::glam::Vec3;
 use std::fs;
@@ -10,14 +11,14 @@ use crate::common::{Place, in_full};
 
 const EXAMPLE: &str = "../examples/compiled-rigs";
 const FILES: [&str; 5] = ["build.rs", "rigs/hero.toml", "rigs/extra.toml", "src/main.rs", "src/checked_in.rs"];
-/// The code of each rig: of one it is checked in, of the other it is written for the tests.
+/// Code of each rig: the hero's is written by the test, the other one is checked in.
 const CODE: [(&str, &str); 2] = [("hero", "src/hero.rs"), ("extra", "src/checked_in.rs")];
 
-/// Packages that are slow to optimise. They are compiled for the example alone, since paths from another workspace count as other
-/// packages, and run for a moment.
+/// Packages that are slow to optimise, so they are compiled without. As dependencies by path from another workspace
+/// they are compiled separately for the example, and run only briefly.
 const QUICK: [&str; 4] = ["aim-animation", "aim-character", "aim-gltf", "aim-runtime"];
 
-/// The example as a package of its own in another place, as a user would have it.
+/// Returns the example as a package of its own in another folder, as a user would have it.
 fn example() -> Place {
     let place = Place::new();
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -30,11 +31,11 @@ fn example() -> Place {
     }
     let root = ours.parent().expect("the crate lies in the repository");
     let workspace = text(&root.join("Cargo.toml"));
-    // Profiles and versions of the workspace, so that what it has built serves here, too.
+    // Use the workspace's profiles and versions, so that its compiled dependencies are reused.
     let profiles = workspace.split_once("[profile.dev]").and_then(|(_, rest)| rest.split_once("# How macros run"));
     let (profile, _) = profiles.expect("the workspace states its profiles");
     let manifest = text(&ours.join(EXAMPLE).join("Cargo.toml")).replace("\"../..", &format!("\"{}", root.display()));
-    // The program itself is compiled nine times, and runs for a moment.
+    // The program itself is compiled nine times and runs only briefly.
     let quick = "[profile.dev.package.compiled-rigs]\nopt-level = 0\ndebug = 0\n";
     place.write("Cargo.toml", &format!("{manifest}\n[workspace]\n[profile.dev]{profile}\n{quick}"));
     place.write("Cargo.lock", &text(&root.join("Cargo.lock")));
@@ -58,7 +59,7 @@ fn cargo_run(place: &Place, arguments: &[&str]) -> Output {
         .expect("the cargo that built this test can be started")
 }
 
-/// What the program says about this model.
+/// Returns the program's output for `model.glb`.
 #[track_caller]
 fn told(place: &Place) -> String {
     let output = cargo_run(place, &["model.glb"]);
@@ -66,7 +67,7 @@ fn told(place: &Place) -> String {
     String::from_utf8(output.stdout).expect("text")
 }
 
-/// The declaration with each joint's axes its own.
+/// Returns the declaration with each joint's axes replaced.
 fn edited(toml: &str, axes_of: impl Fn(&str) -> Axes) -> String {
     let mut out = String::new();
     for line in toml.lines() {
@@ -75,7 +76,7 @@ fn edited(toml: &str, axes_of: impl Fn(&str) -> Axes) -> String {
             continue;
         }
         if line.starts_with("effector") {
-            // Between the eyes: as far above the head's origin as before it.
+            // Between the eyes: equally far above and in front of the head's origin.
             let [up, forward, _] = axes_of("head");
             let origin: Vec<f32> = up.iter().zip(forward).map(|(up, forward)| 0.09 * up + 0.09 * forward).collect();
             out += &format!("effector = {{ origin = {origin:?} }}\n");
@@ -95,7 +96,8 @@ fn edited(toml: &str, axes_of: impl Fn(&str) -> Axes) -> String {
     out
 }
 
-/// The largest difference of numbers with four decimals; all else has to be the same, but for the last decimal of angles.
+/// Returns the largest difference between numbers with four decimals. Asserts that everything else is equal, up to the
+/// last decimal of angles.
 #[track_caller]
 fn difference(a: &str, b: &str) -> f64 {
     let numbers = |text: &str| -> Vec<f64> {
@@ -121,10 +123,10 @@ fn difference(a: &str, b: &str) -> f64 {
     largest
 }
 
-/// The axes of each bone, by name.
+/// Axes of each bone, by name.
 type AxesOf = Box<dyn Fn(&str) -> Axes>;
 
-/// Other axes for the same character: signed ones, leaning ones, and each bone its own.
+/// Returns other axes for the same character: signed ones, general frames, and different ones per bone.
 fn other_axes() -> [AxesOf; 8] {
     let all = conventions();
     let signed = |number: usize| -> AxesOf {
@@ -146,7 +148,7 @@ fn other_axes() -> [AxesOf; 8] {
     ]
 }
 
-/// Writes the declarations with these axes, and their code anew after seeing it told stale.
+/// Writes the declarations with these axes, asserts that their code is reported as stale, and generates it again.
 fn convert(place: &Place, declarations: [&str; 2], axes_of: &dyn Fn(&str) -> Axes) {
     for ((rig, file), declaration) in CODE.into_iter().zip(declarations) {
         place.write(&format!("rigs/{rig}.toml"), &edited(declaration, axes_of));
@@ -164,7 +166,7 @@ fn code_for_another_convention_is_stale_until_generated_again() {
     let place = example();
     let [hero, extra] =
         ["rigs/hero.toml", "rigs/extra.toml"].map(|file| String::from_utf8(place.read(file)).expect("text"));
-    // By default signed axes and leaning ones.
+    // By default only one signed and one general choice of axes.
     for axes_of in other_axes().iter().step_by(if in_full() { 1 } else { 5 }) {
         convert(&place, [&hero, &extra], axes_of);
     }
@@ -188,7 +190,7 @@ fn another_convention_is_a_change_of_the_declaration_alone() {
         assert!(off <= 1.01e-4, "case {case} is {off} off:\n{expected}\n{found}");
     }
 
-    // And a mistake is told as the compiler tells one.
+    // Mistakes in a declaration are reported in the style of compiler errors.
     place.write("rigs/hero.toml", &hero.replace("left = \"+Z\"", "left = \"-Z\"").replace("\"450deg\"", "450"));
     let output = cargo_run(&place, &[]);
     let errors = String::from_utf8(output.stderr).expect("text");

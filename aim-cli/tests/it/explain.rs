@@ -1,4 +1,5 @@
-//! `aim explain`: the page is whole, its formulas, counts and lines are those of the derivation and of the other commands.
+//! `aim explain`: the page is complete, and its formulas, counts and listings agree with the derivation and with the
+//! other commands.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -8,7 +9,7 @@ use aim_codegen::objective::Scope;
 use aim_codegen::{RigSpec, emit, kernels};
 use scraper::{ElementRef, Html, Selector};
 
-/// Hinges, a free heading, a mirrored joint, a frame that is no signed axes, and names that want to be markup.
+/// Rig with hinges, a free heading, a mirrored joint, a general frame, and names that contain markup.
 const ODD: &str = r#"
     name = "Odd"
     handedness = "left"
@@ -33,7 +34,7 @@ const ODD: &str = r#"
     rate = "20deg"
 "#;
 
-/// A rig of one joint with one angle: nothing is simpler.
+/// Simplest possible rig: one joint with one angle.
 const HINGE: &str = r#"
     name = "Hinge"
     axes = { up = "+Z", forward = "+X" }
@@ -43,10 +44,10 @@ const HINGE: &str = r#"
     rate = "90deg"
 "#;
 
-/// The bundled rig that stands for all by default.
+/// Bundled rig that represents all others by default.
 const SHORT: &str = "turret";
 
-/// Every bundled rig, by default [`SHORT`], and the odd ones: name, declaration.
+/// Returns name and declaration of the odd rigs and of all bundled ones, by default only of [`SHORT`].
 fn rigs() -> Vec<(String, String)> {
     let read = |path: &Path| {
         let name = path.file_stem().expect("a rig's file has a name").to_string_lossy().into_owned();
@@ -59,7 +60,7 @@ fn rigs() -> Vec<(String, String)> {
     rigs
 }
 
-/// A rig with its page.
+/// Rig with its page.
 struct Page {
     name: String,
     rig: String,
@@ -67,20 +68,22 @@ struct Page {
     found: Found,
 }
 
-/// The facts of a page, parsed once for all tests: a parsed page cannot be shared by threads.
+/// Facts extracted from a page, once for all tests: a parsed page cannot be shared between threads.
 struct Found {
     ids: Vec<String>,
     links: Vec<String>,
-    /// The number of formulas; true if one of them is empty.
+    /// Number of formulas.
     formulas: usize,
+    /// `true` if a formula is empty.
     empty_formula: bool,
-    /// True if every drawing has a name for those who do not see it, and everything wide scrolls, by keys, too.
+    /// `true` if every drawing has an accessible name.
     drawings_are_named: bool,
+    /// `true` if all tables and displayed formulas scroll, by keyboard, too.
     wide_scrolls: bool,
     counts: Vec<Vec<String>>,
     captions: Vec<String>,
     headings: Vec<String>,
-    /// The rows of all listings.
+    /// Rows of all listings.
     code: Vec<Vec<String>>,
 }
 
@@ -111,7 +114,7 @@ impl Found {
     }
 }
 
-/// The pages of all these rigs, in full of a long chain, too: made once for all tests.
+/// Returns the pages of all rigs, generated once; in full test runs including the long chain.
 fn pages() -> &'static [Page] {
     static PAGES: OnceLock<Vec<Page>> = OnceLock::new();
     PAGES.get_or_init(|| {
@@ -126,15 +129,15 @@ fn pages() -> &'static [Page] {
     })
 }
 
-/// Whose derivation in full takes as long as those of all others.
+/// Name of a rig whose full derivation takes as long as all others together.
 const LONG: &str = "long";
 
-/// All but the long chain.
+/// Returns all pages but that of the long chain.
 fn short_pages() -> impl Iterator<Item = &'static Page> {
     pages().iter().filter(|page| page.name != LONG)
 }
 
-/// A chain of ten joints.
+/// Returns the declaration of a chain of ten joints.
 fn long_chain() -> String {
     let joint = |i: usize| {
         format!(
@@ -149,7 +152,7 @@ fn spec(text: &str) -> RigSpec {
     aim_codegen::declare::from_toml("rig.toml", text).expect("a sound rig")
 }
 
-/// The page of this declaration.
+/// Returns the page of this declaration.
 #[track_caller]
 fn page(place: &Place, rig: &str) -> String {
     place.write("rig.toml", rig);
@@ -157,7 +160,7 @@ fn page(place: &Place, rig: &str) -> String {
     String::from_utf8(place.read("rig.html")).expect("a page is text")
 }
 
-/// The page of the paper's own rig.
+/// Returns the page of the paper's own rig.
 fn thug() -> &'static str {
     static PAGE: OnceLock<String> = OnceLock::new();
     PAGE.get_or_init(|| {
@@ -166,7 +169,7 @@ fn thug() -> &'static str {
     })
 }
 
-/// Parses, and fails on anything that a strict parser has to mend.
+/// Parses a page and panics on anything that a strict parser must repair.
 #[track_caller]
 fn parsed(page: &str) -> Html {
     let html = Html::parse_document(page);
@@ -182,7 +185,7 @@ fn text(element: &ElementRef<'_>) -> String {
     element.text().collect()
 }
 
-/// The cells of a table's rows.
+/// Returns the cells of a table's rows.
 fn rows(table: &ElementRef<'_>) -> Vec<Vec<String>> {
     let [row, cell] = ["tbody tr", "th, td"].map(|one| Selector::parse(one).expect("a selector"));
     table.select(&row).map(|row| row.select(&cell).map(|cell| text(&cell)).collect()).collect()
@@ -206,7 +209,7 @@ fn every_page_is_whole_and_needs_nothing_else() {
 #[test]
 fn counts_are_those_of_aim_count_and_of_the_trace() {
     let place = Place::new();
-    // By default of those that are derived at once.
+    // By default only for rigs that are quickly derived.
     for Page { name, rig, found: on_page, .. } in short_pages().filter(|page| in_full() || page.name != "odd") {
         place.write("rig.toml", rig);
         place.write("counts.json", &place.done("count rig.toml --json").stdout);
@@ -223,7 +226,7 @@ fn counts_are_those_of_aim_count_and_of_the_trace() {
         let found: Vec<Vec<String>> = on_page.counts.iter().map(|row| row[1..].to_vec()).collect();
         assert_eq!(found, expected, "{name}");
 
-        // Every kernel's derivation ends at the count of what is emitted, and its listing says so.
+        // Each kernel's derivation ends with the number of emitted operations, and its listing shows the same.
         let spec = spec(rig);
         let (captions, headings) = (&on_page.captions, &on_page.headings);
         let traced = place.done("generate rig.toml --trace").stdout;
@@ -261,7 +264,7 @@ fn lines_are_those_of_aim_generate() {
             assert!(emitted.contains(&line), "{name}: {line}");
             assert!(row[1].starts_with('v'), "{name}: beside it stands its formula: {row:?}");
         }
-        // After the kernels of the trait, which compute the same in `f32`.
+        // The generic kernels come after those of the trait, which compute the same in `f32`.
         let (_, generic) = emitted.split_once("fn aim_gradient_0<").expect("the generic kernels are emitted");
         assert_eq!(steps, generic.matches("let __v").count(), "{name}: every line is there");
     }
@@ -275,7 +278,7 @@ fn most_lines_say_what_they_compute() {
     assert_eq!(rows.len(), 18 + 3, "eighteen lines and three results");
     let told = rows.iter().filter(|row| !row[2].is_empty()).count();
     assert!(told >= 19, "{told} of {}", rows.len());
-    // The derivative by pitch is what the second result is called, and so is the line that gives it.
+    // The second result and the line that computes it are labelled as the derivative by pitch.
     assert_eq!(rows[rows.len() - 2][2], "∂aim∂p");
     assert!(rows.iter().any(|row| row[0].starts_with("let __v15") && row[2] == "∂aim∂p"), "{rows:?}");
 }
@@ -287,7 +290,8 @@ fn the_paper_is_met_where_it_has_numbers() {
     for number in 4..=6 {
         assert!(statement.contains(&format!("paper ({number})")), "{statement}");
     }
-    // Johnson's (1) is the transpose of heading in the thug's axes, (3) that of pitch with the other sign.
+    // Johnson's (1) is the transpose of the heading rotation in the thug's axes; (3) is that of pitch with opposite
+    // sign.
     let matrices = text(all(&html, "#conventions math[display=block]").last().expect("the turns in the bones' axes"));
     let plain: String = matrices.chars().filter(|letter| !letter.is_whitespace() && *letter != '\u{2062}').collect();
     assert!(plain.contains("BRhBᵀ=1000ch−sh0shch"), "{plain}");

@@ -1,4 +1,4 @@
-//! The mannequin in many forms, baked with the rig that is proposed for each: it has to look as people do.
+//! Variants of the mannequin, each baked with its proposed rig: the result must look human.
 
 use aim_animation::Track;
 use aim_character::{Criterion, Plausibility};
@@ -8,10 +8,10 @@ use serde_json::{Value, json};
 use crate::common::character::Character;
 use crate::common::{changed, gltf, mannequin};
 
-/// The targets of a form's bakes.
+/// Headings of the targets in a form's bakes, degrees.
 const JUMPS_DEG: [f64; 4] = [10.0, 30.0, 60.0, 95.0];
 
-/// Bakes every case and holds each against the limits for people.
+/// Bakes every case and compares each with the limits for people.
 #[track_caller]
 fn looks_human(model: &[u8]) {
     let character = Character::new(model);
@@ -20,7 +20,7 @@ fn looks_human(model: &[u8]) {
         assert!(measured.is_humanoid, "a figure with an upright trunk");
         for criterion in Criterion::ALL {
             let Some(worst) = measured.worst(criterion) else {
-                // Overhead is beyond the budgets of elevation, and what has no heading has no roll.
+                // An overhead target exceeds the elevation budgets, and without a heading there is no roll.
                 let is_overhead = case == "overhead";
                 assert!(is_overhead && criterion != Criterion::HeadSpeed, "{case}: {} is not told", criterion.key());
                 continue;
@@ -46,7 +46,7 @@ fn looks_human(model: &[u8]) {
     assert!(problems.is_empty(), "{}", problems.join("\n"));
 }
 
-/// The index of a node.
+/// Returns the index of a node.
 fn node(json: &Value, name: &str) -> usize {
     let nodes = json["nodes"].as_array().expect("nodes");
     nodes.iter().position(|node| node["name"] == name).expect("the bone is there")
@@ -56,7 +56,7 @@ fn translation(json: &Value, node: usize) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|i| json["nodes"][node]["translation"][i].as_f64().expect("a number")))
 }
 
-/// Hangs a new bone between a bone and its parent, so that `part` of the way to it is above the new one.
+/// Inserts a new bone between a bone and its parent, at the fraction `part` of the distance from the parent.
 pub(crate) fn insert(json: &mut Value, name: &str, above: &str, part: f64) {
     let (child, new) = (node(json, above), json["nodes"].as_array().expect("nodes").len());
     let way = translation(json, child);
@@ -73,7 +73,7 @@ pub(crate) fn insert(json: &mut Value, name: &str, above: &str, part: f64) {
     nodes.push(json!({ "name": name, "translation": (way * (1.0 - part)).to_array(), "children": [child] }));
 }
 
-/// A figure with its hips on a root of these properties.
+/// Returns the model with its hips below a new root node with these properties.
 fn on_root(model: &[u8], root: &Value) -> Vec<u8> {
     let (mut json, bin) = gltf::take_apart(model);
     let hips = node(&json, "hips");
@@ -111,7 +111,7 @@ fn clavicles_on_the_neck_of(json: &mut Value) {
     let up = translation(json, neck);
     for name in ["left_clavicle", "right_clavicle"] {
         let arm = node(json, name);
-        // All bones have the same axes in the bind pose.
+        // No change of basis is needed: all bones have the same axes in the bind pose.
         json["nodes"][arm]["translation"] = json!((translation(json, arm) - up).to_array());
         json["nodes"][chest]["children"].as_array_mut().expect("children").retain(|child| *child != json!(arm));
         json["nodes"][neck]["children"].as_array_mut().expect("children").push(json!(arm));
@@ -123,7 +123,7 @@ fn clavicles_on_the_neck() {
     looks_human(&changed(clavicles_on_the_neck_of));
 }
 
-/// Bones as a converter numbers them: nothing tells what they are.
+/// Renames all bones like a converter that numbers them, so that names say nothing about them.
 pub(crate) fn nameless(json: &mut Value) {
     for (at, node) in json["nodes"].as_array_mut().expect("nodes").iter_mut().enumerate() {
         node["name"] = json!(format!("Bone.{at:03}"));
@@ -159,7 +159,7 @@ fn three_neck_bones_and_no_eyes() {
 
 #[test]
 fn a_leaning_torso() {
-    // The head stays level: 25° forward in the spine, as much back in the neck.
+    // The head stays level: 25° forward in the spine, 25° back in the neck.
     let model = mannequin();
     let document = aim_gltf::Document::from_bytes(&model).expect("a sound model");
     let mut clip = document.clips()[0].clone();
@@ -179,7 +179,7 @@ fn a_long_neck() {
     looks_human(&changed(|json| {
         let head = node(json, "head");
         json["nodes"][head]["translation"] = json!((translation(json, head) * 3.0).to_array());
-        // Its bind pose is as long.
+        // Without inverse bind matrices, the bind pose has the same length.
         let skins = json["skins"].as_array_mut().expect("skins");
         drop(skins[0].as_object_mut().expect("a skin").remove("inverseBindMatrices"));
     }));

@@ -1,4 +1,5 @@
-//! `aim generate`, `aim check` and `aim count` over every bundled rig: deterministic, and usable where it is meant to go.
+//! `aim generate`, `aim check` and `aim count` for every bundled rig: deterministic, and accepted by the target
+//! toolchain.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -12,7 +13,7 @@ fn name(rig: &Path) -> &str {
     rig.file_stem().and_then(|stem| stem.to_str()).expect("a rig's file has a name")
 }
 
-/// Writes the rig in this language to `NAME.LANGUAGE`; returns the file's name.
+/// Writes the rig's code in this language to `NAME.LANGUAGE`; returns the file's name.
 #[track_caller]
 fn generate(place: &Place, rig: &Path, language: &str) -> String {
     let file = format!("{}.{language}", name(rig));
@@ -50,7 +51,7 @@ fn a_check_tells_fresh_from_stale() {
         let fresh = place.done(&format!("generate m.toml --lang {language} --check code"));
         assert_eq!(fresh.stdout, "");
         let text = String::from_utf8(place.read("code")).expect("text");
-        // Line ends are git's business.
+        // Line endings are left to git and ignored by `--check`.
         place.write("code", &text.replace('\n', "\r\n"));
         place.done(&format!("generate m.toml --lang {language} --check code"));
         place.write("code", &text.replacen('1', "2", 1));
@@ -96,7 +97,7 @@ fn maxima_computes_what_the_interpreter_does() {
         let text = std::fs::read_to_string(&rig).expect("the rig is there");
         let spec = aim_codegen::declare::from_toml("rig.toml", &text).expect("a bundled rig is right");
         let program = CHAIN_RESIDUAL_JACOBIAN.kernels(&spec, FirstLink::Given).remove(0).program;
-        // A chain bent a little, and a target in front of it.
+        // A slightly bent chain with a target in front of it.
         let (n, turn) = (spec.joints.len(), [0.8, 0.6, 0.0, -0.6, 0.8, 0.0, 0.0, 0.0, 1.0, 0.02, 0.1, 0.05]);
         let mut inputs: Vec<f64> = turn.repeat(n);
         inputs.extend([1.3, 2.1, -0.7]);
@@ -181,7 +182,7 @@ fn a_trace_leads_from_the_statement_to_what_is_counted() {
         assert!(counts.is_sorted_by(|a, b| a > b), "{section}");
     }
     assert!(trace.contains("\n    46  "), "one joint ends at 46: {trace}");
-    // It is no code, so it has no language and cannot be stale.
+    // A trace is not code, so it takes no language and cannot be stale.
     assert_eq!(place.aim("generate m.toml --trace --lang c").code, 2);
     assert_eq!(place.aim("generate m.toml --trace --check m.toml").code, 2);
     assert_eq!(place.aim("generate m.toml").code, 2);
@@ -200,7 +201,7 @@ fn a_trace_lists_singular_points_where_there_are_conventions_and_none_where_ther
             let file = format!("#[differentiate(wrt(x))]\nfn f(x: f32) -> f32 {{ {expression} }}");
             place.write("f.rs", &file);
             let trace = place.done("generate f.rs --function f --trace").stdout;
-            // Of x or 1 − |x| as such; the tangent has poles elsewhere, the arcsine ends.
+            // Singularities of x or 1 − |x| alone: the tangent has its poles elsewhere, and the arcsine's domain ends.
             let found =
                 ["x", "0 = x", "|x|", "|[x", "floor"].iter().any(|at| trace.contains(&format!("singular where {at}")));
             assert_eq!(found, is_singular, "{expression}: {trace}");
@@ -250,7 +251,7 @@ fn every_cardinal_rig_is_at_the_floor() {
     assert!(counted >= 5, "{counted} rigs");
 }
 
-/// Two springs and a torsion, in single and in double precision, one of them in a module.
+/// Two springs and a torsion, in single and double precision, one of them in a module.
 const FUNCTIONS: &str = "
 use aim_runtime::glam::{DVec3, Vec3};
 
@@ -274,7 +275,7 @@ fn plain(x: f32) -> f32 {
 }
 ";
 
-/// Values and derivatives by the compiled C against closed formulas.
+/// Compares values and derivatives from the compiled C with closed formulas.
 #[test]
 fn a_function_of_a_file_in_c() {
     let place = Place::new();
@@ -312,8 +313,8 @@ int main(void) {
     let found: Vec<f64> =
         String::from_utf8_lossy(&ran.stdout).split_whitespace().map(|x| x.parse().expect("a number")).collect();
 
-    // With d = tip − anchor, l = |d|, s = l − rest: the gradient is s·d/l and −s, the second derivatives are
-    // (s/l)(δ − dᵢdₖ/l²) + dᵢdₖ/l², −d/l and 1.
+    // With d = tip − anchor, l = |d|, s = l − rest: the gradient is s·d/l and −s. The second derivatives are (s/l)(δ −
+    // dᵢdₖ/l²) + dᵢdₖ/l², −d/l and 1.
     let (d, rest) = ([2.0, -0.5, 2.0], 2.0);
     let l = f64::sqrt(d.iter().map(|x| x * x).sum());
     let s = l - rest;

@@ -1,11 +1,11 @@
-//! Arms that hang on the neck: `inspect`, `rig`, `check` and `bake` tell and hold them.
+//! Arms attached to the neck: `inspect`, `rig` and `check` report them, and `bake` holds them in place.
 
 use crate::common::{Place, changed};
 use serde_json::{Value, json};
 
 const ARMS: [&str; 2] = ["left_clavicle", "right_clavicle"];
 
-/// A place with `m.glb`, the mannequin with its arms on the neck, and `m.toml`, its rig.
+/// Returns a folder with `m.glb`, the mannequin with its arms on the neck, and `m.toml`, its rig.
 fn arms_on_the_neck() -> Place {
     let place = Place::with_mannequin();
     let model = changed(|json| {
@@ -24,7 +24,7 @@ fn arms_on_the_neck() -> Place {
     place
 }
 
-/// Whether a bake of `m.glb` writes the places of the left arm and of the right one.
+/// Returns whether a bake of `m.glb` writes translations of the left and of the right arm.
 fn holds(place: &Place, options: &str) -> [bool; 2] {
     place.done(&format!("bake m.glb --target 2,1.9,1 --seconds 0.2 --out out.glb {options}"));
     let (json, _) = crate::common::gltf::take_apart(&place.read("out.glb"));
@@ -39,7 +39,7 @@ fn holds(place: &Place, options: &str) -> [bool; 2] {
     })
 }
 
-/// `m.toml` with `hold` of the neck.
+/// Writes `h.toml`: `m.toml` with this `hold` at the neck.
 fn holding(place: &Place, hold: &str) {
     let rig = String::from_utf8(place.read("m.toml")).expect("text");
     let neck = "bone = \"neck\"\n";
@@ -108,14 +108,14 @@ fn arms_that_vrm_names_or_nobody_are_found_too() {
     let at = |name: &str| names.iter().position(|known| known == name).expect("a bone");
     let written = |json: &Value| place.write("n.glb", &crate::common::gltf::put_together(json, &bin));
     let [left, right] = ARMS.map(|arm| format!("Bone.{:03}", at(arm)));
-    // The body's plan tells them, and every command says so.
+    // They are recognised by the body's structure, and every command reports them.
     written(&json);
     let held = format!("hold = [\"{left}\", \"{right}\"]");
     let proposed = place.done("rig n.glb").stdout;
     assert!(proposed.contains(&held), "{proposed}");
     let seen = place.done("inspect n.glb").stdout;
     assert!(seen.contains(&format!("carries {left}, {right}, which turn with it")), "{seen}");
-    // An arm alone is no pair. VRM tells what it is.
+    // A single arm is not recognised as a pair. VRM names it.
     let bones = [
         ("hips", "hips"),
         ("spine", "spine"),
@@ -144,11 +144,11 @@ fn arms_that_vrm_names_or_nobody_are_found_too() {
 fn the_arms_of_a_nameless_body_are_its_longest_pair() {
     let place = arms_on_the_neck();
     let (mut json, bin) = crate::common::gltf::take_apart(&place.read("m.glb"));
-    // Nodes alone, with two short pairs of bones on the breast: what swings, and no arm.
+    // Plain nodes without a skin, with two short pairs of bones on the breast: dangling parts, not arms.
     let nodes = json["nodes"].as_array_mut().expect("nodes");
     let breast = nodes.iter().position(|node| node["name"] == "spine2").expect("a bone");
     let arms = ARMS.map(|arm| nodes.iter().position(|node| node["name"] == arm).expect("a bone"));
-    // In the paper's axes the first number is the height: from the neck's joint on.
+    // In the paper's axes the first coordinate is the height, here relative to the neck's joint.
     arms.iter().for_each(|arm| nodes[*arm]["translation"][0] = json!(-0.01));
     for side in [1.0, -1.0] {
         let at = nodes.len();

@@ -1,4 +1,4 @@
-//! The command as its users meet it.
+//! Tests of the command through its command line.
 
 mod bad_arguments;
 mod bad_models;

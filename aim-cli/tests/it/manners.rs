@@ -1,4 +1,5 @@
-//! How the command behaves: help with an example everywhere, quiet in pipes, no failure when its reader leaves.
+//! General behaviour of the command: help with examples everywhere, no progress bar in pipes, no failure when the
+//! reader of its output exits.
 
 use std::io::Read;
 use std::process::{Command, Stdio};
@@ -53,7 +54,7 @@ fn a_reader_that_leaves_is_no_failure() {
             .stderr(Stdio::piped())
             .spawn()
             .expect("the command starts");
-        // As `head -1` does: a look at the beginning, and gone.
+        // Like `head -1`: reads the beginning, then closes the pipe.
         let mut first = [0; 1];
         let mut stdout = child.stdout.take().expect("a pipe");
         let _ = stdout.read(&mut first);
@@ -67,7 +68,7 @@ fn a_reader_that_leaves_is_no_failure() {
     }
 }
 
-/// A pipe that nobody reads from any more.
+/// Returns a pipe whose reader has exited.
 fn closed() -> Stdio {
     let mut reader = Command::new("true").stdin(Stdio::piped()).spawn().expect("`true` starts");
     let writer = reader.stdin.take().expect("a pipe");

@@ -1,4 +1,4 @@
-//! Eyes that are morph targets: proposed, aimed, and written as weights.
+//! Eyes moved by morph targets: proposed, aimed, and written as weights.
 
 use aim_runtime::glam::{DMat4, DVec3};
 use serde_json::{Value, json};
@@ -19,7 +19,7 @@ const ARKIT: [&str; 9] = [
     "eyeLookUpRight",
 ];
 
-/// Where the eyes are in the space of the head: the middle of their vertices.
+/// Eye centres in head space: the mean of their vertices.
 struct Eyes {
     left: DVec3,
     right: DVec3,
@@ -29,13 +29,13 @@ fn index(value: &Value) -> usize {
     usize::try_from(value.as_u64().expect("an index")).expect("small")
 }
 
-/// The mannequin whose eyes are no joints, but parts of the head that these targets move: those that end in `Left` or `Right` one
-/// eye, others both, `smile` nothing.
+/// Returns the mannequin with eyes that are not joints but parts of the head moved by these morph targets. Targets
+/// whose names end in `Left` or `Right` move that eye, others both; `smile` moves nothing.
 fn with_targets(names: &[&str]) -> (Value, Vec<u8>, Eyes) {
     let model = Model::new(&mannequin());
     let (mut json, mut bin) = take_apart(&mannequin());
     let [left, right, head] = ["left_eye", "right_eye", "head"].map(|name| model.node(name));
-    // Mesh and world are one in the mannequin's bind pose.
+    // In the mannequin's bind pose, mesh space and world space are the same.
     let to_head = model.bind(head).inverse();
     let mut places = [(DVec3::ZERO, 0.0); 2];
     let mut primitives = json["meshes"][0]["primitives"].take();
@@ -76,7 +76,7 @@ fn with_targets(names: &[&str]) -> (Value, Vec<u8>, Eyes) {
     (json, bin, Eyes { left, right })
 }
 
-/// Adds floats to a file, and returns their accessor.
+/// Appends floats to a file; returns the index of their accessor.
 fn add(json: &mut Value, bin: &mut Vec<u8>, values: &[f32], shape: &str) -> usize {
     bin.resize(bin.len().next_multiple_of(4), 0);
     let mut push = |key: &str, entry: Value| {
@@ -92,7 +92,8 @@ fn add(json: &mut Value, bin: &mut Vec<u8>, values: &[f32], shape: &str) -> usiz
     at
 }
 
-/// With the targets of `ARKit`, and a clip that has weights for them: a smile that comes, and eyes that look a little to the left.
+/// Returns the model with `ARKit` targets and, if given, a clip that fades to these weights: a smile, and eyes that
+/// look slightly to the left.
 fn arkit(animated: Option<[f32; 9]>) -> (Vec<u8>, Eyes) {
     let (mut json, mut bin, eyes) = with_targets(&ARKIT);
     json["meshes"][0]["extras"] = json!({ "targetNames": ARKIT });
@@ -111,7 +112,7 @@ fn arkit(animated: Option<[f32; 9]>) -> (Vec<u8>, Eyes) {
     (put_together(&json, &bin), eyes)
 }
 
-/// The keys of the only weights channel of a clip: its times, and all weights at each.
+/// Returns the keys of the only weights channel of a clip: each time with all weights.
 fn weights(model: &Model, clip: &str) -> Vec<(f64, Vec<f64>)> {
     let clip = &model.json["animations"][model.clip_index(clip).expect("the clip")];
     let channels = list(&clip["channels"]).iter().filter(|channel| channel["target"]["path"] == "weights");
@@ -122,8 +123,8 @@ fn weights(model: &Model, clip: &str) -> Vec<(f64, Vec<f64>)> {
     times.iter().copied().zip(values.chunks_exact(values.len() / times.len()).map(<[f64]>::to_vec)).collect()
 }
 
-/// Heading and pitch of a target from an eye on the head, degrees, by the file's own kinematics. In the paper's axes up is +X,
-/// forward +Y, left +Z.
+/// Returns heading and pitch of a target from an eye on the head, degrees, by the file's own forward kinematics. In the
+/// paper's axes up is +X, forward +Y, left +Z.
 fn seen(model: &Model, clip: &str, t: f64, eye: DVec3, target: DVec3) -> [f64; 2] {
     let clip = model.clip(model.clip_index(clip).expect("the clip"));
     let head: DMat4 = model.world(&model.pose(&clip, t), model.node("head"));
@@ -131,7 +132,8 @@ fn seen(model: &Model, clip: &str, t: f64, eye: DVec3, target: DVec3) -> [f64; 2
     [way.z.atan2(way.y).to_degrees(), (way.x / way.length()).asin().to_degrees()]
 }
 
-/// Of `degrees` one way and the other the shares of `full`, at most 1.
+/// Returns the weights of the negative and the positive direction for an angle: its fractions of the full angles, at
+/// most 1.
 fn shares(degrees: f64, [negative, positive]: [f64; 2]) -> [f64; 2] {
     [(-degrees / negative).clamp(0.0, 1.0), (degrees / positive).clamp(0.0, 1.0)]
 }
@@ -141,7 +143,7 @@ const TARGETS: [DVec3; 3] = [DVec3::new(1.0, 2.1, 2.0), DVec3::new(-0.7, 1.2, 1.
 #[test]
 fn targets_of_arkit_have_the_weights_of_where_each_eye_looks() {
     let place = Place::new();
-    // A clip that turns the eyes itself, aside or not, makes no difference to where they look in the end.
+    // A clip that turns the eyes itself, aside or not, does not change where they look in the end.
     let aside = [0.8, 0.0, 0.2, 0.0, 0.1, 0.2, 0.0, 0.0, 0.1];
     for (target, animated) in TARGETS.into_iter().flat_map(|target| [(target, None), (target, Some(aside))]) {
         let (file, eyes) = arkit(animated);
@@ -163,7 +165,7 @@ fn targets_of_arkit_have_the_weights_of_where_each_eye_looks() {
             let smile = animated.map_or(0.0, |weights| f64::from(weights[0]) * t / 1.2);
             let expected = [smile, in_left, out_left, down_left, up_left, in_right, out_right, down_right, up_right];
             for ((name, found), expected) in ARKIT.iter().zip(&found).zip(expected) {
-                // A tenth of a degree of 20.
+                // A tenth of a degree of 20°.
                 assert!((found - expected).abs() < 5e-3, "{name} at {t} s for {target}: {found}, not {expected}");
             }
         }
@@ -180,13 +182,13 @@ fn eyes_alone_turn_as_far_as_they_are_declared_and_weights_end_at_1() {
     assert!(ran.stdout.contains(r#"heading = ["-35deg", "35deg"]"#), "{}", ran.stdout);
     place.write("r.toml", &ran.stdout.replace("35deg", "80deg"));
     place.done("check m.glb --rig r.toml");
-    // At rest the head stands as it is bound; the eyes' place in the world is that of the bound head.
+    // At rest the head is in its bind pose, so the eye's world position follows from the bound head.
     let source = Model::new(&file);
     let eye = source.world(source.rest(), source.node("head")).transform_point3(eyes.left);
     for heading in [-70.0_f64, -12.0, 7.0, 34.0] {
         let (sin, cos) = heading.to_radians().sin_cos();
         let [x, y, z] = (eye + DVec3::new(sin, 0.0, cos) * 3.0).to_array();
-        // No clip plays: the rest pose is aimed over.
+        // Without a clip, the rest pose is aimed over.
         let mut json = source.json.clone();
         drop(json.as_object_mut().expect("an object").remove("animations"));
         place.write("m.glb", &put_together(&json, &source.bin));
@@ -205,7 +207,7 @@ fn eyes_alone_turn_as_far_as_they_are_declared_and_weights_end_at_1() {
 #[test]
 fn a_gaze_without_weight_leaves_the_weights_as_they_are() {
     let place = Place::new();
-    // Both ways at once, and more than 1.
+    // Weights in opposite directions at once, and outside 0…1.
     let odd = [0.8, 0.3, 0.4, 1.2, 0.0, 0.0, 0.0, -0.1, 0.0];
     place.write("m.glb", &arkit(Some(odd)).0);
     place.done("bake m.glb --weight 0 --target 1,2,2 --seconds 1.2 --out o.glb");
@@ -218,8 +220,8 @@ fn a_gaze_without_weight_leaves_the_weights_as_they_are() {
     }
 }
 
-/// A VRM file of either version that looks by expressions: left, right, up and down, bound to one target each by these weights,
-/// and sideways at `input` degrees by `output`.
+/// Returns a VRM file of either version that looks by expressions, with the left eye's position. Left, right, up and
+/// down are bound to one target each with the weight `bound`; sideways, `input` degrees map to `output`.
 fn vrm(version: u8, [input, output]: [Value; 2], bound: f64) -> (Vec<u8>, DVec3) {
     let (mut json, bin, eyes) = with_targets(&["smile", "l", "r", "u", "d"]);
     let node = json["nodes"].as_array().expect("nodes").len() - 1;

@@ -1,4 +1,4 @@
-//! What `plausibility` in a report says, against movements of known size.
+//! `plausibility` in a report, measured for movements of known size.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -11,16 +11,16 @@ use crate::common::Place;
 use crate::common::changed;
 use crate::common::character::{Character, Order};
 
-/// The mannequin without a clip, which stands in its bind pose.
+/// Returns the mannequin without a clip, in its bind pose.
 fn statue() -> Character {
     Character::new(&changed(|json| drop(json.as_object_mut().expect("an object").remove("animations"))))
 }
 
-/// A bone, and its heading, pitch and roll over time, degrees.
+/// A bone with its heading, pitch and roll over time, degrees.
 type Moved<'a> = (&'a str, &'a dyn Fn(f64) -> [f64; 3]);
 
-/// Two seconds of the statue with bones turned by hand: each by degrees to the left about its own up (+X), up about its left
-/// (+Z), and tilted to its left about its own forward (+Y), over time.
+/// Measures two seconds of the statue with bones turned by hand over time, in degrees: to the left about its own up
+/// (+X), up about its left (+Z), and tilted to its left about its own forward (+Y).
 fn moved(bones: &[Moved<'_>]) -> Plausibility {
     let character = statue();
     let order = Order { settle: Settle::Animation, settings: Settings::default().with_weight(0.0), ..Order::of(2.0) };
@@ -44,12 +44,12 @@ fn moved(bones: &[Moved<'_>]) -> Plausibility {
     measured
 }
 
-/// The times of a baked clip's keys.
+/// Returns the key times of a baked clip.
 fn times(clip: &Clip) -> Vec<f32> {
     clip.tracks().iter().find_map(|tracks| tracks.rotation.as_ref()).expect("rotations").times().to_vec()
 }
 
-/// Has a bone of a baked clip turned so, key by key.
+/// Replaces a bone's rotation in a baked clip, key by key.
 fn turn(clip: &mut Clip, node: usize, keys: Vec<Quat>) {
     *clip = clip.clone().with_rotation(node, Track::linear(times(clip), keys).expect("a key at each time"));
 }
@@ -66,7 +66,7 @@ fn a_head_is_seen_from_the_chest() {
     is(&measured, Criterion::HeadToChestHeading, 50.0, 1e-3);
     is(&measured, Criterion::HeadRoll, 0.0, 1e-3);
     is(&measured, Criterion::HeadSpeed, 0.0, 1e-3);
-    // The chest carries the arms.
+    // The arms follow the chest.
     is(&measured, Criterion::LimbShift, 0.0, 1e-6);
     let measured = moved(&[("neck", &|_| [0.0, 10.0, -22.0])]);
     is(&measured, Criterion::HeadRoll, 22.0, 1e-3);
@@ -96,17 +96,17 @@ fn a_clip_that_turns_the_head_too_far_is_not_the_bakes_fault() {
 #[test]
 fn speed_and_acceleration_are_those_of_neck_and_head_together() {
     use std::f64::consts::TAU;
-    // 20°·sin(2πt) in each of two bones, one way; the chest's own turn is none of it.
+    // 20°·sin(2πt) in the same direction in two bones; the chest's own rotation does not count.
     let swing = |t: f64| [20.0 * (TAU * t).sin(), 0.0, 0.0];
     let measured = moved(&[("neck", &swing), ("head", &swing), ("spine3", &|t| [15.0 * (3.0 * t).sin(), 0.0, 0.0])]);
     is(&measured, Criterion::HeadSpeed, 40.0 * TAU, 0.5);
     is(&measured, Criterion::HeadAcceleration, 40.0 * TAU * TAU, 5.0);
     is(&measured, Criterion::Reversals, 0.0, 0.0);
-    // A tremor at 8 Hz turns round every sixteenth of a second: eight times in half a second.
+    // A tremor at 8 Hz reverses every sixteenth of a second: eight times in half a second.
     let tremor = |t: f64| [0.5 * (8.0 * TAU * t).sin(), 0.0, 0.0];
     is(&moved(&[("neck", &tremor)]), Criterion::Reversals, 8.0, 1.0);
     is(&moved(&[("spine3", &tremor)]), Criterion::Reversals, 8.0, 1.0);
-    // Eyes may.
+    // Eyes may tremble.
     is(&moved(&[("left_eye", &tremor)]), Criterion::Reversals, 0.0, 0.0);
 }
 
@@ -130,14 +130,14 @@ fn arms_that_leave_their_chest_are_told_in_parts_of_the_height() {
     is(&measured, Criterion::LimbShift, 0.07, 1e-4);
     let measured = moved(&[("left_upper_arm", &|_| [0.0, 0.0, 60.0])]);
     let found = measured.worst(Criterion::LimbShift).expect("arms").value;
-    // A straight arm of 0.52 m swings by 60°, and the hand with it.
+    // A straight arm of 0.52 m swings by 60°, together with its hand.
     assert!((found - 0.52 / height).abs() < 0.02, "{found}");
 }
 
 #[test]
 fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
     let character = statue();
-    // Weight 1 for a target ahead, the eye then lifted by hand.
+    // Weight 1 and a target ahead; then the eye is lifted by hand.
     let lifted = |from: f64, target: &dyn Fn(f64) -> DVec3| {
         let (_, measured) = character.measure(Order::of(2.0), target, |clip| {
             let node = character.node("left_eye");
@@ -152,11 +152,11 @@ fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
     let ahead = |_: f64| character.seen_at(2.0, 0.0, 0.0);
     let (found, when) = lifted(0.0, &ahead).expect("frames");
     assert!((found - 17.0).abs() < 1e-2 && (0.7..0.72).contains(&when), "{found} at {when}");
-    // The target comes up late: nothing is told until 0.7 s after it.
+    // The target rises late: nothing is reported until 0.7 s later.
     let late = |t: f64| character.seen_at(2.0, 0.0, if t < 1.5 { 0.0 } else { 17.0 });
     let (found, _) = lifted(1.5, &late).expect("frames");
     assert!(found < 1e-2, "{found}");
-    // Out of any reach it is not told at all, nor if the gaze is not to meet it.
+    // Nothing is reported if the target is out of reach or the weight is 0.
     assert_eq!(lifted(0.0, &|_| character.seen_at(2.0, 0.0, 89.0)), None);
     assert_eq!(moved(&[]).worst(Criterion::ElevationError), None);
 }
@@ -165,7 +165,7 @@ fn a_gaze_above_its_target_is_told_once_it_had_the_time_to_come() {
 fn people_are_told_from_animals_by_their_trunk() {
     assert!(statue().bake(0.2, |_| DVec3::Z).is_humanoid);
     let rotated = |json: &mut serde_json::Value| {
-        // On all fours: what is above the hips turned level, against the legs.
+        // On all fours: everything above the hips is turned level, unlike the legs.
         let nodes = json["nodes"].as_array_mut().expect("nodes");
         assert_eq!(nodes[1]["name"], "spine");
         drop(json.as_object_mut().expect("an object").remove("skins"));
@@ -204,7 +204,7 @@ fn strict_fails_on_what_is_too_much_and_names_it() {
     for word in ["o.glb", "written", "head speed", "at most 300°/s", "head acceleration", "at 0.5"] {
         assert!(ran.stderr.contains(word), "{word}: {}", ran.stderr);
     }
-    // All the same it is there, and the page has it too.
+    // The value is still in the report, and on the page.
     let found = &place.json("r.json")["plausibility"];
     assert!(found["head_speed_deg_s"].as_f64().expect("a number") > 300.0, "{found}");
     let page = String::from_utf8(place.read("r.html")).expect("text");
@@ -215,7 +215,7 @@ fn strict_fails_on_what_is_too_much_and_names_it() {
 #[test]
 fn what_is_outside_the_effector_lifts_no_gaze() {
     let character = statue();
-    // More than the neck's 60°, and less than with the eyes'.
+    // Beyond the neck's 60°, but within reach of neck and eyes together.
     let counts = |effector: usize| {
         let order = Order { settings: Settings::default().with_effector(effector), ..Order::of(1.0) };
         let (_, measured) = character.measure(order, |_| character.seen_at(5.0, 0.0, 68.0), |_| {});
@@ -224,7 +224,7 @@ fn what_is_outside_the_effector_lifts_no_gaze() {
     assert_eq!([counts(0), counts(1)], [true, false]);
 }
 
-/// The statue without eyes: its head looks.
+/// Returns the statue without eyes: it looks with its head.
 fn eyeless_statue(change: impl FnOnce(&mut serde_json::Value)) -> Character {
     Character::new(&changed(|json| {
         drop(json.as_object_mut().expect("an object").remove("animations"));
@@ -242,7 +242,7 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
     let character = statue();
     let neck = character.node("neck");
     let rest = character.document.skeleton().rest()[neck].rotation;
-    // A neck turned aside by hand, from a time on, whatever the target.
+    // A neck turned aside by hand from a given time, whatever the target.
     let beside = |from: f64, target_deg: &dyn Fn(f64) -> f64| {
         let target = |t: f64| character.seen_at(50.0, target_deg(t), 0.0);
         let aside = |clip: &mut Clip| {
@@ -258,7 +258,7 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
     let worst = |measured: &Plausibility| measured.worst(Criterion::HeadingError).map(|worst| (worst.value, worst.t));
     let (value, t) = worst(&beside(2.0, &|_| 0.0)).expect("it can be told");
     assert!((value - 14.0).abs() < 0.2 && (t - 2.0).abs() < 0.02, "{value}° at {t} s");
-    // Before 0.7 s nothing counts, and for 1.5 s after a jump nothing does.
+    // The first 0.7 s do not count, nor do the 1.5 s after a jump of the target.
     let (_, t) = worst(&beside(0.0, &|_| 0.0)).expect("it can be told");
     assert!((t - 0.7).abs() < 0.02, "{t} s");
     for jump in [6.0, 30.0] {
@@ -266,10 +266,10 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
         let first = late.frames.iter().find(|seen| seen.heading_counts).expect("it counts again").t;
         assert!((first - 2.0).abs() < 0.12, "{jump}°: {first} s");
     }
-    // A target that is followed counts all the time.
+    // A continuously moving target counts all the time.
     let followed = beside(9.0, &|t| 20.0 * t);
     assert!(followed.frames.iter().filter(|seen| seen.t > 0.72).all(|seen| seen.heading_counts));
-    // What is out of reach of eyes, neck and head does not count; nor does what is nearly overhead.
+    // Targets out of reach of eyes, neck and head do not count, nor do those nearly overhead.
     assert_eq!(worst(&beside(0.0, &|_| 170.0)), None);
     let overhead = character.measure(Order::of(2.0), |_| character.seen_at(5.0, 20.0, 75.0), |_| {}).1;
     assert_eq!(worst(&overhead), None);
@@ -277,7 +277,7 @@ fn a_gaze_beside_its_target_counts_once_it_had_the_time() {
 
 #[test]
 fn a_head_that_lags_behind_a_jerky_idle_shows() {
-    // The head is thrown to and fro by 12° at 2.5 Hz: three times the acceleration that a head has.
+    // The head swings by ±12° at 2.5 Hz: three times the acceleration that a head can follow.
     let still = eyeless_statue(|_| ());
     let head = still.node("head");
     let rest = still.document.skeleton().rest()[head].rotation;
@@ -294,7 +294,7 @@ fn a_head_that_lags_behind_a_jerky_idle_shows() {
         let character = Character::new(&model);
         let (baked, measured) = character.measure(Order::of(4.0), |_| character.seen_at(5.0, 25.0, 0.0), |_| {});
         let worst = measured.worst(Criterion::HeadingError).expect("it can be told").value;
-        // Level, and as the bake's own kinematics has it.
+        // For a level target the measured error agrees with that of the bake.
         let late = baked.frames.iter().filter(|frame| frame.t > 0.7);
         let most = late.map(|frame| frame.error_deg).fold(0.0, f64::max);
         assert!((worst - most).abs() < 0.5, "{worst}° beside, {most}° off");

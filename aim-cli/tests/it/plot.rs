@@ -1,5 +1,5 @@
-//! `aim plot`: what is drawn, read back through the axes' own numbers, is the aim function by a forward kinematics of the
-//! tests' own, with the ranges that were declared and the ways that the runtime goes.
+//! `aim plot`: the drawing, read back through its own axis labels, shows the aim function by the tests' own forward
+//! kinematics, the declared ranges, and the paths that the solvers take.
 
 use crate::common::plot::{Picture, Plot, classed, lines, number, text, worst_of_fit};
 use crate::common::rig::{Joint, conventions, joints};
@@ -9,7 +9,7 @@ use aim_runtime::glam::{Affine3A, DQuat, DVec3};
 use aim_runtime::{Ascent, DynAim, Pose, Settings, Solver};
 use roxmltree::Document;
 
-/// Rigs that are out of the ordinary, one joint each.
+/// Unusual rigs with one joint each.
 const ODD: [(&str, &str); 5] = [
     (
         "a left-handed rig that turns all round",
@@ -70,7 +70,7 @@ const ODD: [(&str, &str); 5] = [
     ),
 ];
 
-/// A rig's joint and the effector that it is drawn for.
+/// A rig's joint with the effector and target that it is drawn for.
 struct Aimed {
     joint: Joint,
     origin: DVec3,
@@ -78,7 +78,7 @@ struct Aimed {
 }
 
 impl Aimed {
-    /// By the definitions: pitch turns forward towards up, then heading turns forward towards left.
+    /// Returns the aim by its definition: pitch turns forward towards up, then heading turns forward towards left.
     fn aim(&self, [heading, pitch]: [f64; 2]) -> f64 {
         let Joint { forward, up, left, .. } = self.joint;
         let about = |to: DVec3, angle: f64| DQuat::from_axis_angle(forward.cross(to).normalize(), angle.to_radians());
@@ -91,7 +91,7 @@ impl Aimed {
     }
 }
 
-/// The joints of bundled rigs and of the odd ones: a folder with `rig.toml`, the joint's name, what is known of it.
+/// Calls `look` for each joint of the bundled and the odd rigs, with a folder that holds `rig.toml`.
 fn each_joint(mut look: impl FnMut(&Place, &str, &str, Joint, DVec3)) {
     let bundled = different_rigs().into_iter().map(|path| {
         let text = std::fs::read_to_string(&path).expect("a rig");
@@ -146,7 +146,7 @@ fn contours_are_where_the_aim_function_has_their_value() {
             let (off, aim) = title.split_once("° off target, aim ").expect("a title");
             assert!((number(off).to_radians().cos() - number(aim)).abs() < 1e-4, "{title}");
             for line in lines(contour) {
-                // Points of the line and the middles between them.
+                // Points of the polyline, and the midpoints between them.
                 let middles = line.windows(2).map(|pair| [0, 1].map(|k| 0.5 * (pair[0][k] + pair[1][k])));
                 let inside = |at: &[f64; 2]| (left..=right).contains(&at[0]) && (top..=bottom).contains(&at[1]);
                 for at in line.iter().copied().chain(middles).filter(inside) {
@@ -170,7 +170,7 @@ fn bands_have_the_colours_of_the_scale_in_png_too() {
         if joint.heading.is_none() || joint.pitch.is_none() {
             return;
         }
-        // A unit of the drawing is a pixel.
+        // One unit of the drawing is one pixel.
         for ending in ["svg", "png"] {
             place.done(&format!("plot rig.toml --joint {name} -o plot.{ending}"));
         }
@@ -222,7 +222,7 @@ fn the_box_is_at_the_declared_ranges() {
             plot.drawn("range").into_iter().flat_map(lines).flatten().map(|at| plot.angles(at)).collect();
         let fold = |k: usize, f: fn(f64, f64) -> f64, start: f64| corners.iter().map(|at| at[k]).fold(start, f);
         let found = [0, 1].map(|k| [fold(k, f64::min, f64::INFINITY), fold(k, f64::max, f64::NEG_INFINITY)]);
-        // A free heading goes from end to end of the panel.
+        // A free heading extends over the whole panel.
         let sides = if left.is_finite() { [left, right] } else { [-180.0, 180.0] };
         for (found, declared) in found.iter().flatten().zip(sides.iter().chain(&[down, up])) {
             assert!((found - declared).abs() < 0.02, "{what}: {found:?} instead of {declared}");
@@ -245,7 +245,7 @@ fn a_narrowing_range_is_drawn_as_it_narrows() {
     }
 }
 
-/// Where a solver goes from rest, frame by frame, degrees.
+/// Returns the angles of a solver from rest, frame by frame, degrees.
 fn way(toml: &str, target: DVec3, solver: Solver) -> Vec<[f64; 2]> {
     let spec = aim_codegen::declare::from_toml("rig.toml", toml).expect("a rig");
     let mut rig = DynAim::new(InterpretedRig::new(&spec));
@@ -278,7 +278,7 @@ fn ways_begin_at_rest_and_end_where_the_solvers_do() {
             for (end, solver) in ends.iter().zip([Solver::Ascent, Solver::Exact]) {
                 let way = way(toml, plot.target(), solver);
                 let (found, expected) = (plot.place(*end), way[way.len() - 1]);
-                // The target is told to three decimals.
+                // The target is printed with three decimals.
                 assert!(
                     (0..2).all(|k| (found[k] - expected[k]).abs() < 0.1),
                     "{what}{target}, {solver:?}: {found:?} instead of {expected:?}"
@@ -294,7 +294,7 @@ fn ways_come_through_every_frame_and_break_where_a_heading_wraps() {
     let place = Place::new();
     let toml = ODD[4].1;
     place.write("rig.toml", toml);
-    // Behind, so that the way to it is long.
+    // Behind, so that the path to it is long.
     place.done("plot rig.toml --target=0.5,0.1,1 -o plot.svg");
     let svg = String::from_utf8(place.read("plot.svg")).expect("UTF-8");
     let document = Document::parse(&svg).expect("XML");
@@ -411,7 +411,7 @@ fn a_surface_is_the_aim_function_seen_at_an_angle() {
             .collect();
         let side = (1..).find(|side| side * side >= meshes.len()).expect("a square");
         assert_eq!(side * side, meshes.len(), "{what}");
-        // Painted from the back: each way round that can be, one of them is this one.
+        // Faces are drawn back to front. Try all four orders of rows and columns: one of them must match.
         let reversed = [false, true].into_iter().flat_map(|x| [[x, false], [x, true]]);
         let residual = reversed.map(|reversed| {
             let mut rows = Vec::new();
@@ -435,7 +435,7 @@ fn a_surface_is_the_aim_function_seen_at_an_angle() {
 const SIZES: [(&str, &str); 4] =
     [("1000x720", ""), ("640x360", " --surface"), ("400x900", ""), ("321x320", " --surface")];
 
-/// Plots twice, to `one` and `two` with this ending: the same bytes.
+/// Plots twice, to `one` and `two` with this ending, and asserts that both files are equal.
 fn plot_twice(place: &Place, size: &str, more: &str, ending: &str) {
     place.done(&format!("plot m.toml --size {size}{more} -o one.{ending}"));
     place.done(&format!("plot m.toml --size {size}{more} -o two.{ending}"));
@@ -469,7 +469,7 @@ fn pictures_have_the_asked_size_and_are_the_same_every_time() {
         let picture = Picture::of(&place.read("one.png"));
         assert_eq!((picture.width.to_string(), picture.height.to_string()), (width.to_owned(), height.to_owned()));
     }
-    // Text is drawn, with fonts that no machine has to have.
+    // Text is drawn with built-in fonts, so none needs to be installed.
     place.done("plot m.toml -o one.png");
     let picture = Picture::of(&place.read("one.png"));
     let dark = (74..500).flat_map(|x| (20..40).map(move |y| (f64::from(x), f64::from(y))));

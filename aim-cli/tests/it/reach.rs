@@ -1,4 +1,4 @@
-//! `aim reach`, judged by a forward kinematics of the tests' own.
+//! `aim reach`, checked with the tests' own forward kinematics.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use crate::common::gltf::Model;
 use aim_runtime::glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
-/// Whatever the report claims is so in the file, and nothing but the limb has changed.
+/// Asserts that the file agrees with every claim of the report, and that nothing but the limb has changed.
 #[track_caller]
 fn check(source: &[u8], output: &[u8], report: &Value) {
     let (source, output) = (Model::new(source), Model::new(output));
@@ -74,14 +74,14 @@ fn check(source: &[u8], output: &[u8], report: &Value) {
     );
 }
 
-/// The f32 that the report's number stands for.
+/// Returns the `f32` that a number in the report stands for.
 fn single(value: &Value) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "the report's times are single precision")]
     let single = number(value) as f32;
     single.into()
 }
 
-/// Leads a bone of a file and checks everything; returns the report.
+/// Runs `aim reach` on a file and checks everything; returns the report.
 #[track_caller]
 fn reach(file: &Path, options: &[&str]) -> Value {
     let place = Place::new();
@@ -130,13 +130,13 @@ fn a_page_draws_both_ways() {
     };
     let count = |selector: &str| all(selector).len();
     assert_eq!((count("figure:not(.chart) > svg > .series"), count("figure > svg > .target")), (6 + 5 * 3, 3 + 5 * 2));
-    // The character before and after at five times.
+    // The character before and after, at five times.
     let pictures = all(".takes li image");
     assert_eq!((count(".takes li"), pictures.len()), (5, 10));
     let [was, is] = [4, 5].map(|k| pictures[k].attr("href").expect("a picture"));
     assert_ne!(was, is, "the arm is somewhere else at the target's time");
     assert!(text.len() < 2_000_000, "{} bytes", text.len());
-    // Error, movement, speed of the hand, angle and speed of the elbow: each with the target's time.
+    // Charts of error, movement, speed of the hand, angle and speed of the elbow, each with the target's time marked.
     assert_eq!((count(".chart"), count(".chart .moment")), (5, 5));
     assert_eq!(count(".facts table"), 2);
     assert_eq!(count("svg"), count("svg[aria-label], svg[aria-hidden]"), "every drawing is named or an ornament");
@@ -155,7 +155,7 @@ fn a_page_shades_where_the_limb_is_at_its_limit() {
     let time = |frame: &Value| frame["t"].as_f64().expect("a time");
     let stretched: Vec<f64> = frames.iter().filter(|frame| frame["status"] == "stretched").map(time).collect();
     assert!(stretched.len() >= 3, "{stretched:?}");
-    // The elbow's angle and its speed, from the first such frame on.
+    // Shaded in the charts of the elbow's angle and speed, from the first such frame on.
     let [angle, speed] = &shaded[..] else { panic!("one stretch in two charts: {shaded:?}") };
     assert_eq!(angle, speed);
     let (from, to) =

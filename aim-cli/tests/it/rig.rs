@@ -1,4 +1,4 @@
-//! `aim rig`: what it proposes is a declaration that every other command takes, in either notation.
+//! `aim rig` proposes declarations that every other command accepts, in either notation.
 
 use crate::common::character::Character;
 use crate::common::forward::list;
@@ -26,7 +26,7 @@ fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
     for joint in list(&rig["joint"]) {
         assert_eq!(joint["limits_from"], "bind_pose", "of a body, whatever a clip does already: {text}");
     }
-    // Each region's bones make its turn together; a longer bone of the spine makes more of it.
+    // The bones of a region share its range; a longer bone of the spine gets a larger share.
     let sum = |from: usize, to: usize| {
         joints(&text)[from..to].iter().filter_map(|joint| joint.heading).map(|[_, hi]| hi).sum::<f64>()
     };
@@ -45,7 +45,7 @@ fn every_convention_and_every_frame_between_comes_back() {
     let conventions = conventions();
     let turn = Quat::from_euler(EulerRot::XYZ, 0.3, -0.4, 0.2);
     for (number, axes) in conventions.iter().enumerate() {
-        // The spine's bone stands between all axes.
+        // The spine's axes are a general frame.
         let between = axes.map(|axis| (turn * Vec3::from_array(axis)).to_array());
         let axes_of = |bone: &str| if bone == "spine3" { between } else { *axes };
         let place = Place::new();
@@ -81,7 +81,7 @@ fn the_derive_is_accepted_by_the_macro() {
     }
 }
 
-/// What is printed for the mannequin is compiled, and looks, in the tests of the plugin.
+/// The code printed for the mannequin is the one that the plugin's tests compile and run.
 #[test]
 fn what_is_spawned_in_bevy_is_fresh() {
     let place = Place::new();
@@ -102,7 +102,7 @@ fn what_is_spawned_in_bevy_is_fresh() {
     assert!(found == expected, "run with AIM_BLESS=1: {path} is not what is printed:\n{printed}");
 }
 
-/// A file whose rest pose is not its bind pose: arms and head are counted from the latter.
+/// If a file's rest pose differs from its bind pose, arms and head are measured from the bind pose.
 #[test]
 fn a_bind_pose_that_is_not_the_rest_pose_is_printed_for_bevy() {
     let neck = Model::new(&crate::common::mannequin()).node("neck");
@@ -120,7 +120,7 @@ fn a_stated_facing_overrules_the_measured_one() {
     let place = Place::with_mannequin();
     let text = place.done("rig m.glb --forward -x").stdout;
     assert!(text.contains("Faces -X, up is +Y, by the legs, what you state."), "{text}");
-    // In the paper's axes a bone's +Y led ahead and +Z to the left: what lies to the right now is ahead.
+    // In the paper's axes a bone's +Y led forward and +Z left: the former right is now forward.
     let head = &joints(&text)[1];
     assert_eq!((head.up, head.forward, head.left), (DVec3::X, DVec3::NEG_Z, DVec3::Y), "{text}");
     place.done("inspect m.glb --json --forward -Z --html i.html");
@@ -232,7 +232,7 @@ fn a_turret_turns_without_end_and_raises_its_barrel() {
 #[test]
 fn a_long_neck_bends_in_all_its_bones() {
     let place = Place::new();
-    // The column of the mannequin as a neck.
+    // Turns the mannequin's spine into a long neck.
     let necks = ["spine", "spine1", "spine2", "spine3"];
     place.write(
         "dino.glb",
@@ -255,7 +255,7 @@ fn a_long_neck_bends_in_all_its_bones() {
 #[test]
 fn a_spine_that_legs_hang_on_stands_still() {
     let place = Place::new();
-    // As in the skeletons of 3ds Max Biped: thighs on the first bone of the spine.
+    // As in 3ds Max Biped skeletons, the thighs hang on the first bone of the spine.
     place.write(
         "biped.glb",
         &changed(|json| {
@@ -320,7 +320,8 @@ fn a_chain_that_is_named_shares_its_regions_too() {
     }
 }
 
-/// The mannequin as a VRM file with a lookAt of this kind, whose maps take these inputs to these outputs: inner, outer, down, up.
+/// Returns the mannequin as a VRM file with a `lookAt` of this kind, whose maps take these inputs to these outputs:
+/// inner, outer, down, up.
 fn vrm(kind: &str, maps: [[f64; 2]; 4]) -> Vec<u8> {
     changed(|json| {
         let mut look = json!({ "type": kind });
@@ -342,7 +343,7 @@ fn the_eyes_of_a_vrm_file_look_as_far_as_its_maps_have_inputs() {
     let eye = &joints(&text)[0];
     assert_eq!((eye.heading, eye.pitch), (Some([-35.0, 35.0]), Some([-25.0, 10.0])), "{text}");
     assert!(text.contains("the range maps of the file's lookAt"), "{text}");
-    // Eyes that do not nod.
+    // Eyes without pitch.
     place.write("v.vrm", &vrm("bone", [[90.0, 8.0], [90.0, 8.0], [90.0, 0.0], [90.0, 0.0]]));
     let text = place.done("rig v.vrm").stdout;
     assert_eq!((joints(&text)[0].heading, joints(&text)[0].pitch), (Some([-35.0, 35.0]), None), "{text}");
@@ -355,7 +356,7 @@ fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
     let place = Place::new();
     let source = vrm("bone", MAPS);
     place.write("v.vrm", &source);
-    // A target to the left and above, one to the right and below.
+    // One target to the left and above, one to the right and below.
     for (target, both_eyes) in [("1,2.2,2", ""), ("-1,1.2,2", ""), ("1,2.2,2", " --both-eyes")] {
         place.done(&format!("bake v.vrm --target={target} --seconds 0.5 --out o.glb --report r.json{both_eyes}"));
         let (report, output) = (place.json("r.json"), Model::new(&place.read("o.glb")));
@@ -367,7 +368,7 @@ fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
             let [before, after] = [source.pose(&clips[0], t), output.pose(&clips[1], t)];
             let number = |key: &str| frame["joints"][0][key].as_f64().expect("degrees");
             let (heading, pitch) = (number("heading_deg"), number("pitch_deg"));
-            // In the paper's axes up is +X, forward +Y, left +Z. What a left eye has outside, a right eye has inside.
+            // In the paper's axes up is +X, forward +Y, left +Z. Outward for the left eye is inward for the right eye.
             for (eye, outward) in [("left_eye", 1.0), ("right_eye", -1.0)] {
                 let node = output.node(eye);
                 let gaze = before[node].rotation.inverse() * after[node].rotation * DVec3::Y;
@@ -375,7 +376,7 @@ fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
                 let side = if heading * outward > 0.0 { 12.0 / 90.0 } else { 8.0 / 90.0 };
                 let height = if pitch < 0.0 { 10.0 / 90.0 } else { 0.9 };
                 let off = (found.0 - heading * side).abs().max((found.1 - pitch * height).abs());
-                // The other eye, aimed itself, has angles of its own.
+                // With `--both-eyes` the other eye is aimed itself and has angles of its own.
                 let most = if both_eyes.is_empty() || eye == "left_eye" { 1e-3 } else { 0.6 };
                 assert!(off < most, "{target}{both_eyes}, {t} s, {eye}: {found:?} for {heading}, {pitch}");
                 assert!(heading.abs() > 2.0 && pitch.abs() > 0.5, "it looks aside: {heading}, {pitch}");
@@ -396,7 +397,7 @@ fn the_head_leads_where_eyes_are_no_bones_that_move() {
         assert_eq!((&rig["joint"][0]["name"], &rig["joint"][1]["name"]), (&json!("head"), &json!("neck")), "{text}");
         assert!(text.contains(why) && text.contains("the head leads"), "{text}");
         place.done("bake v.vrm --target 1,1.6,2 --seconds 0.5 --out o.glb --report r.json");
-        // Whoever names the eye means it.
+        // An eye named explicitly is used.
         let text = place.done("rig v.vrm --chain left_eye,neck").stdout;
         assert!(!text.contains("the head leads"), "{text}");
     }

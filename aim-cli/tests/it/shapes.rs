@@ -1,10 +1,10 @@
-//! The JSON that other programs rely on: exactly these keys, these types, angles in degrees.
+//! Shape of the JSON output that other programs rely on: exactly these keys and types, angles in degrees.
 
 use crate::common::Place;
 use crate::common::forward::{list, number, vector};
 use serde_json::{Value, json};
 
-/// The keys of an object, in their order.
+/// Returns the keys of an object, in their order.
 fn keys(value: &Value) -> Vec<&str> {
     value.as_object().unwrap_or_else(|| panic!("{value} is no object")).keys().map(String::as_str).collect()
 }
@@ -99,14 +99,14 @@ fn count() {
             let of = |key: &str| counts[key].as_u64().unwrap_or_else(|| panic!("{counts}"));
             let total = ["add", "mul", "div", "sqrt", "pow"].map(of).into_iter().sum::<u64>();
             assert_eq!(of("total"), total, "{program} of {}: {counts}", rig.display());
-            // At most three guards, each a comparison and a select.
+            // At most three guards, each of them a comparison and a select.
             assert!(of("select") <= 6 && of("pow") == 0, "{program} of {}: {counts}", rig.display());
         }
     }
     let thug = json_of(&place, &format!("count {} --json", crate::common::bundled_rig("thug").display()));
     let (joint, chain) = (&thug["aim_gradient"], &thug["chain_value_gradient"]);
     assert_eq!((&thug["rig"], &joint["total"], &chain["total"]), (&json!("Thug"), &json!(46), &json!(63 * 3 - 16)));
-    // The README's table says the same.
+    // The README's table has the same numbers.
     assert_eq!((&joint["sqrt"], &joint["div"]), (&json!(1), &json!(1)));
 }
 
@@ -156,7 +156,7 @@ fn bake_report() {
     words.sort_unstable();
     words.dedup();
     assert_eq!(words, ["at_limit", "behind", "rate_limited", "reached"], "the words of a whole orbit");
-    // Degrees, not radians: the neck goes to its end at 60.
+    // Degrees, not radians: the neck reaches its limit at 60.
     let headings = list(&report["frames"]).iter().map(|frame| number(&frame["joints"][1]["heading_deg"]).abs());
     assert!((headings.fold(0.0, f64::max) - 60.0).abs() < 1e-3, "the neck's end");
     place.done("bake m.glb --rig m.toml --target 0.03,1.66,0.09 --settle animation --out o.glb --report r.json");

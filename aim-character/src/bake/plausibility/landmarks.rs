@@ -1,4 +1,4 @@
-//! The bones by which a pose is judged: the head, the chest that carries it, the arms on the chest.
+//! The bones by which a pose is judged: the head, the chest that carries it, and the arms on the chest.
 
 use aim_model::BoneName;
 use aim_runtime::Rig;
@@ -9,19 +9,19 @@ use crate::measure::limbs::limbs_on;
 use crate::measure::roles::Role;
 use aim_gltf::Skeleton;
 
-/// Node indices.
+/// Node indices of the judged bones.
 pub(super) struct Landmarks {
-    /// The head, or the outermost bone of the neck.
+    /// The head, or the outermost bone of the neck if there is no head.
     pub(super) head: Option<usize>,
-    /// The bone that carries neck and head; with a head, and only then.
+    /// The bone that carries neck and head. `Some` exactly if `head` is.
     pub(super) chest: Option<usize>,
-    /// First bones and hands of the arms that hang on the chest.
+    /// First bones and hands of the arms on the chest.
     pub(super) limbs: Vec<usize>,
-    /// True if the trunk stands upright below the head, as far as bones tell.
+    /// `true` if the trunk below the head is upright in the bind pose; `false` if head or hips are unknown.
     pub(super) is_humanoid: bool,
 }
 
-/// Cosine of the largest lean of an upright trunk in the bind pose: 45°. Trunks of four-legged animals are level.
+/// Cosine of the largest lean of an upright trunk in the bind pose (45°). The trunks of four-legged animals are level.
 const UPRIGHT: f64 = core::f64::consts::FRAC_1_SQRT_2;
 const HANDS: &str = "hand palm wrist 手首";
 
@@ -34,7 +34,7 @@ impl Landmarks {
             matches!(declared, Some(aim_runtime::Role::Head | aim_runtime::Role::Neck))
                 || matches!(measurement.bone(node).and_then(|bone| bone.role), Some(Role::Head | Role::Neck))
         };
-        // From the effector inward; a rig that aims something else has no head to be judged.
+        // From the effector inward. A rig that aims something else has no head to be judged.
         let mut inward = skeleton.ancestry(plan.chain.joints[0]).skip_while(|node| !is_head(*node)).peekable();
         let head = inward.peek().copied();
         let chest = inward.find(|node| !is_head(*node));
@@ -45,7 +45,7 @@ impl Landmarks {
         let at = |node: usize| measurement.bind_world[node].translation;
         let hips = measurement.with_role(Role::Hips).map(|bone| bone.node);
         let trunk = head.zip(chest).zip(hips).map(|((head, chest), hips)| {
-            // Where nothing is between hips and neck, the way to the head tells.
+            // If the hips carry the neck directly, use the direction to the head.
             at(if hips == chest { head } else { chest }) - at(hips)
         });
         let is_humanoid = trunk.is_some_and(|trunk| trunk.normalize_or_zero().dot(measurement.up) > UPRIGHT);
@@ -53,7 +53,7 @@ impl Landmarks {
     }
 }
 
-/// The hand of an arm: the first bone that is named so, else the last of the longest way down.
+/// Returns the hand of an arm: the first bone with the name of a hand, otherwise the end of the longest branch.
 fn hand(skeleton: &Skeleton, limb: usize) -> usize {
     let (mut level, mut last) = (vec![limb], limb);
     while let Some(&first) = level.first() {

@@ -1,8 +1,8 @@
-//! [`Plausibility`]: how a baked animation looks, in numbers that an animator would judge it by, measured on the file that was
-//! written against the clip that was aimed over. The solver has no part in it.
+//! [`Plausibility`]: how a baked animation looks, in the quantities by which an animator would judge it. They are
+//! measured on the written file and compared with the source clip, independently of the solver.
 //!
-//! `landmarks.rs` finds the bones that are looked at, `motion.rs` measures turns over time; this file says what is measured
-//! and what is bearable.
+//! `landmarks.rs` finds the bones that are judged, and `motion.rs` measures rotations over time. This file defines the
+//! criteria and their limits.
 
 mod landmarks;
 mod motion;
@@ -22,34 +22,35 @@ use aim_gltf::Document;
 use landmarks::Landmarks;
 use motion::Turning;
 
-/// One of the things that are measured.
+/// A measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Criterion {
-    /// The heading of the head from the chest's, degrees: of animation and correction together. Where the animation alone is
-    /// beyond the limit, it counts only if the correction turns the head further out.
+    /// Heading of the head relative to the chest, of animation and correction together, degrees. If the animation alone
+    /// exceeds the limit, the frame counts only if the correction turns the head further out.
     HeadToChestHeading,
-    /// The head's roll about its forward beyond the animation's, degrees.
+    /// Roll of the head about its forward, less that of the animation, degrees.
     HeadRoll,
-    /// The gaze's elevation less the target's, degrees, where the target's is within what eyes, neck and head can do: from
-    /// 0.7 s after the beginning and after every change of the target's elevation by more than 10°.
+    /// Elevation of the gaze less that of the target, degrees. Counted where the target's elevation is within the range
+    /// of eyes, neck and head: from 0.7 s after the beginning, and from 0.7 s after every change of the target's
+    /// elevation by more than 10°.
     ElevationError,
-    /// The gaze's heading less the target's, degrees, where the target's is within what eyes, neck and head can do from where
-    /// the chest is and from where the animation looks: from 0.7 s after the beginning, and from 1.5 s after the target or the
-    /// animation jumped aside or the target came within reach.
+    /// Heading of the gaze less that of the target, degrees. Counted where the target's heading is within the range of
+    /// eyes, neck and head, from the chest's direction and from the animated gaze: from 0.7 s after the beginning, and
+    /// from 1.5 s after the target or the animation jumped or the target came within reach.
     HeadingError,
-    /// Distance by which hands and clavicles are moved beyond what the chest's own turn moves them, as a share of the
+    /// Distance by which hands and clavicles move beyond what the chest's own rotation moves them, as a share of the
     /// character's height.
     LimbShift,
-    /// Speed of the head's correction beyond the chest's, degrees a second.
+    /// Angular speed of the head's correction relative to the chest's, degrees per second.
     HeadSpeed,
-    /// Change of that velocity, degrees a second squared.
+    /// Angular acceleration of the head's correction relative to the chest's, degrees per second squared.
     HeadAcceleration,
-    /// The most full reversals within half a second: changes of the acceleration of head or chest from more than half of their
-    /// budget one way to more than half of it the other way within 0.1 s.
+    /// Largest number of full reversals within half a second. A full reversal is a change of the acceleration of head
+    /// or chest from more than half of its budget in one direction to more than half of it in the other, within 0.1 s.
     Reversals,
 }
 
-/// A bearable value of each criterion, and its name in reports: for people, and for all others.
+/// Report key and limits of each criterion: for humanoids, and for all other characters (`None` if unlimited).
 const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 8] = [
     (Criterion::HeadToChestHeading, "head_to_chest_heading_deg", Some(80.0), Some(130.0)),
     (Criterion::HeadRoll, "head_roll_deg", Some(15.0), Some(25.0)),
@@ -62,7 +63,7 @@ const MUSTS: [(Criterion, &str, Option<f64>, Option<f64>); 8] = [
 ];
 
 impl Criterion {
-    /// All of them, in the order of reports.
+    /// All criteria, in the order of reports.
     pub const ALL: [Self; 8] = [
         Self::HeadToChestHeading,
         Self::HeadRoll,
@@ -74,14 +75,14 @@ impl Criterion {
         Self::Reversals,
     ];
 
-    /// The key in reports, with the unit at its end.
+    /// Returns the key in reports; it ends in the unit.
     #[must_use]
     pub fn key(self) -> &'static str {
         MUSTS[self as usize].1
     }
 
-    /// The largest value that an animator would accept, in the criterion's unit: of a figure built as people are, or of
-    /// an animal or a machine, of which some things may be anything.
+    /// Returns the largest acceptable value, in the criterion's unit, for humanoids or for all other characters
+    /// (animals, machines); `None` if any value is acceptable.
     #[must_use]
     pub fn must(self, is_humanoid: bool) -> Option<f64> {
         let (.., human, other) = MUSTS[self as usize];
@@ -89,70 +90,77 @@ impl Criterion {
     }
 }
 
-/// The largest value of a criterion and when it is reached.
+/// The largest value of a criterion, and the time at which it is reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Worst {
-    /// In the criterion's unit, never negative.
+    /// Value in the criterion's unit, never negative.
     pub value: f64,
-    /// Seconds.
+    /// Time, seconds.
     pub t: f64,
 }
 
-/// What is measured of one frame; `None` where it cannot be told.
+/// Measured quantities of one frame; `None` for those that are undefined in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Appearance {
-    /// Seconds.
+    /// Time, seconds.
     pub t: f64,
-    /// The head's heading from the chest's, degrees, positive to the left; `None` where one of them is more than 60° off level.
+    /// Heading of the head relative to the chest, degrees, positive to the left; `None` if either is more than 60° off
+    /// level.
     pub head_to_chest_heading_deg: Option<f64>,
-    /// The same of the animation alone.
+    /// [`head_to_chest_heading_deg`](Self::head_to_chest_heading_deg) of the animation alone.
     pub animated_heading_deg: Option<f64>,
-    /// The head's roll beyond the animation's, degrees, positive to the left; `None` as above.
+    /// Roll of the head, less that of the animation, degrees, positive to the left; `None` if head or chest is more
+    /// than 60° off level.
     pub head_roll_deg: Option<f64>,
-    /// The gaze's elevation less the target's, degrees, positive upwards: in every frame that has both.
+    /// Elevation of the gaze less that of the target, degrees, positive upwards; in every frame in which both are
+    /// defined.
     pub elevation_off_deg: Option<f64>,
-    /// True if the frame counts for [`Criterion::ElevationError`].
+    /// `true` if the frame counts for [`Criterion::ElevationError`].
     pub elevation_counts: bool,
-    /// The gaze's heading less the target's, degrees, positive to the left; `None` where one of them is more than 60° off level.
+    /// Heading of the gaze less that of the target, degrees, positive to the left; `None` if either is more than 60°
+    /// off level.
     pub heading_off_deg: Option<f64>,
-    /// True if the frame counts for [`Criterion::HeadingError`].
+    /// `true` if the frame counts for [`Criterion::HeadingError`].
     pub heading_counts: bool,
-    /// See [`Criterion::LimbShift`].
+    /// Movement of the arms as in [`Criterion::LimbShift`], a share of the character's height.
     pub limb_shift: Option<f64>,
-    /// Size of the head's velocity from the frame before, degrees a second; see [`Criterion::HeadSpeed`].
+    /// Angular speed of the head since the previous frame, degrees per second, as in [`Criterion::HeadSpeed`].
     pub head_speed_deg_s: Option<f64>,
-    /// Size of the head's acceleration at the frame before, degrees a second squared.
+    /// Angular acceleration of the head at the previous frame, degrees per second squared, as in
+    /// [`Criterion::HeadAcceleration`].
     pub head_acceleration_deg_s2: Option<f64>,
 }
 
-/// A baked animation as it looks.
+/// Measurement of how a baked animation looks.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Plausibility {
-    /// True of a figure with an upright trunk below its head, as the bind pose shows it; other limits hold for others.
+    /// `true` if the trunk below the head is upright in the bind pose. Humanoids have limits of their own.
     pub is_humanoid: bool,
-    /// Each frame.
+    /// Measured quantities of each frame.
     pub frames: Vec<Appearance>,
     worst: [Option<Worst>; 8],
 }
 
-/// Elevations beyond this have no heading to speak of, degrees.
+/// Elevation beyond which a direction has no meaningful heading, degrees.
 const LEVEL_DEG: f64 = 60.0;
-/// Time that a gaze has to come up or down to a target, seconds, and the change of elevation that starts it, degrees.
+/// Time that a gaze is given to reach the target's elevation, seconds.
 const ARRIVAL_S: f64 = 0.7;
+/// Change of the target's elevation that restarts [`ARRIVAL_S`], degrees.
 const CHANGE_DEG: f64 = 10.0;
-/// A change of the heading by so much, degrees, within this time, seconds, is a jump aside and no movement to be followed; the time
-/// that a head and a chest have after one, which go from one side to the other.
+/// Change of the target's heading within [`JUMP_S`] that is a jump rather than a movement to be followed, degrees.
 const JUMP_DEG: f64 = 5.0;
+/// Time over which changes of the target's heading are compared with [`JUMP_DEG`], seconds.
 const JUMP_S: f64 = 0.1;
+/// Time that head and chest are given after a jump to turn from one side to the other, seconds.
 const TURN_S: f64 = 1.5;
 
 impl Plausibility {
-    /// Measures what was `baked` by `plan` with `rig`, as it is `written`.
+    /// Measures the result of baking `plan` with `rig`, as it is stored in the document `written`.
     ///
     /// # Errors
-    /// A document without the baked clip.
+    /// Fails if the document lacks the baked clip, or if the nodes do not form a chain of the plan's document.
     pub fn measure(rig: &dyn Rig, plan: &Plan<'_>, baked: &Baked, written: &Document) -> Result<Self, Error> {
         let clip = written.clip(baked.clip.name())?;
         let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
@@ -170,8 +178,8 @@ impl Plausibility {
             let aimed = written.skeleton().world_f64(&aimed);
             let t = f64::from(frame.t);
             let mut seen = look.frame(t, frame.target, &animated, &aimed);
-            // Some policies for what is behind, less than all of the weight and a patience at its end do not mean to meet the
-            // target.
+            // The gaze is not meant to reach the target at a weight below 1, after patience has run out, or under a
+            // policy for targets behind that does not follow them.
             let settings = &plan.settings;
             let is_meant = settings.weight >= 1.0
                 && frame.outcome.out_of_reach_for <= settings.patience
@@ -214,13 +222,14 @@ impl Plausibility {
         Ok(Self { is_humanoid: look.landmarks.is_humanoid, frames, worst })
     }
 
-    /// The largest value of a criterion; `None` where nothing tells it: no chest under a head, no arms, no frame that counts.
+    /// Returns the largest value of a criterion; `None` if it is undefined in all frames: no chest under a head, no
+    /// arms, or no frame counts.
     #[must_use]
     pub fn worst(&self, criterion: Criterion) -> Option<Worst> {
         self.worst[criterion as usize]
     }
 
-    /// The criteria that are more than is bearable, each with its worst value and its limit.
+    /// Returns the criteria that exceed their limits, each with its worst value and its limit.
     pub fn exceeded(&self) -> impl Iterator<Item = (Criterion, Worst, f64)> + '_ {
         Criterion::ALL.into_iter().filter_map(|criterion| {
             let (worst, must) = (self.worst(criterion)?, criterion.must(self.is_humanoid)?);
@@ -231,19 +240,19 @@ impl Plausibility {
 
 fn worst(frames: &[Appearance], pick: &dyn Fn(&Appearance) -> Option<f64>) -> Option<Worst> {
     let values = frames.iter().filter_map(|seen| Some(Worst { value: pick(seen)?.abs(), t: seen.t }));
-    // The first of equals.
+    // Of equal values, the first.
     values.reduce(|most, at| if at.value > most.value { at } else { most })
 }
 
-/// When a gaze has had the time to come to its target's elevation.
+/// Tracks when the gaze has had time to reach its target's elevation.
 #[derive(Default)]
 struct Arrival {
-    /// The elevation that was there at a time: both of the last change.
+    /// Time of the last change of the target's elevation, and the elevation since then.
     since: Option<(f64, f64)>,
 }
 
 impl Arrival {
-    /// Whether the target has kept its elevation, degrees, for long enough at `t`.
+    /// Returns `true` if the target has kept its elevation (degrees) for long enough at `t`.
     fn has_settled(&mut self, t: f64, elevation_deg: Option<f64>) -> bool {
         let Some(elevation_deg) = elevation_deg else { return false };
         if self.since.is_none_or(|(_, before)| (elevation_deg - before).abs() > CHANGE_DEG) {
@@ -253,24 +262,25 @@ impl Arrival {
     }
 }
 
-/// When a gaze has had the time to turn to its target.
+/// Tracks when the gaze has had time to turn to its target.
 #[derive(Default)]
 struct Turned {
-    /// From when on it is there; `None` while the target is out of reach.
+    /// Time from which the gaze should be on the target; `None` while the target is out of reach.
     from: Option<f64>,
     has_begun: bool,
-    /// The target's headings of the last while.
+    /// Times and headings of the target during the last [`JUMP_S`].
     recent: VecDeque<(f64, f64)>,
 }
 
 impl Turned {
-    /// Forgets what was before a jump of the animation.
+    /// Forgets the past, at a jump of the animation.
     fn restart(&mut self) {
         self.from = None;
         self.recent.clear();
     }
 
-    /// Whether the target has been within reach for long enough at `t` without a jump; it has no heading where it is not.
+    /// Returns `true` if the target has been within reach for long enough at `t` without a jump. `heading_deg` is
+    /// `None` if it is out of reach.
     fn has_settled(&mut self, t: f64, heading_deg: Option<f64>) -> bool {
         let begins = !core::mem::replace(&mut self.has_begun, true);
         let Some(heading_deg) = heading_deg else {
@@ -290,15 +300,15 @@ impl Turned {
     }
 }
 
-/// Where a clip that is repeated jumps from its end to its beginning: no speed is told over it.
+/// The times at which a repeated clip jumps from its end to its beginning. No speed is measured across them.
 struct Seams {
-    /// The clip's length, seconds, if it jumps.
+    /// Length of the clip, seconds, if it jumps; otherwise `None`.
     period: Option<f32>,
     round: f32,
 }
 
 impl Seams {
-    /// A turn of the head or chest that is a jump, degrees.
+    /// Least rotation of head or chest that is a jump, degrees.
     const JUMP_DEG: f64 = 2.0;
 
     fn new(plan: &Plan<'_>, landmarks: &Landmarks) -> Self {
@@ -312,16 +322,16 @@ impl Seams {
         Self { period, round: 0.0 }
     }
 
-    /// True if the animation has jumped since the frame before the one at `t`.
+    /// Returns `true` if the animation has jumped between the previous frame and the one at `t`.
     fn is_between(&mut self, t: f32) -> bool {
-        /// A key on the seam is the last of the round before.
+        /// Tolerance, in rounds: a key on the seam belongs to the previous round.
         const NEAR: f32 = 1e-4;
         let round = self.period.map_or(0.0, |period| (t / period - NEAR).floor());
         core::mem::replace(&mut self.round, round) < round
     }
 }
 
-/// What is looked at, and from where.
+/// Inputs of the measurements of every frame: bones, directions and the ranges of the gaze.
 struct Look<'a> {
     landmarks: Landmarks,
     live: Live,
@@ -332,12 +342,13 @@ struct Look<'a> {
     height: f64,
     /// Least and largest correction of the gaze's elevation by eyes, neck and head, degrees.
     range_deg: [f64; 2],
-    /// The same of animation and correction, from the chest's elevation.
+    /// Least and largest elevation of the gaze relative to the chest, of animation and correction together, degrees.
     budget_deg: [f64; 2],
-    /// The same of the heading, degrees to the right and to the left.
+    /// Least and largest correction of the gaze's heading by eyes, neck and head, degrees.
     heading_range_deg: [f64; 2],
+    /// Least and largest heading of the gaze relative to the chest, of animation and correction together, degrees.
     heading_budget_deg: [f64; 2],
-    /// True where corrections are counted from the chest, too.
+    /// `true` if ranges are counted from the bind pose, hence from the chest's direction rather than the animated gaze.
     from_bind: bool,
 }
 
@@ -348,10 +359,10 @@ impl<'a> Look<'a> {
         let joints = description.joints();
         let has_roles = joints.iter().any(|joint| joint.role != Role::None);
         let effector = plan.settings.effector.min(joints.len().saturating_sub(1));
-        // Ranges of what looks, and of the region's budget with the eyes.
+        // Summed ranges of the joints that look, and the head region's budget plus the ranges of the eyes.
         let room = |angle: fn(&JointInfo) -> Option<[f32; 2]>, head: [f32; 2]| {
             let sum = |counts: &dyn Fn(Role) -> bool| {
-                // What is outside the effector is at rest.
+                // Joints nearer the effector than the aimed one are at rest.
                 let ranges = joints[effector..].iter().filter(|joint| counts(joint.role)).filter_map(angle);
                 ranges.fold([0.0_f64; 2], |[lo, hi], range| [lo + f64::from(range[0]), hi + f64::from(range[1])])
             };
@@ -383,44 +394,46 @@ impl<'a> Look<'a> {
         })
     }
 
-    /// By what a node is turned in the world from its bind pose.
+    /// Returns the rotation of a node from its bind pose, in world space.
     fn turned(&self, world: &[DAffine3], node: usize) -> DMat3 {
         orthonormal(&world[node].matrix3).0 * orthonormal(&self.bind[node].matrix3).0.transpose()
     }
 
-    /// By what the correction turns the head beyond the chest, and the chest in its animated frame: a turn that only goes along with
-    /// the animation stays the same.
+    /// Returns the rotation that the correction adds to the head relative to the chest, and the one that it adds to the
+    /// chest in the chest's animated frame. The latter stays constant if the correction only moves with the animation.
     fn turns(&self, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<[DMat3; 2]> {
         let nodes = [self.landmarks.head?, self.landmarks.chest?];
         let [[head_before, chest_before], [head, chest]] =
             [animated, aimed].map(|world| nodes.map(|node| orthonormal(&world[node].matrix3).0));
-        // The chest's turn carries the head along.
+        // Remove the chest's correction, which carries the head along.
         let of_head = chest_before * chest.transpose() * head * head_before.transpose();
         Some([of_head, chest_before.transpose() * chest])
     }
 
-    /// Whether the head's heading is the correction's doing.
+    /// Returns `true` if the head's heading is due to the correction: the animation alone is within the limit, or less
+    /// far out.
     fn heading_counts(&self, seen: &Appearance) -> bool {
-        /// What is nothing to see, degrees.
+        /// Smallest visible difference, degrees.
         const SEEN_DEG: f64 = 0.5;
         let must = Criterion::HeadToChestHeading.must(self.landmarks.is_humanoid).unwrap_or(f64::INFINITY);
         let headings = seen.head_to_chest_heading_deg.zip(seen.animated_heading_deg);
         headings.is_some_and(|(aimed, animated)| animated.abs() <= must || aimed.abs() > animated.abs() + SEEN_DEG)
     }
 
-    /// The elevation of the target from where the aimed effector is, degrees.
+    /// Returns the elevation of the target as seen from the aimed effector, degrees.
     fn target_elevation_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
         let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
         elevation_deg(target - eye, self.live.up(animated))
     }
 
-    /// The target's heading in the world from where the aimed effector is, degrees; `None` where it is nearly above or below.
+    /// Returns the heading of the target as seen from the aimed effector, degrees; `None` if it is nearly above or
+    /// below.
     fn target_heading_deg(&self, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Option<f64> {
         let [eye, _] = *self.live.gazes(self.effector, aimed).first()?;
         self.level_heading_deg(target - eye, self.live.up(animated))
     }
 
-    /// The heading of a direction; `None` of one that is nearly up or down.
+    /// Returns the heading of a direction; `None` if it points nearly up or down.
     fn level_heading_deg(&self, v: DVec3, up: DVec3) -> Option<f64> {
         elevation_deg(v, up).filter(|at| at.abs() <= LEVEL_DEG)?;
         Some(heading_deg(v, up, self.forward))
@@ -449,7 +462,7 @@ impl<'a> Look<'a> {
         let of_animation = gaze(animated).and_then(heading);
         seen.heading_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
             let chest = self.landmarks.chest.map(|chest| heading(self.turned(aimed, chest) * self.forward));
-            // Without a chest that says where it faces, the animation alone tells what is in reach.
+            // Without a chest direction, the animation alone decides what is within reach.
             let chest = chest.flatten().unwrap_or(animation);
             let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&wrapped(target - from));
             is_within(self.heading_range_deg, if self.from_bind { chest } else { animation })
@@ -481,25 +494,26 @@ impl<'a> Look<'a> {
     }
 }
 
-/// Degrees above level; `None` of no direction.
+/// Returns the elevation of a direction, degrees above level; `None` for the zero vector.
 fn elevation_deg(v: DVec3, up: DVec3) -> Option<f64> {
     let v = v.try_normalize()?;
     Some(v.dot(up).clamp(-1.0, 1.0).asin().to_degrees())
 }
 
-/// The heading about `up` from where `forward` points, positive to the left.
+/// Returns the heading about `up`, degrees, from `forward`, positive to the left.
 fn heading_deg(v: DVec3, up: DVec3, forward: DVec3) -> f64 {
     let left = up.cross(forward);
     v.dot(left).atan2(v.dot(left.cross(up))).to_degrees()
 }
 
-/// The roll about `forward`: the angle by which `left` is above level, negated, so that a head tilted to its left is positive.
+/// Returns the roll about `forward`, degrees: the elevation of `left`, negated, so that a head tilted to its left is
+/// positive.
 fn roll_deg(forward: DVec3, left: DVec3, up: DVec3) -> f64 {
     let level = up.cross(forward).normalize_or_zero();
     -left.dot(forward.cross(level)).atan2(left.dot(level)).to_degrees()
 }
 
-/// −180…180.
+/// Wraps an angle to −180…180°.
 fn wrapped(angle_deg: f64) -> f64 {
     angle_deg - 360.0 * (angle_deg / 360.0).round()
 }

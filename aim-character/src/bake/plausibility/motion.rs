@@ -1,4 +1,4 @@
-//! Turns over time: speed, acceleration, and how often the acceleration is thrown about.
+//! Measures rotations over time: speed, acceleration, and the number of quick reversals of the acceleration.
 
 use std::collections::VecDeque;
 
@@ -6,31 +6,34 @@ use aim_runtime::glam::{DMat3, DVec3};
 
 use super::Worst;
 
-/// A reversal takes no longer than this, and as many count as there are in this time, seconds.
+/// Longest duration of a reversal, seconds.
 const REVERSAL_S: f64 = 0.1;
+/// Time over which reversals are counted, seconds.
 const COUNTED_S: f64 = 0.5;
-/// Steps shorter than this part of a frame tell rounding, not speed: the last of a clip may be one.
+/// Steps shorter than this share of a frame are ignored, because their speed is mostly rounding error. The last step of
+/// a clip may be one.
 const SHORT: f64 = 0.5;
 
-/// A rotation in the world that is followed from frame to frame.
+/// A rotation in world space, followed from frame to frame.
 pub(super) struct Turning {
-    /// The acceleration that counts as full one way or the other: half of the budget, degrees a second squared.
+    /// Acceleration above which an axis is fully accelerated in one direction: half of the budget, degrees per second
+    /// squared.
     full: f64,
-    /// The shortest step that is measured, seconds.
+    /// Shortest step that is measured, seconds.
     least_s: f64,
     last: Option<(f64, DMat3)>,
-    /// Over the last step, degrees a second, with its middle.
+    /// Mean angular velocity over the last step, degrees per second, with the time of the step's middle.
     velocity: Option<(f64, DVec3)>,
     acceleration: Option<DVec3>,
-    /// For each axis, when it last was full, and which way.
+    /// For each axis, the last time at which it was fully accelerated, and whether in the positive direction.
     was_full: [Option<(f64, bool)>; 3],
-    /// For each axis, its reversals of the last while.
+    /// For each axis, the times of its recent reversals.
     reversals: [VecDeque<f64>; 3],
     most: Worst,
 }
 
 impl Turning {
-    /// With a budget of acceleration in degrees a second squared.
+    /// Creates a tracker. `budget` is in degrees per second squared.
     pub(super) fn new(budget: f64, fps: f32) -> Self {
         Self {
             full: 0.5 * budget,
@@ -44,7 +47,7 @@ impl Turning {
         }
     }
 
-    /// The rotation at a time later than the one before.
+    /// Adds the rotation at a time later than the previous one.
     pub(super) fn push(&mut self, t: f64, turn: DMat3) {
         let Some((before, from)) = self.last else {
             self.last = Some((t, turn));
@@ -64,26 +67,27 @@ impl Turning {
         }
     }
 
-    /// Forgets what was before: the next rotation has nothing to do with it.
+    /// Forgets the past: the next rotation is unrelated to the previous one.
     pub(super) fn restart(&mut self) {
         (self.last, self.velocity, self.acceleration, self.was_full) = (None, None, None, [None; 3]);
     }
 
-    /// Degrees a second over the last step.
+    /// Returns the angular speed over the last step, degrees per second.
     pub(super) fn speed(&self) -> Option<f64> {
         self.velocity.map(|(_, velocity)| velocity.length())
     }
 
-    /// Degrees a second squared between the last two steps.
+    /// Returns the angular acceleration between the last two steps, degrees per second squared.
     pub(super) fn acceleration(&self) -> Option<f64> {
         self.acceleration.map(DVec3::length)
     }
 
-    /// The largest number of reversals of one axis in half a second, and when it was reached.
+    /// Returns the largest number of reversals of one axis within half a second, and the time at which it was reached.
     pub(super) fn most_reversals(&self) -> Worst {
         self.most
     }
 
+    /// Counts a reversal of an axis, if its acceleration changed from full in one direction to full in the other.
     fn watch(&mut self, axis: usize, t: f64) {
         let Some(along) = self.acceleration.map(|acceleration| acceleration[axis]) else { return };
         if along.abs() <= self.full {
@@ -105,7 +109,7 @@ impl Turning {
     }
 }
 
-/// Axis times angle of a rotation, radians.
+/// Returns axis times angle of a rotation, radians.
 fn rotation_vector(turn: &DMat3) -> DVec3 {
     let axis = DVec3::new(turn.y_axis.z - turn.z_axis.y, turn.z_axis.x - turn.x_axis.z, turn.x_axis.y - turn.y_axis.x);
     let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
@@ -116,7 +120,8 @@ fn rotation_vector(turn: &DMat3) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// A turn about up whose acceleration is +1000 and −1000°/s² in turns of `half_s`, at 120 frames a second.
+    /// Returns a rotation about up whose acceleration alternates between +1000 and −1000°/s² every `half_s`, at 120
+    /// frames per second.
     fn shaken(half_s: f64, seconds: f64) -> Turning {
         let mut turning = Turning::new(1200.0, 120.0);
         let (mut angle, mut speed, dt) = (0.0, 0.0, 1.0 / 120.0);
@@ -135,14 +140,15 @@ mod tests {
     fn speed_and_acceleration_of_a_steady_push() {
         let turning = shaken(10.0, 0.25);
         assert!((turning.acceleration().expect("three frames") - 1000.0).abs() < 1e-6);
-        // 30 frames: the last step has had 29 pushes.
+        // 30 frames: by the last step the acceleration has been applied 29 times.
         assert!((turning.speed().expect("two frames") - 1000.0 * 29.0 / 120.0).abs() < 10.0);
         assert_eq!(turning.most_reversals().value, 0.0);
     }
 
     #[test]
     fn reversals_are_counted_where_they_follow_each_other_quickly() {
-        // Five changes of way in half a second, or one too slow to be one: it is full until it turns.
+        // The acceleration is full until it changes sign, so every change is a reversal: five, two and none in half a
+        // second.
         assert_eq!(shaken(0.11, 2.0).most_reversals().value, 5.0);
         assert_eq!(shaken(0.3, 2.0).most_reversals().value, 2.0);
         assert_eq!(shaken(3.0, 2.0).most_reversals().value, 0.0);

@@ -1,4 +1,4 @@
-//! What is done on the spot: a jump, a turn to the left, a wave.
+//! Moves on the spot: a jump, a turn to the left, a wave.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -7,15 +7,18 @@ use aim_runtime::glam::{DQuat, DVec3};
 use super::curve::{ease, moving, through};
 use super::posture::{Foot, Posture};
 
-/// Lengths, seconds.
+/// Length of the jump, seconds.
 pub(super) const JUMP: f64 = 1.6;
+/// Length of the turn, seconds.
 pub(super) const TURN: f64 = 1.4;
+/// Length of the wave, seconds.
 pub(super) const WAVE: f64 = 2.6;
 
-/// The hips of somebody who stands at ease, relative to the bind pose, metres.
+/// Height of the hips while standing at ease, relative to the bind pose, metres.
 const STAND: f64 = -0.009;
-/// Feet aside, metres, and turned out, radians.
+/// Distance of the standing feet from the middle, metres.
 const ASIDE: f64 = 0.095;
+/// Angle by which the standing feet are turned out, radians.
 const OUT: f64 = 0.12;
 
 fn standing(sign: f64) -> Foot {
@@ -42,7 +45,7 @@ fn sided(joint: &str) -> (f64, &str) {
     }
 }
 
-/// Arms that hang at ease.
+/// Returns the rotation of an arm joint while the arms hang at ease.
 fn at_ease(side: f64, name: &str) -> DQuat {
     match name {
         "upper_arm" => roll(side * 0.05) * tip(0.04),
@@ -52,9 +55,9 @@ fn at_ease(side: f64, name: &str) -> DQuat {
     }
 }
 
-/// Down, off the ground for 0.4 s, and down again.
+/// Jump: down, off the ground for 0.4 s, and down again.
 pub(super) fn jump(t: f64) -> Posture {
-    // A free fall between the two heights at ±g/2 · 0.4 s.
+    // Free flight of 0.4 s: it starts and ends at height `OFF`, with the velocities ±g/2 · 0.4 s.
     const OFF: f64 = 0.030;
     const SPEED: f64 = 0.5 * 9.81 * 0.4;
     let heights = [
@@ -71,7 +74,7 @@ pub(super) fn jump(t: f64) -> Posture {
     let air = ((t - 0.56) / 0.4).clamp(0.0, 1.0);
     let lift = if t > 0.56 && t < 0.96 { height - OFF + 0.9 * (air * (1.0 - air)).powi(2) } else { 0.0 };
     let heel = through(&[(0.42, 0.0), (0.56, 0.72), (0.62, 0.72), (0.96, 0.35), (1.06, 0.0)], t);
-    // How far hips and knees are bent: the trunk leans with them, so that the weight stays over the feet.
+    // Bend of hips and knees, 1 at the lowest point. The trunk leans with it, so that the weight stays over the feet.
     let bent = through(&[(0.1, 0.0), (0.40, 1.0), (0.58, -0.1), (0.90, 0.1), (1.12, 0.85), (1.5, 0.0)], t);
     let arms = through(&[(0.05, 0.0), (0.38, 0.8), (0.76, -1.9), (1.14, -0.4), (1.55, 0.0)], t);
     let feet = [1.0, -1.0].map(|sign| Foot { lift, roll: heel, ..standing(sign) });
@@ -89,7 +92,7 @@ pub(super) fn jump(t: f64) -> Posture {
     Posture { hips: (hips, tip(0.32 * bent)), feet, turns: Box::new(turns) }
 }
 
-/// A quarter turn to the left in two steps; the head goes first.
+/// Quarter turn to the left in two steps. The head leads.
 pub(super) fn turn(t: f64) -> Posture {
     let share = |from: f64, to: f64| ease((t - from) / (to - from));
     let body = FRAC_PI_2 * share(0.1, 1.25);
@@ -101,7 +104,7 @@ pub(super) fn turn(t: f64) -> Posture {
         Foot { at: yaw(angle) * stand.at, yaw: stand.yaw + angle, lift: 1.1 * up, roll: 4.0 * up }
     };
     let feet = [foot(1.0, 0.2, 0.68), foot(-1.0, 0.7, 1.2)];
-    // Over the foot that stands.
+    // Shares by which the weight is shifted onto the left and the right foot, while the other one moves.
     let onto = [
         through(&[(0.6, 0.0), (0.9, 1.0), (1.05, 1.0), (1.35, 0.0)], t),
         through(&[(0.0, 0.0), (0.3, 1.0), (0.5, 1.0), (0.8, 0.0)], t),
@@ -120,7 +123,7 @@ pub(super) fn turn(t: f64) -> Posture {
     Posture { hips: (hips, yaw(body)), feet, turns: Box::new(turns) }
 }
 
-/// The right hand, raised beside the head, palm ahead.
+/// Wave of the right hand, raised beside the head, palm forward.
 pub(super) fn wave(t: f64) -> Posture {
     let raised = through(&[(0.05, 0.0), (0.6, 1.0), (2.0, 1.0), (2.55, 0.0)], t);
     let to_and_fro =
@@ -141,7 +144,7 @@ pub(super) fn wave(t: f64) -> Posture {
             _ => at_ease(side, name),
         }
     };
-    // The weight goes to the other foot.
+    // The weight shifts to the left foot.
     let hips = DVec3::new(0.025 * raised, STAND - 0.004 * raised, 0.0);
     Posture { hips: (hips, roll(-0.02 * raised)), feet: [1.0, -1.0].map(standing), turns: Box::new(turns) }
 }

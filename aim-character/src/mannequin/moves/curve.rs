@@ -1,12 +1,13 @@
-//! Curves over time.
+//! Interpolation curves over time.
 
-/// From 0 to 1 over 0…1, at rest at both ends.
+/// Returns the quintic smoothstep 6u⁵ − 15u⁴ + 10u³, with zero velocity and acceleration at both ends. `u` is clamped
+/// to 0…1.
 pub(super) fn ease(u: f64) -> f64 {
     let u = u.clamp(0.0, 1.0);
     u * u * u * (10.0 - u * (15.0 - 6.0 * u))
 }
 
-/// Through values at times, at rest at each; constant outside.
+/// Interpolates (time, value) keys by [`ease`], with zero velocity at each; constant outside.
 pub(super) fn through(keys: &[(f64, f64)], at: f64) -> f64 {
     let next = keys.partition_point(|key| key.0 <= at);
     match (next.checked_sub(1).map(|k| keys[k]), keys.get(next)) {
@@ -16,7 +17,7 @@ pub(super) fn through(keys: &[(f64, f64)], at: f64) -> f64 {
     }
 }
 
-/// Through values with velocities at times: cubics.
+/// Interpolates (time, value, velocity) keys by cubic Hermite polynomials; constant outside.
 pub(super) fn moving(keys: &[[f64; 3]], at: f64) -> f64 {
     let next = keys.partition_point(|key| key[0] <= at).clamp(1, keys.len() - 1);
     let ([t, a, out], [end, b, into]) = (keys[next - 1], keys[next]);

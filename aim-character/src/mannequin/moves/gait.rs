@@ -7,34 +7,39 @@ use aim_runtime::glam::{DQuat, DVec3};
 use super::curve::through;
 use super::posture::{Foot, Posture};
 
-/// A gait at constant speed. A foot's cycle begins where it comes down.
+/// A gait at constant speed. The cycle of a foot begins when it touches down.
 pub(super) struct Gait {
-    /// Of two steps, seconds.
+    /// Duration of two steps, seconds.
     pub(super) period: f64,
-    /// Of two steps, metres.
+    /// Length of two steps, metres.
     stride: f64,
-    /// To the left, a metre; 0 is straight ahead.
+    /// Curvature of the path to the left, 1/m; 0 for straight ahead.
     curvature: f64,
-    /// Part of its cycle that a foot is down, and the part of that at which it is below the hips.
+    /// Share of its cycle during which a foot is on the ground.
     stance: f64,
+    /// Share of the stance after which the foot is below the hips.
     below: f64,
-    /// The foot's roll over its cycle.
+    /// Roll of the foot over its cycle: (phase, radians).
     roll: &'static [(f64, f64)],
-    /// The heights of a swing: that of its middle, and that from which it comes down.
+    /// Peaks of the two terms of a swing's height, metres: in its middle, and late, before the foot comes down.
     lift: [f64; 2],
-    /// Feet aside of the way, metres, and turned out, radians.
+    /// Distance of the feet from the path, metres.
     aside: f64,
+    /// Angle by which the feet are turned out, radians.
     out: f64,
-    /// The hips' height relative to the bind pose, how far they bob, and where in a cycle they are highest.
+    /// Mean height of the hips relative to the bind pose, metres.
     height: f64,
+    /// Amplitude of the hips' vertical oscillation, metres.
     bob: f64,
+    /// Phase at which the hips are highest; again half a cycle later.
     highest: f64,
     /// Forward lean of the trunk, radians.
     lean: f64,
-    /// How late in the cycle of the foot the arm of its side is farthest back, how far it swings, its mean bend at the elbow, and
-    /// how far that swings.
+    /// Phase of a foot's cycle at which the arm on its side is furthest back.
     late: f64,
+    /// Amplitude of the arms' swing, radians.
     arm: f64,
+    /// Bend of the elbow, radians: mean and amplitude.
     elbow: [f64; 2],
 }
 
@@ -57,7 +62,7 @@ pub(super) const WALK: Gait = Gait {
     elbow: [0.35, 0.14],
 };
 
-/// Cycles in one time round the circle.
+/// Number of cycles in a full circle.
 pub(super) const CIRCLE_CYCLES: f64 = 8.0;
 
 pub(super) const CIRCLE: Gait = Gait { curvature: TAU / (CIRCLE_CYCLES * WALK.stride), height: -0.06, ..WALK };
@@ -86,13 +91,13 @@ impl Gait {
         let cycle = seconds / self.period;
         let (place, heading) = self.way(cycle * self.stride);
         let p = TAU * cycle;
-        // Over the left foot, and over the right one.
+        // 1 with the hips over the left foot, −1 over the right one.
         let over = (p - TAU * self.stance * self.below).cos();
         let bob = self.bob * (2.0 * (p - TAU * self.highest)).cos();
         let hips = place + heading * DVec3::new(0.018 * over, self.height + bob, 0.0);
-        // The hip of the leg in front leads, the shoulder on the other side, too.
+        // 1 with the left leg in front: the left hip and the right shoulder lead.
         let lead = p.cos();
-        // Into the bend.
+        // Lean into the bend, in proportion to curvature · speed² / g.
         let inward = -0.6 * self.curvature * (self.stride / self.period).powi(2) / 9.8;
         let turn = heading * DQuat::from_rotation_y(-0.09 * lead) * DQuat::from_rotation_z(0.025 * over + inward);
         let turns = move |joint: &str| self.turn(joint, p);
@@ -103,7 +108,7 @@ impl Gait {
         }
     }
 
-    /// The place and the heading after a way, from the origin along +z.
+    /// Returns position and heading after a distance along the path, which starts at the origin along +z.
     fn way(&self, way: f64) -> (DVec3, DQuat) {
         let angle = way * self.curvature;
         let place = if self.curvature == 0.0 {
@@ -114,13 +119,13 @@ impl Gait {
         (place, DQuat::from_rotation_y(angle))
     }
 
-    /// A foot that is `late` cycles behind, on the side of `sign`.
+    /// Returns the foot on the side of `sign`, whose cycle is `late` cycles behind.
     fn foot(&self, cycle: f64, (late, sign): (f64, f64)) -> Foot {
         let (step, phase) = ((cycle - late).floor(), (cycle - late).rem_euclid(1.0));
-        // Where the way will be when the hips pass over it.
+        // Distance along the path at which the foot stands: where the hips pass over it.
         let mark = |step: f64| (step + late + self.stance * self.below) * self.stride;
         let u = ((phase - self.stance) / (1.0 - self.stance)).max(0.0);
-        // Slow from the ground, and not ahead of the hips for long.
+        // The swing starts slowly, and the foot is ahead of the hips only for a short time.
         let along = mark(step) + u * u * u * (4.0 - 3.0 * u) * self.stride;
         let (place, heading) = self.way(along);
         let v = 1.0 - u;
@@ -132,7 +137,7 @@ impl Gait {
         }
     }
 
-    /// The turn of a joint above the legs.
+    /// Returns the rotation of a joint above the legs.
     fn turn(&self, joint: &str, p: f64) -> DQuat {
         let (tip, yaw, roll) = (DQuat::from_rotation_x, DQuat::from_rotation_y, DQuat::from_rotation_z);
         let lead = p.cos();
@@ -141,11 +146,11 @@ impl Gait {
             Some(("right", name)) => (-1.0, (name, p + PI)),
             _ => (0.0, (joint, p)),
         };
-        // Back while the leg of its side is in front.
+        // The arm swings back while the leg on its side is in front.
         let swing = (own.1 - TAU * self.late).cos();
         match own.0 {
             "spine" | "spine1" | "spine2" | "spine3" => yaw(0.045 * lead) * tip(0.25 * self.lean),
-            // The head is kept where the trunk would turn it away.
+            // Neck and head compensate for the rotation of the trunk.
             "neck" => yaw(-0.05 * lead) * tip(-0.4 * self.lean),
             "head" => yaw(-0.04 * lead) * tip(-0.5 * self.lean - 0.015 * (2.0 * p).cos()),
             "clavicle" => yaw(-side * 0.06 * swing * self.arm),

@@ -1,16 +1,16 @@
-//! A leg bent so that its foot is where it is put.
+//! Two-bone inverse kinematics of a leg: bends it so that its foot takes a given position.
 
 use aim_runtime::glam::{DMat3, DQuat, DVec3};
 
 use super::posture::Foot;
 use crate::mannequin::joints::Joint;
 
-/// What of a leg's length it is stretched to at most: a straight knee has no direction.
+/// Largest extension of a leg, as a share of its length: a straight knee has no direction of bending.
 const STRETCH: f64 = 0.9995;
-/// Where a foot stands when its toes are raised: behind and below the ankle.
+/// Pivot of a foot with raised toes, relative to the ankle: the heel, behind and below it.
 const HEEL: DVec3 = DVec3::new(0.0, -0.085, -0.04);
 
-/// Writes the turns of a leg's joints; those of the hips are there.
+/// Writes the rotations of a leg's joints. The rotation of the hips, `turns[0]`, must be set.
 pub(super) fn bend(joints: &[Joint], turns: &mut [DQuat], hips_offset: DVec3, side: &str, foot: Foot) {
     let index = |name: &str| joints.iter().position(|joint| joint.name == format!("{side}_{name}")).unwrap_or(0);
     let [upper, lower, ankle, toes] = ["upper_leg", "lower_leg", "foot", "toes"].map(index);
@@ -25,7 +25,7 @@ pub(super) fn bend(joints: &[Joint], turns: &mut [DQuat], hips_offset: DVec3, si
     let reach = way.length().min(STRETCH * (a + b));
     let (down, ahead) = (way.normalize(), DQuat::from_rotation_y(foot.yaw) * DVec3::Z);
     let left = ahead.cross(down).normalize();
-    // By the law of cosines, the knee in front.
+    // Law of cosines: cosine of the angle between the thigh and the line from hip to ankle. The knee points forward.
     let along = (a * a + reach * reach - b * b) / (2.0 * a * reach);
     let knee = down * along + down.cross(left) * (1.0 - along * along).max(0.0).sqrt();
     let upper_turn = turn([thigh, DVec3::X], [knee, left]);
@@ -33,7 +33,7 @@ pub(super) fn bend(joints: &[Joint], turns: &mut [DQuat], hips_offset: DVec3, si
     turns[upper] = hips.inverse() * upper_turn;
     turns[lower] = upper_turn.inverse() * lower_turn;
     turns[ankle] = lower_turn.inverse() * foot.turn();
-    // Toes stay level while the heel is up.
+    // The toes stay level while the heel is raised.
     turns[toes] = DQuat::from_rotation_x(-foot.roll.max(0.0));
 }
 
@@ -42,7 +42,7 @@ impl Foot {
         DQuat::from_rotation_y(self.yaw) * DQuat::from_rotation_x(self.roll)
     }
 
-    /// The place of the ankle: it turns about the ball, or about the heel.
+    /// Returns the position of the ankle. The foot rolls about its ball, or about its heel if the toes are raised.
     fn ankle(&self, ankle: DVec3, toes: DVec3) -> DVec3 {
         let pivot = if self.roll > 0.0 { toes - ankle } else { HEEL };
         let flat = self.at + DVec3::Y * (ankle.y + self.lift);
@@ -50,7 +50,8 @@ impl Foot {
     }
 }
 
-/// The turn from one pair of vectors to another: the first exactly, the second as near as that lets it.
+/// Returns the rotation from one pair of vectors to another: the first is matched exactly, the second as closely as
+/// that allows.
 fn turn(from: [DVec3; 2], to: [DVec3; 2]) -> DQuat {
     let frame = |[first, second]: [DVec3; 2]| {
         let x = first.normalize();

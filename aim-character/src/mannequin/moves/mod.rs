@@ -1,5 +1,6 @@
-//! What the mannequin can do besides walking in place. A move says where hips and feet are at a time and how trunk and arms
-//! turn; [`legs`] bends the legs to that, so feet stand where they stand. `gait.rs` walks and runs, `acts.rs` does the rest.
+//! Moves of the mannequin besides walking on the spot. A move gives the positions of hips and feet at a time and the
+//! rotations of trunk and arms; [`legs`] bends the legs accordingly, so that feet do not slide. `gait.rs` has walking
+//! and running, `acts.rs` the rest.
 
 mod acts;
 mod curve;
@@ -12,19 +13,20 @@ use aim_runtime::glam::{DQuat, DVec3};
 use super::joints::Joint;
 use posture::Posture;
 
-/// Keys a second: so many that a foot does not stray between them.
+/// Keys per second: enough that a foot does not stray between keys.
 const RATE: f64 = 60.0;
 
-/// A move: a clip of the mannequin, by a formula.
+/// A move: a clip of the mannequin, computed by a formula.
 pub(super) struct Move {
     pub(super) name: &'static str,
     pub(super) seconds: f64,
     posture: fn(f64) -> Posture,
 }
 
-/// The gaits straight ahead.
+/// Walking straight ahead.
 pub(super) const WALK_AHEAD: Move =
     Move { name: "walk_ahead", seconds: gait::WALK.period, posture: |t| gait::WALK.posture(t) };
+/// Running straight ahead.
 pub(super) const RUN: Move = Move { name: "run", seconds: gait::RUN.period, posture: |t| gait::RUN.posture(t) };
 
 /// All moves.
@@ -42,14 +44,15 @@ pub(super) const MOVES: [Move; 6] = [
 ];
 
 impl Move {
-    /// Times of keys.
+    /// Returns the times of the keys.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
     pub(super) fn times(&self) -> impl Iterator<Item = f64> + use<> {
         let (count, seconds) = ((self.seconds * RATE).round() as u32, self.seconds);
         (0..=count).map(move |k| seconds * f64::from(k) / f64::from(count))
     }
 
-    /// The hips' offset from their bind place, and the turn of every joint relative to its parent, in the character's axes.
+    /// Returns the hips' offset from their bind position, and the rotation of every joint relative to its parent, in
+    /// the character's axes.
     pub(super) fn at(&self, joints: &[Joint], seconds: f64) -> (DVec3, Vec<DQuat>) {
         let posture = (self.posture)(seconds);
         let mut turns: Vec<DQuat> = joints.iter().map(|joint| (posture.turns)(&joint.name)).collect();

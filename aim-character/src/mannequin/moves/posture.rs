@@ -1,26 +1,26 @@
-//! [`Posture`]: what a move has the body do at one time.
+//! [`Posture`]: the state of the body at one time of a move.
 
 use aim_runtime::glam::{DQuat, DVec3};
 
-/// The mannequin at a time: what legs follow, and how the joints above turn.
+/// The mannequin at one time: the hips and feet that the legs follow, and the rotations of the other joints.
 pub(super) struct Posture {
-    /// The hips' offset from their bind place, and their turn, in the space of the model.
+    /// Offset of the hips from their bind position, and their rotation, in model space.
     pub(super) hips: (DVec3, DQuat),
-    /// Left and right.
+    /// Left and right foot.
     pub(super) feet: [Foot; 2],
-    /// The turn of a joint above the legs relative to its parent, in the character's axes.
+    /// Rotation of a joint above the legs relative to its parent, in the character's axes.
     pub(super) turns: Box<dyn Fn(&str) -> DQuat>,
 }
 
-/// A foot: where it is put, and how it rolls there.
+/// Position and roll of a foot.
 #[derive(Clone, Copy)]
 pub(super) struct Foot {
-    /// On the ground below the ankle of a flat foot, metres.
+    /// Point on the ground below the ankle of the flat foot, metres.
     pub(super) at: DVec3,
-    /// To the left, radians.
+    /// Heading to the left, radians.
     pub(super) yaw: f64,
-    /// Over the ground, metres.
+    /// Height above the ground, metres.
     pub(super) lift: f64,
-    /// The heel raised over the ball, or, below 0, the toes over the heel; radians.
+    /// Roll, radians: above 0 the heel is raised about the ball, below 0 the toes are raised about the heel.
     pub(super) roll: f64,
 }

@@ -1,4 +1,4 @@
-//! A character that is baked without a process: by the libraries that the command is made of.
+//! Bakes a character in process, with the libraries behind the command.
 
 use aim_animation::Clip;
 use aim_character::{
@@ -16,7 +16,7 @@ pub(crate) struct Character {
     pub(crate) chain: ChainNodes,
 }
 
-/// A bake to be made.
+/// Parameters of a bake.
 #[derive(Clone, Copy)]
 pub(crate) struct Order {
     pub(crate) seconds: f32,
@@ -25,14 +25,14 @@ pub(crate) struct Order {
 }
 
 impl Order {
-    /// As the command bakes by default.
+    /// Returns the command's default settings for this duration, seconds.
     pub(crate) fn of(seconds: f32) -> Self {
         Self { seconds, settle: Settle::Snap, settings: Settings::default() }
     }
 }
 
 impl Character {
-    /// With the rig that is proposed for it.
+    /// Loads a model with the rig that is proposed for it.
     pub(crate) fn new(model: &[u8]) -> Self {
         let document = Document::from_bytes(model).expect("a sound model");
         let measurement = Measurement::of(&document);
@@ -41,12 +41,12 @@ impl Character {
         Self { document, measurement, spec, chain }
     }
 
-    /// The node of that name.
+    /// Returns the index of the node with this name.
     pub(crate) fn node(&self, name: &str) -> usize {
         self.document.skeleton().find(name).expect("a bone")
     }
 
-    /// Bakes, changes the clip, writes it, and measures what was written.
+    /// Bakes, applies `change` to the clip, writes it, and measures the result.
     pub(crate) fn measure(
         &self,
         order: Order,
@@ -76,17 +76,18 @@ impl Character {
         (baked, measured)
     }
 
-    /// The same without any change.
+    /// Bakes with default settings and without changes, and measures the result.
     pub(crate) fn bake(&self, seconds: f32, target: impl Fn(f64) -> DVec3) -> Plausibility {
         self.measure(Order::of(seconds), target, |_| {}).1
     }
 
-    /// The effector's place in the bind pose.
+    /// Returns the effector's position in the bind pose.
     pub(crate) fn eye(&self) -> DVec3 {
         self.measurement.bind_world[self.chain.joints[0]].transform_point3(self.spec.effector.origin.into())
     }
 
-    /// A place so many metres of a character of 1.7 m from its eye, degrees to its left and above.
+    /// Returns the point at this distance from the eye, to its left and above by these angles in degrees. Distances are
+    /// in metres of a character 1.7 m tall.
     pub(crate) fn seen_at(&self, metres: f64, left_deg: f64, above_deg: f64) -> DVec3 {
         let &Measurement { forward, left, up, .. } = &self.measurement;
         let ((sin, cos), (above, level)) = (left_deg.to_radians().sin_cos(), above_deg.to_radians().sin_cos());

@@ -1,5 +1,5 @@
-//! A bake on trial: its file and its report against each other, the source and the rig, by a forward kinematics of the
-//! tests' own.
+//! Checks a bake: compares the written file, its report, the source model and the rig with one another, by the tests'
+//! own forward kinematics.
 
 use aim_runtime::glam::{DMat3, DMat4, DQuat, DVec3};
 use serde_json::Value;
@@ -7,17 +7,17 @@ use serde_json::Value;
 use super::gltf::{Local, Model};
 use super::rig::Joint;
 
-/// What was baked and what came out.
+/// Input and output of a bake.
 pub(crate) struct Bake<'a> {
-    /// The model that was aimed and the model that was written.
+    /// Source model.
     pub(crate) source: &'a [u8],
     pub(crate) output: &'a [u8],
     pub(crate) report: &'a Value,
-    /// The rig's declaration; without one what needs its axes is not looked at.
+    /// Joints declared by the rig. If `None`, checks that need the joints' axes are skipped.
     pub(crate) joints: Option<&'a [Joint]>,
 }
 
-/// A frame of the report with what forward kinematics makes of it.
+/// Frame of the report, with the poses of both models at its time.
 struct Frame<'a> {
     report: &'a Value,
     t: f64,
@@ -25,7 +25,7 @@ struct Frame<'a> {
     output: Vec<Local>,
 }
 
-/// The f32 that the report's number stands for.
+/// Returns the `f32` that a time in the report stands for.
 fn time(value: &Value) -> f64 {
     #[expect(clippy::cast_possible_truncation, reason = "the report's times are single precision")]
     let single = number(value) as f32;
@@ -44,7 +44,7 @@ pub(crate) fn list(value: &Value) -> &[Value] {
     value.as_array().map_or(&[], Vec::as_slice)
 }
 
-/// Degrees between two directions; sound for small angles and for opposite ones.
+/// Returns the angle between two directions, degrees; accurate for small angles and for nearly opposite directions.
 pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
@@ -55,7 +55,7 @@ impl Bake<'_> {
     pub(crate) fn check(&self) {
         let (source, output) = (Model::new(self.source), Model::new(self.output));
         let clip_name = self.report["clip"].as_str().expect("the clip's name");
-        // Written beside its clip, or in its place.
+        // The clip is written beside its source, or in its place.
         let over = clip_name.strip_suffix("_aimed").unwrap_or(clip_name);
         let source_clip = source.clip_index(over).map(|at| source.clip(at));
         let output_at = output.clip_index(clip_name).expect("the baked clip is in the output");
@@ -77,7 +77,7 @@ impl Bake<'_> {
             Some(clip) => source.pose(clip, if t > period && period > 0.0 { t % period } else { t }),
             None => source.rest().to_vec(),
         };
-        // Away from the seams, where a clip that does not close jumps.
+        // Skip the seams, where a clip that does not close jumps.
         let seam = |t: f64| period > 0.0 && t > 0.5 * period && (t / period - (t / period).round()).abs() < 1e-4;
         for k in 0..200_u32 {
             let t = seconds * f64::from(k) / 199.3;
@@ -103,7 +103,7 @@ impl Bake<'_> {
                     self.roll_is_true(frame, &output, (aimed, effector), up);
                 }
                 self.angles_make_the_rotations(frame, &source, &chain, up.unwrap_or(DVec3::Y));
-                // A hidden eye has no turn in the world.
+                // An eye scaled to zero has no rotation in world space.
                 if let ([pair], true) = (&pair[..], frame.report["status"] != "degenerate") {
                     pair_turns_alike(frame, &output, chain[0], *pair);
                 }
@@ -116,8 +116,8 @@ impl Bake<'_> {
         self.summary_is_true();
     }
 
-    /// Meshes, skins, materials, other clips: equal. Data: the old first, then the new. Nodes: equal, but for the
-    /// matrix of those that are aimed.
+    /// Checks that only the clip differs: meshes, skins, materials and other clips are equal, new binary data is
+    /// appended to the old, and nodes are equal except for the matrices of aimed ones.
     fn only_the_clip_differs(&self, source: &Model, output: &Model, clip: usize, aimed: &[usize]) {
         assert!(output.bin.starts_with(&source.bin), "the old binary chunk is not first in the new");
         let (old, new) = (source.json.as_object().expect("an object"), output.json.as_object().expect("an object"));
@@ -149,7 +149,7 @@ impl Bake<'_> {
         assert!(aimed.iter().all(|node| moved(output, clip, *node)), "an aimed node is not in the clip");
     }
 
-    /// The report's error is the angle in the written file.
+    /// Checks that the reported error is the angle in the written file.
     fn error_is_true(&self, frame: &Frame<'_>, output: &Model, eye: usize) {
         let effector = &self.report["effector"];
         let world = output.world(&frame.output, eye);
@@ -161,16 +161,16 @@ impl Bake<'_> {
             return;
         }
         let found = angle_between(gaze, to_target);
-        // Files have single precision: so far from the origin a target so near is seen no better than this.
+        // Files are single precision, which limits how exactly a near target far from the origin can be hit.
         let blur = (1e-6 * origin.length() / to_target.length()).to_degrees();
         let off = (found - error).abs();
         assert!(off < 0.01 + blur, "t {}: the file is {found}° off, the report says {error}°", frame.t);
-        // The tolerance is 0.1°; single precision decides within a hair of it.
+        // The tolerance is 0.1°; near it, rounding to single precision decides.
         let sure = if status == "reached" { error < 0.1 + 2e-3 + blur } else { error > 0.1 - 2e-3 - blur };
         assert!(sure, "t {}: {status} at {error}°", frame.t);
     }
 
-    /// The report's roll is that of the written file against the source's, both measured from the horizon.
+    /// Checks the reported roll: that of the written file relative to the source's, both measured from the horizon.
     fn roll_is_true(&self, frame: &Frame<'_>, output: &Model, (joint, node): (usize, usize), character_up: DVec3) {
         let (Some(joints), true) = (self.joints, frame.report["status"] != "degenerate") else { return };
         let forward = vector(&self.report["effector"]["forward"]);
@@ -178,7 +178,7 @@ impl Bake<'_> {
             let world = output.world(pose, node);
             let (gaze, up) = (world.transform_vector3(forward).normalize(), world.transform_vector3(joints[joint].up));
             let left = character_up.cross(gaze);
-            // Nearly straight up there is no horizon to speak of.
+            // Near vertical there is no horizon to measure from.
             (left.length() > 0.03).then(|| {
                 let (left, above) = (left.normalize(), gaze.cross(left.normalize()));
                 up.dot(left).atan2(up.dot(above)).to_degrees()
@@ -191,8 +191,8 @@ impl Bake<'_> {
         assert!(off.abs() < 0.02, "t {}: the roll is {after}° from {before}°, the report says {told}°", frame.t);
     }
 
-    /// `local' = local · R_heading · R_pitch` with the report's angles, about the axes of the bone or, where its heading
-    /// is level, of the bone tilted upright as the animation has it.
+    /// Checks `local' = local · R_heading · R_pitch` with the reported angles. They are about the bone's axes or, if
+    /// its heading is level, about the axes of the bone tilted upright from its animated pose.
     fn angles_make_the_rotations(&self, frame: &Frame<'_>, source: &Model, chain: &[usize], character_up: DVec3) {
         for (at, (joint, &node)) in list(&frame.report["joints"]).iter().zip(chain).enumerate() {
             let (heading, pitch) =
@@ -202,7 +202,8 @@ impl Bake<'_> {
             let off = match self.joints {
                 Some(joints) => {
                     let Joint { forward, up, left, upright: part, .. } = joints[at];
-                    // The correction acts inside the bone's own scale; only that scale's mirroring shows outside.
+                    // The correction acts inside the bone's own scale; only the mirroring of that scale is visible
+                    // outside.
                     let sign = DMat3::from_diagonal(before.scale.signum());
                     let tilt = if part > 0.0 && self.report["solver"] != "ascent" {
                         upright(source.world(&frame.source, node), before.scale, up, character_up, part)
@@ -213,11 +214,11 @@ impl Bake<'_> {
                     let turn = DMat3::from_quat(turn);
                     angle(found * (sign * turn * sign).transpose())
                 }
-                // Without the axes, only by how much they turn together.
+                // Without the axes, only the total angle can be checked.
                 None => angle(found) - 2.0 * ((heading / 2.0).cos() * (pitch / 2.0).cos()).clamp(-1.0, 1.0).acos(),
             };
-            // How a bone stands that is to be tilted is known to single precision; where there is nothing to aim the
-            // angles hold, and so does what they are about.
+            // The tilt of an upright bone is known only to single precision. In degenerate frames the angles are held,
+            // and so are the axes they are about.
             let is_upright = self.joints.is_some_and(|joints| joints[at].upright > 0.0);
             let most = match is_upright {
                 true if frame.report["status"] == "degenerate" => 1e-3,
@@ -236,7 +237,8 @@ impl Bake<'_> {
         let worst = reached.iter().map(|frame| number(&frame["error_deg"])).fold(0.0, f64::max);
         assert!((number(&summary["max_error_deg_reached"]) - worst).abs() < 1e-9, "summary.max_error_deg_reached");
         assert!(number(&summary["max_rate_violation_deg_s"]).abs() < 1e-3, "{summary}");
-        // Where a range counts from the bind pose, a clip may move it faster than the joint's rate: the joint is on its way back.
+        // If a range is relative to the bind pose, a clip may exceed it faster than the joint's rate; the joint is then
+        // returning to its range.
         let recovers = |frame: &Value| list(&frame["joints"]).iter().any(|joint| joint["recovering"] == true);
         let is_held = number(&summary["max_limit_violation_deg"]).abs() < 1e-4;
         assert!(is_held || frames.iter().any(recovers), "{summary}");
@@ -253,7 +255,8 @@ fn moved(model: &Model, clip: usize, node: usize) -> bool {
     list(&model.json["animations"][clip]["channels"]).iter().any(|channel| channel["target"]["node"] == node)
 }
 
-/// The clavicles that hang on what is turned of head and neck, above a turned trunk; and the outermost bone of that trunk.
+/// Returns the clavicles attached to joints of the head and neck while the chain also turns the trunk, and the trunk's
+/// outermost bone.
 fn arms_on_the_neck(model: &Model, chain: &[usize]) -> (Vec<usize>, usize) {
     let has = |node: usize, words: [&str; 2]| {
         let name = model.json["nodes"][node]["name"].as_str().unwrap_or_default().to_lowercase();
@@ -268,7 +271,7 @@ fn arms_on_the_neck(model: &Model, chain: &[usize]) -> (Vec<usize>, usize) {
     ((0..list(&model.json["nodes"]).len()).filter(is_clavicle).filter(hangs).collect(), chain[trunk])
 }
 
-/// An arm stands to the trunk as it does in the source.
+/// Checks that an arm keeps its transform relative to the trunk.
 fn stays_on_the_trunk(frame: &Frame<'_>, model: &Model, trunk: usize, arm: usize) {
     let on_trunk = |pose: &[Local]| model.world(pose, trunk).inverse() * model.world(pose, arm);
     let (before, after) = (on_trunk(&frame.source), on_trunk(&frame.output));
@@ -276,7 +279,8 @@ fn stays_on_the_trunk(frame: &Frame<'_>, model: &Model, trunk: usize, arm: usize
     assert!(after.abs_diff_eq(before, 1e-4 * size.max(1.0)), "t {}: {before} to {after}", frame.t);
 }
 
-/// Every node has the source's local transform, what is turned all but the rotation, and what is held only the scale.
+/// Checks that every node has the source's local transform. Turned nodes may differ in rotation; held ones keep only
+/// scale.
 fn untouched(before: &[Local], after: &[Local], turned: &[usize], held: &[usize], t: f64) {
     for (node, (before, after)) in before.iter().zip(after).enumerate() {
         let mut after = *after;
@@ -291,7 +295,7 @@ fn untouched(before: &[Local], after: &[Local], turned: &[usize], held: &[usize]
     }
 }
 
-/// The pair's turn in the world is that of joint 0: parents being what they are, both turn the same way.
+/// Checks that the second eye turns like joint 0 in world space, with all parents posed as they are.
 fn pair_turns_alike(frame: &Frame<'_>, output: &Model, eye: usize, pair: usize) {
     let turn = |node: usize| {
         let mut without = frame.output.clone();
@@ -337,13 +341,13 @@ fn within_rates(joints: &[Joint], frames: &[Frame<'_>]) {
     }
 }
 
-/// The rotation that turns `from` towards `to`, two directions at right angles.
+/// Returns the rotation by an angle that turns `from` towards `to`, two perpendicular directions.
 fn turn(from: DVec3, to: DVec3, angle_rad: f64) -> DQuat {
     DQuat::from_axis_angle(from.cross(to).normalize(), angle_rad)
 }
 
-/// Checks both eyes' errors against the written file, by what of each eye looks to the front in the skin's bind pose, and
-/// returns how far the gazes are apart at most, degrees.
+/// Checks both eyes' errors against the written file and returns the largest angle between their gazes, degrees. The
+/// second eye's forward axis is the one parallel to the first's in the skin's bind pose.
 #[track_caller]
 pub(crate) fn both_eyes(source: &[u8], output: &[u8], report: &Value, eyes: [&str; 2]) -> f64 {
     let (source, output) = (Model::new(source), Model::new(output));
@@ -374,7 +378,7 @@ pub(crate) fn both_eyes(source: &[u8], output: &[u8], report: &Value, eyes: [&st
     widest
 }
 
-/// The axis of the world that is up for a character as it stands in the file.
+/// Returns the world axis nearest to the up direction of the character as it stands in the file.
 fn standing(source: &Model, chain: &[usize], joints: &[Joint]) -> DVec3 {
     let ups = chain
         .iter()
@@ -385,20 +389,21 @@ fn standing(source: &Model, chain: &[usize], joints: &[Joint]) -> DVec3 {
     axes.max_by(|a, b| a.dot(up).total_cmp(&b.dot(up))).expect("six axes")
 }
 
-/// What tilts a bone's `up` into the character's, so far, in the bone's own space, whatever the bone's own `scale`.
+/// Returns the rotation, in the bone's own space without its `scale`, that tilts `up` towards the character's up by the
+/// fraction `part`.
 fn upright(world: DMat4, scale: DVec3, up: DVec3, character_up: DVec3, part: f64) -> DQuat {
     let m = DMat3::from_mat4(world) * DMat3::from_diagonal(scale.abs().recip());
     if m.determinant() == 0.0 || !m.is_finite() {
         return DQuat::IDENTITY;
     }
-    // A sheared bone's frame is that of its first axis, then of its second.
+    // A sheared bone's frame follows its first axis, then its second.
     let x = m.x_axis.normalize();
     let y = m.y_axis.reject_from_normalized(x).normalize();
     let frame = DMat3::from_cols(x, y, x.cross(y) * m.determinant().signum());
     DQuat::IDENTITY.slerp(DQuat::from_rotation_arc(up, (frame.transpose() * character_up).normalize()), part)
 }
 
-/// A rotation's angle, radians; sound for small ones.
+/// Returns the angle of a rotation, radians; accurate for small angles.
 fn angle(turn: DMat3) -> f64 {
     let axis = DVec3::new(turn.y_axis.z - turn.z_axis.y, turn.z_axis.x - turn.x_axis.z, turn.x_axis.y - turn.y_axis.x);
     let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;

@@ -1,11 +1,11 @@
-//! A small reader of GLB files for tests: nodes, clips and forward kinematics in double precision, straight from the
-//! glTF 2.0 specification and without any code of the library on trial. It panics on what it does not know.
+//! Small GLB reader for tests: nodes, clips and forward kinematics in double precision, written from the glTF 2.0
+//! specification without any code of the library under test. Panics on unsupported content.
 
 use aim_runtime::glam::{DMat4, DQuat, DVec3};
 use base64::Engine as _;
 use serde_json::Value;
 
-/// The JSON and the binary chunk of a GLB; of a JSON file the bytes in its only buffer's URI.
+/// Returns the JSON and the binary chunk of a GLB, or of a `.gltf` text with its only buffer as a data URI.
 pub(crate) fn take_apart(glb: &[u8]) -> (Value, Vec<u8>) {
     if glb.starts_with(b"{") {
         let json: Value = serde_json::from_slice(glb).expect("JSON");
@@ -22,7 +22,7 @@ pub(crate) fn take_apart(glb: &[u8]) -> (Value, Vec<u8>) {
     (json, bin)
 }
 
-/// A GLB of them.
+/// Returns the GLB of a JSON document and its binary chunk.
 pub(crate) fn put_together(json: &Value, bin: &[u8]) -> Vec<u8> {
     let mut text = serde_json::to_vec(json).expect("JSON");
     text.resize(text.len().next_multiple_of(4), b' ');
@@ -35,7 +35,7 @@ pub(crate) fn put_together(json: &Value, bin: &[u8]) -> Vec<u8> {
     parts.concat()
 }
 
-/// A node's local transform.
+/// Local transform of a node.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Local {
     pub(crate) translation: DVec3,
@@ -48,7 +48,8 @@ impl Local {
         DMat4::from_scale_rotation_translation(self.scale, self.rotation.normalize(), self.translation)
     }
 
-    /// The largest difference: of lengths relative to their size (at least 1), of the rotation in radians.
+    /// Returns the largest difference of two transforms: lengths relative to their size (at least 1), rotation in
+    /// radians.
     pub(crate) fn difference(&self, other: &Self) -> f64 {
         let vector = |a: DVec3, b: DVec3| (a - b).length() / a.length().max(1.0);
         let turn = (self.rotation.normalize().inverse() * other.rotation.normalize()).xyz().length() * 2.0;
@@ -69,11 +70,11 @@ struct Channel {
 #[derive(Debug)]
 pub(crate) struct Clip {
     channels: Vec<Channel>,
-    /// The last key's time.
+    /// Time of the last key.
     pub(crate) seconds: f64,
 }
 
-/// A file.
+/// Parsed model file.
 pub(crate) struct Model {
     pub(crate) json: Value,
     pub(crate) bin: Vec<u8>,
@@ -107,7 +108,7 @@ impl Model {
         Self { parents, rest, json, bin }
     }
 
-    /// The only node of that name; of several, the only one that a skin lists.
+    /// Returns the only node with this name or, if there are several, the only one that a skin lists.
     pub(crate) fn node(&self, name: &str) -> usize {
         let called = |(at, node): &(usize, &Value)| match node.get("name") {
             Some(own) => own == name,
@@ -132,7 +133,7 @@ impl Model {
         &self.rest
     }
 
-    /// Where a clip of that name is among the animations, unnamed ones called as the reports do.
+    /// Returns the index of the animation with this name; unnamed ones have the names that reports give them.
     pub(crate) fn clip_index(&self, name: &str) -> Option<usize> {
         let clips = items(&self.json, "animations").iter().enumerate();
         clips
@@ -160,7 +161,7 @@ impl Model {
         Clip { channels, seconds }
     }
 
-    /// All local transforms at a time of a clip.
+    /// Returns the local transforms of all nodes at a time of a clip.
     pub(crate) fn pose(&self, clip: &Clip, seconds: f64) -> Vec<Local> {
         let mut pose = self.rest.clone();
         for channel in &clip.channels {
@@ -176,13 +177,13 @@ impl Model {
         pose
     }
 
-    /// World ← node.
+    /// Returns the transform from node space to world space.
     pub(crate) fn world(&self, pose: &[Local], node: usize) -> DMat4 {
         let local = pose[node].matrix();
         self.parents[node].map_or(local, |parent| self.world(pose, parent) * local)
     }
 
-    /// Mesh ← node in the pose that the skin was fitted in, for the first skin that lists the node.
+    /// Returns the transform from node space to mesh space in the bind pose, for the first skin that lists the node.
     pub(crate) fn bind(&self, node: usize) -> DMat4 {
         let found = items(&self.json, "skins").iter().find_map(|skin| {
             let at = items(skin, "joints").iter().position(|joint| index(joint) == node)?;
@@ -192,7 +193,7 @@ impl Model {
         found.unwrap_or_else(|| panic!("no skin binds node {node}"))
     }
 
-    /// An accessor's numbers, flat.
+    /// Returns the numbers of an accessor, flattened.
     pub(crate) fn accessor(&self, at: usize) -> Vec<f64> {
         let accessor = &self.json["accessors"][at];
         assert!(accessor.get("sparse").is_none(), "sparse accessors are not read");
@@ -281,7 +282,7 @@ impl Channel {
     }
 }
 
-/// Along the shorter arc at constant speed.
+/// Interpolates along the shorter arc at constant speed.
 fn slerp(a: DQuat, b: DQuat, u: f64) -> DQuat {
     let b = if a.dot(b) < 0.0 { -b } else { b };
     let half = (a.inverse() * b).xyz();

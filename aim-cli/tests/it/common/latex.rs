@@ -1,10 +1,10 @@
-//! What holds of LaTeX.
+//! Checks of LaTeX output.
 
 use std::process::Command;
 
 use super::Place;
 
-/// Environments and braces close as they open, and the document ends.
+/// Asserts that environments and braces are balanced and the document ends.
 #[track_caller]
 pub(crate) fn assert_balanced(text: &str, name: &str) {
     let mut open = Vec::new();
@@ -21,7 +21,7 @@ pub(crate) fn assert_balanced(text: &str, name: &str) {
     assert!(text.trim_end().ends_with("\\end{document}"), "{name}");
 }
 
-/// The compiler takes the file.
+/// Asserts that the compiler accepts the file.
 #[track_caller]
 pub(crate) fn compile(place: &Place, compiler: &str, file: &str, name: &str) {
     let options: &[&str] = if compiler == "pdflatex" { &["-interaction=nonstopmode", "-halt-on-error"] } else { &[] };

@@ -1,4 +1,4 @@
-//! Runs the command as its users do, and looks at what it says and leaves behind.
+//! Runs the command like its users, and inspects its output and the files it leaves.
 
 pub(crate) mod character;
 pub(crate) mod forward;
@@ -14,7 +14,7 @@ use std::process::{Command, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// What a run of the command left.
+/// Result of running the command.
 #[derive(Debug)]
 pub(crate) struct Ran {
     pub(crate) code: i32,
@@ -23,20 +23,20 @@ pub(crate) struct Ran {
 }
 
 impl Ran {
-    /// Whether nothing but warnings was said beside the result.
+    /// Returns `true` if standard error holds nothing but warnings.
     pub(crate) fn only_warns(&self) -> bool {
         self.stderr.lines().all(|line| line.starts_with("warning: "))
     }
 }
 
-/// The command, to be run in `folder` with nothing on its standard input.
+/// Returns the command, set to run in `folder` with empty standard input.
 pub(crate) fn command(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_aim"));
     command.current_dir(folder).stdin(Stdio::null());
     command
 }
 
-/// A folder of its own for one test.
+/// Temporary folder of one test.
 pub(crate) struct Place {
     folder: TempDir,
 }
@@ -46,7 +46,7 @@ impl Place {
         Self { folder: tempfile::tempdir().expect("a temporary folder can be made") }
     }
 
-    /// A folder with the mannequin of the paper's axes as `m.glb` and its rig as `m.toml`.
+    /// Returns a folder with the mannequin in the paper's axes as `m.glb` and its rig as `m.toml`.
     pub(crate) fn with_mannequin() -> Self {
         let place = Self::new();
         place.write("m.glb", &mannequin());
@@ -70,7 +70,7 @@ impl Place {
         serde_json::from_slice(&self.read(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
     }
 
-    /// The names in the folder, sorted.
+    /// Returns the names in the folder, sorted.
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = std::fs::read_dir(self.folder.path()).expect("the folder can be listed");
         let mut names: Vec<String> =
@@ -92,12 +92,12 @@ impl Place {
         ran
     }
 
-    /// The same with the arguments in one text, separated by spaces.
+    /// Runs the command with arguments separated by spaces.
     pub(crate) fn aim(&self, arguments: &str) -> Ran {
         self.run(arguments.split_whitespace())
     }
 
-    /// Runs it, and it has to be done: exit code 0 and nothing on standard error.
+    /// Runs the command and asserts that it succeeds: exit code 0, and nothing but warnings on standard error.
     #[track_caller]
     pub(crate) fn done(&self, arguments: &str) -> Ran {
         let ran = self.aim(arguments);
@@ -105,13 +105,13 @@ impl Place {
         ran
     }
 
-    /// Runs it, and it has to refuse: exit code 2, one message with `words` in it, and no file more than before.
+    /// Runs the command and asserts that it refuses: exit code 2, one message with these words, and no new file.
     #[track_caller]
     pub(crate) fn refused(&self, arguments: &str, words: &[&str]) -> Ran {
         self.refuses(&arguments.split_whitespace().collect::<Vec<_>>(), words)
     }
 
-    /// The same with the arguments apart.
+    /// Like [`Place::refused`], with separate arguments.
     #[track_caller]
     pub(crate) fn refuses(&self, arguments: &[&str], words: &[&str]) -> Ran {
         let ran = self.refuses_after_words(arguments, words);
@@ -119,7 +119,7 @@ impl Place {
         ran
     }
 
-    /// The same where the command may have said what it is about to do.
+    /// Like [`Place::refuses`], for commands that may first print what they are about to do.
     #[track_caller]
     pub(crate) fn refuses_after_words(&self, arguments: &[&str], words: &[&str]) -> Ran {
         let before = self.names();
@@ -135,24 +135,24 @@ impl Place {
     }
 }
 
-/// The mannequin in the paper's axes.
+/// Returns the mannequin in the paper's axes.
 pub(crate) fn mannequin() -> Vec<u8> {
     aim_character::mannequin(|_| aim_character::PAPER_AXES).expect("the paper's axes are orthonormal")
 }
 
-/// The mannequin with its JSON changed.
+/// Returns the mannequin with a change to its JSON.
 pub(crate) fn changed(change: impl FnOnce(&mut Value)) -> Vec<u8> {
     let (mut json, bin) = gltf::take_apart(&mannequin());
     change(&mut json);
     gltf::put_together(&json, &bin)
 }
 
-/// The file of a bundled rig.
+/// Returns the path of a bundled rig.
 pub(crate) fn bundled_rig(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../rigs").join(name).with_extension("toml")
 }
 
-/// All bundled rigs.
+/// Returns the paths of all bundled rigs.
 pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../rigs");
     let entries = std::fs::read_dir(folder).expect("the rigs are there");
@@ -165,28 +165,28 @@ pub(crate) fn bundled_rigs() -> Vec<PathBuf> {
     rigs
 }
 
-/// All bundled rigs; by default those that stand for what differs from them by its axes' names alone.
+/// Returns all bundled rigs, or by default a representative few; the others differ from these only by their axes.
 pub(crate) fn different_rigs() -> Vec<PathBuf> {
     if in_full() { bundled_rigs() } else { ["rigify", "thug", "turret"].map(bundled_rig).into() }
 }
 
-/// True where the tests take all of their cases, as in `.ci/run`; `cargo test` by itself takes a part.
+/// Returns `true` if tests should run all of their cases, as in `.ci/run`. Plain `cargo test` runs a part.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
-/// The folder with real characters. Tests that call this are ignored unless asked for.
+/// Returns the folder with real characters. Tests that call this are ignored by default.
 pub(crate) fn real_rigs() -> PathBuf {
     let folder = std::env::var_os("AIM_RIGS").expect("AIM_RIGS names a folder of real characters");
     let folder = PathBuf::from(folder);
-    // Relative to the repository, as the command that sets it sees it; tests run in the crate's folder.
+    // A relative path is relative to the repository, but tests run in the crate's folder.
     let folder =
         if folder.is_relative() { Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder) } else { folder };
     assert!(folder.is_dir(), "AIM_RIGS names {}, which is no folder", folder.display());
     folder
 }
 
-/// Whether a program is installed.
+/// Returns `true` if a program is installed.
 pub(crate) fn installed(program: &str) -> bool {
     let found = Command::new(program)
         .arg("--version")

@@ -1,14 +1,14 @@
-//! Pictures read back: a plot's lines through the numbers at its axes, a PNG's pixels.
+//! Reads pictures back: the lines of a plot in units of its axes' labels, and the pixels of a PNG.
 
 use aim_runtime::glam::DVec3;
 use roxmltree::{Document, Node};
 
-/// A plot read back.
+/// Plot read back from its SVG.
 pub(crate) struct Plot<'a> {
     pub(crate) document: &'a Document<'a>,
-    /// Heading and pitch by place, each `value = a + b · place`.
+    /// Heading and pitch as functions of the pixel position, each `value = a + b · position`.
     axes: [[f64; 2]; 2],
-    /// Left, top, right and bottom of the panel.
+    /// Left, top, right and bottom of the panel, pixels.
     pub(crate) panel: [f64; 4],
 }
 
@@ -28,7 +28,7 @@ pub(crate) fn classed<'a>(root: Node<'a, 'a>, class: &str) -> Vec<Node<'a, 'a>> 
     root.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
 }
 
-/// The lines of a path's `M`, `L` and `Z`.
+/// Returns the polylines of a path with the commands `M`, `L` and `Z`.
 pub(crate) fn lines(path: Node<'_, '_>) -> Vec<Vec<[f64; 2]>> {
     let d = path.attribute("d").expect("a path");
     let point = |text: &str| {
@@ -52,7 +52,7 @@ impl<'a> Plot<'a> {
             [first - slope * from, slope]
         };
         let mut axes = [axis("x-ticks", "x"), axis("y-ticks", "y")];
-        // A number stands a little below its tick.
+        // Labels are drawn slightly below their ticks.
         axes[1][0] += axes[1][1] * 4.5;
         let clip = document.descendants().find(|node| node.has_tag_name("clipPath"));
         let panel = clip.map_or([0.0; 4], |clip| {
@@ -67,13 +67,13 @@ impl<'a> Plot<'a> {
         [0, 1].map(|k| self.axes[k][0] + self.axes[k][1] * at[k])
     }
 
-    /// What is drawn in the panel.
+    /// Returns the elements of a class inside the panel.
     pub(crate) fn drawn(&self, class: &str) -> Vec<Node<'a, 'a>> {
         let panel = self.document.descendants().find(|node| node.has_attribute("clip-path"));
         classed(panel.expect("the panel"), class)
     }
 
-    /// The angles at the middle of a mark.
+    /// Returns the angles at the centre of a mark.
     pub(crate) fn place(&self, mark: Node<'_, '_>) -> [f64; 2] {
         self.angles(match mark.attribute("cx") {
             Some(_) => [attribute(mark, "cx"), attribute(mark, "cy")],
@@ -81,7 +81,7 @@ impl<'a> Plot<'a> {
         })
     }
 
-    /// Where the target is, of the line below the title.
+    /// Returns the target's position from the line below the title.
     pub(crate) fn target(&self) -> DVec3 {
         let about = self.document.descendants().find_map(|node| Some(node.text()?.split_once("at (")?.1.to_owned()));
         let about = about.expect("a target");
@@ -90,7 +90,7 @@ impl<'a> Plot<'a> {
     }
 }
 
-/// A PNG's pixels.
+/// Pixels of a PNG.
 pub(crate) struct Picture {
     pub(crate) width: usize,
     pub(crate) height: usize,
@@ -114,9 +114,9 @@ impl Picture {
     }
 }
 
-/// The largest deviation from the best linear function of four numbers.
+/// Returns the largest residual of the best linear fit in four numbers per row.
 pub(crate) fn worst_of_fit(rows: Vec<([f64; 4], f64)>) -> f64 {
-    // Normal equations of numbers of one size.
+    // Normal equations, with the columns scaled to equal size.
     let sizes = [0, 1, 2, 3].map(|k| rows.iter().map(|(row, _)| row[k].abs()).fold(1e-9, f64::max));
     let rows: Vec<([f64; 4], f64)> =
         rows.into_iter().map(|(row, at)| ([0, 1, 2, 3].map(|k| row[k] / sizes[k]), at)).collect();

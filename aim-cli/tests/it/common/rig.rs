@@ -1,25 +1,25 @@
-//! A rig's TOML file read plainly for tests (no code of the command), and files for the mannequin in any axes.
+//! Plain reader of rig files for tests, without any code of the command, and rig files for the mannequin in any axes.
 
 use std::fmt::Write;
 
 use aim_runtime::glam::DVec3;
 use serde_json::Value;
 
-/// A joint as its file declares it, angles in degrees.
+/// Joint as declared in its file, angles in degrees.
 #[derive(Clone, Debug)]
 pub(crate) struct Joint {
     pub(crate) forward: DVec3,
     pub(crate) up: DVec3,
     pub(crate) left: DVec3,
-    /// `None` for a hinge, infinite where free.
+    /// Range of the heading: `None` for a hinge without heading, infinite if free.
     pub(crate) heading: Option<[f64; 2]>,
     pub(crate) pitch: Option<[f64; 2]>,
     pub(crate) rate: f64,
-    /// How far the heading is about the character's up.
+    /// Fraction by which the heading axis is tilted to the character's up, 0…1.
     pub(crate) upright: f64,
 }
 
-/// The joints of a rig file, from the effector inward.
+/// Returns the joints of a rig file, from the effector inward.
 pub(crate) fn joints(text: &str) -> Vec<Joint> {
     let rig: Value = toml::from_str(text).expect("the rig's TOML parses");
     let joints = rig["joint"].as_array().expect("joints").iter();
@@ -46,7 +46,7 @@ pub(crate) fn joints(text: &str) -> Vec<Joint> {
         .collect()
 }
 
-/// A neck or head turns about the character's up.
+/// Returns the default of `upright`: 1 for neck and head, which turn about the character's up, otherwise 0.
 fn usual_upright(role: Option<&Value>) -> f64 {
     if role.is_some_and(|role| role == "neck" || role == "head") { 1.0 } else { 0.0 }
 }
@@ -80,7 +80,7 @@ fn angle(value: &Value) -> f64 {
 /// Up, forward and left in a bone's space.
 pub(crate) type Axes = [[f32; 3]; 3];
 
-/// All 48 triples of signed axes, 24 of each handedness.
+/// Returns all 48 triples of signed axes, 24 of each handedness.
 pub(crate) fn conventions() -> Vec<Axes> {
     let mut out = Vec::new();
     for order in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
@@ -95,7 +95,7 @@ pub(crate) fn conventions() -> Vec<Axes> {
     out
 }
 
-/// The mannequin's rig in other axes.
+/// Returns the mannequin's rig for bones in other axes.
 pub(crate) fn for_mannequin(axes_of: impl Fn(&str) -> Axes) -> String {
     let mut out = String::from("name = \"Trial\"\nhandedness = \"right\"\n");
     let joints = [
