@@ -1,4 +1,4 @@
-//! [`Actor`]: a character with a solver, frame by frame.
+//! [`Actor`]: a displayed character with its solver and the results of its last frame.
 
 use std::sync::Arc;
 
@@ -12,28 +12,28 @@ use crate::skinning::Posed;
 use crate::tools::Tool;
 use crate::tuning::solver_name;
 
-/// A rig that characters share: the crowd of mannequins has a compiled one, as a game's would be.
+/// A rig, shared by characters. The crowd of mannequins uses a compiled rig, as a game would.
 pub(crate) type SharedRig = Arc<dyn Rig>;
 
-/// A character with a solver.
+/// A displayed character with its solver.
 #[derive(Debug)]
 pub(crate) struct Actor {
     pub(crate) solver: Solver,
-    /// Offset from its place in the file.
+    /// Offset of the figure from the character's position in the file.
     pub(crate) shift: Vec3,
     pub(crate) player: Player,
     pub(crate) character: DynAim<SharedRig>,
-    /// What is tried in place of the solver.
+    /// Tool that is used instead of the solver.
     pub(crate) tool: Option<Tool>,
-    /// How a head that is turned by itself was left by the last frame.
+    /// Head rotation after the last frame of [`Tool::LookAt`], which turns the head alone.
     pub(crate) head: Option<Quat>,
-    /// Its feet, while they stand on a slope.
+    /// The feet, while the sloped floor is on.
     pub(crate) feet: Option<Feet>,
-    /// Result of the last frame; there from the first one on.
+    /// Result of the last frame; `None` before the first.
     pub(crate) frame: Option<AimedFrame>,
-    /// Starts and directions of what points in that frame: of both eyes, or of the other joint that is aimed.
+    /// Origins and directions of the rays in the last frame: those of both eyes, or of the joint that is aimed instead.
     pub(crate) gazes: Vec<[Vec3; 2]>,
-    /// What moves its mesh in that frame.
+    /// Joint transforms and morph weights that pose the mesh in the last frame.
     pub(crate) posed: Posed,
 }
 
@@ -53,12 +53,12 @@ impl Actor {
         }
     }
 
-    /// The name of its solver.
+    /// Returns the name of the tool or solver in use.
     pub(crate) fn name(&self) -> &'static str {
         self.tool.map_or_else(|| solver_name(self.solver), Tool::name)
     }
 
-    /// Gives it another rig; its joints keep their angles where there are as many.
+    /// Replaces the rig. The joints keep their angles if their number is the same.
     pub(crate) fn change_rig(&mut self, rig: SharedRig) {
         let mut character = DynAim::new(rig);
         if character.state.joints.len() == self.character.state.joints.len() {

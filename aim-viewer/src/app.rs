@@ -1,4 +1,4 @@
-//! The window's frame: the viewer's picture onto the screen.
+//! The application of the window: runs the viewer each frame and draws its picture to the screen.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -11,14 +11,14 @@ use crate::stage::SIXTIETH;
 use crate::viewer::Viewer;
 
 thread_local! {
-    // What paints belongs to the thread that the window is on; a paint callback may hold nothing of it.
+    // GL objects belong to the window's thread, and a paint callback must be `Send`, so it cannot own them.
     static CANVAS: RefCell<Option<Result<Canvas, String>>> = const { RefCell::new(None) };
 }
 
-/// The viewer in a window, or on a page.
+/// The viewer, in a window or on a web page.
 pub(crate) struct App {
     pub(crate) viewer: Viewer,
-    /// So many frames of a sixtieth of a second, and then no more time; without it a frame is as long as it took.
+    /// Remaining number of frames of 1/60 s, after which time stands still. `None` advances by real time.
     pub(crate) frames: Option<u32>,
     pub(crate) after: After,
 }
@@ -47,7 +47,7 @@ impl eframe::App for App {
     }
 }
 
-/// Has the picture painted into `rect` when the time comes.
+/// Adds a paint callback that draws the picture into `rect`.
 fn paint(ui: &egui::Ui, rect: egui::Rect, picture: Arc<Picture>) {
     let callback = egui_glow::CallbackFn::new(move |info, painter| {
         let at = info.viewport_in_pixels();

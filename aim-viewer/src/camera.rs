@@ -1,46 +1,47 @@
-//! The camera: it turns around a point, and tells where on the screen the world is.
+//! The camera: orbits a point, and projects between world and screen.
 
 use aim_animation::Ray;
 use aim_runtime::glam::{Vec2, Vec3};
 
 use crate::picture::Perspective;
 
-/// Largest angle of view up or down, radians.
+/// Largest pitch of the camera, up or down, radians.
 const STEEPEST: f32 = 1.5;
 
-/// A camera that turns around a point.
+/// A camera that orbits a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Camera {
-    /// The point that it turns around.
+    /// The point that the camera orbits, world space.
     pub(crate) focus: Vec3,
-    /// Around up, from the character's front towards its left, radians.
+    /// Angle about up, from the character's front towards its left, radians.
     pub(crate) yaw: f32,
-    /// Above the horizon, radians.
+    /// Angle above the horizon, radians.
     pub(crate) pitch: f32,
-    /// From the focus, in the world.
+    /// Distance from the focus, in world units.
     pub(crate) distance: f32,
-    /// Up, forward and left of the character.
+    /// Up, forward and left of the character: unit vectors, world space.
     pub(crate) directions: [Vec3; 3],
 }
 
 impl Camera {
-    /// Vertical angle of view, radians.
+    /// Vertical field of view, radians.
     pub(crate) const FIELD: f32 = 0.6;
 
-    /// Turns it.
+    /// Turns the camera about the focus, by angles in radians.
     pub(crate) fn orbit(&mut self, yaw: f32, pitch: f32) {
         self.yaw = (self.yaw + yaw) % std::f32::consts::TAU;
         self.pitch = (self.pitch + pitch).clamp(-STEEPEST, STEEPEST);
     }
 
-    /// Nearer or further by a factor, within reason for a character `metre` × 1.7 high.
+    /// Multiplies the distance by a factor, clamped to 0.15…60 times `metre`.
     pub(crate) fn zoom(&mut self, factor: f32, metre: f32) {
         self.distance = (self.distance * factor).clamp(0.15 * metre, 60.0 * metre);
     }
 
-    /// Moves so that all these points are in sight, with some room around them, in a scene of this shape.
+    /// Moves the camera so that all points are visible, with a margin, in a viewport of this size. The distance is
+    /// never reduced.
     pub(crate) fn fit(&mut self, points: &[Vec3], scene: Vec2) {
-        /// The points fill so much of the scene.
+        /// Fraction of the viewport that the points may fill.
         const FILLED: f32 = 0.8;
         let axes = self.axes();
         let along = |at: &Vec3| Vec3::from_array(axes.map(|axis| at.dot(axis)));
@@ -58,14 +59,14 @@ impl Camera {
         self.distance = points.iter().map(away).fold(self.distance, f32::max);
     }
 
-    /// From the focus to the camera, of length one.
+    /// Returns the unit vector from the focus to the camera.
     fn out(&self) -> Vec3 {
         let [up, forward, left] = self.directions;
         let ((sin, cos), (up_part, along)) = (self.yaw.sin_cos(), self.pitch.sin_cos());
         (forward * cos + left * sin) * along + up * up_part
     }
 
-    /// Right, up and towards the viewer, of length one.
+    /// Returns the camera's axes: right, up and towards the viewer, unit vectors.
     pub(crate) fn axes(&self) -> [Vec3; 3] {
         let out = self.out();
         let right = self.directions[0].cross(out).normalize_or_zero();
@@ -82,7 +83,7 @@ impl Camera {
         }
     }
 
-    /// Place of a point on a screen of this size, from its upper left; `None` behind the camera.
+    /// Projects a point to a screen of this size, relative to its upper left corner; `None` if it is behind the camera.
     pub(crate) fn project(&self, point: Vec3, size: Vec2) -> Option<Vec2> {
         let [right, up, out] = self.axes();
         let from = point - (self.focus + out * self.distance);
@@ -91,15 +92,16 @@ impl Camera {
         (depth > 0.0).then(|| size / 2.0 + at * (size.y / 2.0))
     }
 
-    /// The ray from the camera through a point of a screen of this size, from its upper left: [`project`](Self::project) backwards.
+    /// Returns the ray from the camera through a screen point, given relative to the upper left corner: the inverse of
+    /// [`project`](Self::project).
     pub(crate) fn ray(&self, at: Vec2, size: Vec2) -> Ray {
         let [right, up, out] = self.axes();
         let at = (at - size / 2.0) / (size.y / 2.0) * (Self::FIELD / 2.0).tan();
         Ray::new(self.focus + out * self.distance, right * at.x - up * at.y - out)
     }
 
-    /// By how much a point moves in the world that follows the pointer over so much of a screen this high, across the
-    /// view.
+    /// Returns the world-space displacement, parallel to the screen, of a point that follows the pointer by `by` on a
+    /// screen of this height.
     pub(crate) fn drag(&self, point: Vec3, by: Vec2, height: f32) -> Vec3 {
         let [right, up, out] = self.axes();
         let depth = (self.focus + out * self.distance - point).dot(out).max(0.0);

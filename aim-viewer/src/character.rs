@@ -1,4 +1,4 @@
-//! [`Character`]: a model, what was measured of it, and the rig that aims it.
+//! [`Character`]: a model, its measurement, and the rig that aims it.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ use aim_runtime::glam::{DVec3, Vec3};
 use crate::hand::right_hand;
 use crate::skinning::Skinning;
 
-/// Everything about a character that does not change while it moves.
+/// The data of a character that does not change while it moves.
 #[derive(Debug)]
 pub(crate) struct Character {
     /// The file's name.
@@ -25,21 +25,21 @@ pub(crate) struct Character {
     pub(crate) surface: Arc<Surface>,
     pub(crate) skinning: Arc<Skinning>,
     pub(crate) chain: ChainNodes,
-    /// The rig as it was declared or proposed, with the reasons of a proposal.
+    /// The rig as declared or proposed, with the reasons of a proposal.
     pub(crate) declared: Proposal,
-    /// The right hand, where there is one.
+    /// The node of the right hand, if one was found.
     pub(crate) hand: Option<usize>,
-    /// The point of the floor below its effector in the bind pose.
+    /// The point on the floor below the effector in the bind pose, world space.
     pub(crate) floor: Vec3,
-    /// True for the mannequin with its own rig, for which there is compiled code.
+    /// `true` for the mannequin with its own rig, for which compiled code exists.
     pub(crate) is_mannequin: bool,
 }
 
 impl Character {
-    /// The mannequin that walks, runs, jumps, turns and waves.
+    /// Creates the built-in mannequin, with clips of walking, running, jumping, turning and waving.
     ///
     /// # Errors
-    /// None that can be met: it is made of constants.
+    /// None in practice: the mannequin is built from constants.
     pub(crate) fn mannequin() -> Result<Self, String> {
         let model = Mannequin::new().with_moves().glb(|_| PAPER_AXES).map_err(|error| error.to_string())?;
         let document = Document::from_bytes(&model).map_err(|error| error.to_string())?;
@@ -47,10 +47,10 @@ impl Character {
         Ok(Self { is_mannequin: true, ..Self::new("the mannequin", document, rig)? })
     }
 
-    /// A file's character, with the rig of another file or a proposed one.
+    /// Loads a character from a file, with a rig from a TOML file or a proposed one.
     ///
     /// # Errors
-    /// Files that cannot be read or do not fit, in words that name them.
+    /// If a file cannot be read or the rig does not fit the model; the message names the file.
     pub(crate) fn open(file: &Path, rig: Option<&Path>) -> Result<Self, String> {
         let document = Document::load(file).map_err(|error| error.in_file(file))?;
         let name = file.file_name().unwrap_or_default().to_string_lossy();
@@ -58,19 +58,19 @@ impl Character {
         Self::new(&name, document, text.as_ref().map(|(name, text)| (name.as_str(), text.as_str())))
     }
 
-    /// A character whose file is in memory.
+    /// Loads a character from a file in memory, with a proposed rig.
     ///
     /// # Errors
-    /// As [`open`](Self::open).
+    /// See [`open`](Self::open).
     pub(crate) fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, String> {
         let document = Document::from_bytes(bytes).map_err(|error| format!("{name}: {error}"))?;
         Self::new(name, document, None)
     }
 
-    /// The same model with another rig, given as text under a name.
+    /// Returns the same model with another rig; `rig` is the name for error messages, `text` the TOML.
     ///
     /// # Errors
-    /// A rig that is none or has other bones.
+    /// If the text is not a rig, or the rig's bones are not in the model.
     pub(crate) fn with_rig(&self, rig: &str, text: &str) -> Result<Self, String> {
         Self::new(&self.name, Arc::clone(&self.document), Some((rig, text)))
     }
@@ -127,29 +127,29 @@ impl Character {
         self.document.clips()
     }
 
-    /// Which clip has this name.
+    /// Returns the index of the clip with this name.
     ///
     /// # Errors
-    /// None has.
+    /// If no clip has the name.
     pub(crate) fn clip(&self, name: &str) -> Result<usize, String> {
         self.document.clip(name).map_err(|error| format!("{}: {error}", self.name))?;
         Ok(self.clips().iter().position(|clip| clip.name() == name).unwrap_or(0))
     }
 
-    /// A metre of a character of 1.7 m, in the file's units.
+    /// Returns the length, in the file's units, that corresponds to 1 m if the character is 1.7 m tall.
     pub(crate) fn metre(&self) -> f32 {
         #[expect(clippy::cast_possible_truncation, reason = "a size")]
         let metre = self.measurement.metre() as f32;
         metre
     }
 
-    /// Up, forward and left in the world.
+    /// Returns the character's up, forward and left directions: unit vectors, world space.
     pub(crate) fn directions(&self) -> [Vec3; 3] {
         let Measurement { up, forward, left, .. } = &self.measurement;
         [up, forward, left].map(|direction| direction.as_vec3().normalize_or_zero())
     }
 
-    /// Place of the effector in the bind pose.
+    /// Returns the position of the effector in the bind pose, world space.
     pub(crate) fn effector(&self) -> Vec3 {
         let origin = DVec3::from_array(self.spec().effector.origin);
         self.measurement.bind_world[self.chain.joints[0]].transform_point3(origin).as_vec3()

@@ -1,4 +1,4 @@
-//! Keys and the mouse: the one place that turns input into changes of what is shown.
+//! Keyboard and mouse control of the stage, the camera and what is shown.
 
 use aim_runtime::glam::{Vec2, Vec3};
 use eframe::egui::{Context, InputState, Key, PointerButton, Rect, Response};
@@ -8,18 +8,20 @@ use crate::gizmos::{Shown, TARGET};
 use crate::stage::Stage;
 use crate::tools::Tool;
 
-/// Speeds of held keys: of the target, metres of a 1.7 m character a second; of the camera, radians a second; of the zoom,
-/// to the power of seconds.
+/// Speed of the target while a key is held, metres of a 1.7 m character per second.
 const TARGET_SPEED: f32 = 1.2;
+/// Speed of the camera's turn while a key is held, radians per second.
 const TURN_SPEED: f32 = 1.5;
+/// Factor of the camera's distance per second while the zoom key is held.
 const ZOOM_SPEED: f32 = 0.4;
-/// Turn by the mouse, radians a point, and zoom by its wheel, to the power of points.
+/// Turn of the camera per point of mouse movement, radians.
 const MOUSE_TURN: f32 = 0.008;
+/// Factor of the camera's distance per point of scrolling.
 const WHEEL_ZOOM: f32 = 0.998;
-/// The target is taken hold of within this distance from its edge, points.
+/// Distance from the target's edge within which the mouse picks it up, points.
 const GRASP: f32 = 12.0;
 
-/// Every key with what it does, for the help; the paper's are the first.
+/// The keys and their actions, for the help; those of the paper come first.
 pub(crate) const KEYS: [(&str, &str); 14] = [
     ("I K", "target up, down"),
     ("J L", "target left, right"),
@@ -37,7 +39,7 @@ pub(crate) const KEYS: [(&str, &str); 14] = [
     ("H", "this panel on, off"),
 ];
 
-/// Actions of the mouse in the scene.
+/// The mouse actions in the scene, for the help.
 pub(crate) const MOUSE: [(&str, &str); 4] = [
     ("Drag the target", "moves it across the view"),
     ("Drag elsewhere", "turns the camera"),
@@ -45,22 +47,22 @@ pub(crate) const MOUSE: [(&str, &str); 4] = [
     ("Wheel", "camera nearer, further"),
 ];
 
-/// The thing that the mouse drags.
+/// The object of a mouse drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Held {
-    /// The target of the figure that stands so far aside.
+    /// The target of the figure with this offset.
     Target(Vec3),
-    /// The view: it turns.
+    /// The view, which the drag turns.
     View,
 }
 
-/// Keys that are held or were pressed.
+/// Applies the keys that are held or were pressed in this frame.
 pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, shown: &mut Shown, seconds: f32) {
     if context.egui_wants_keyboard_input() {
         return;
     }
     context.input(|input| {
-        // With these, keys are the window's or the browser's.
+        // Key combinations with these modifiers belong to the window or the browser.
         if input.modifiers.command || input.modifiers.ctrl || input.modifiers.alt {
             return;
         }
@@ -95,13 +97,13 @@ pub(crate) fn keys(context: &Context, stage: &mut Stage, camera: &mut Camera, sh
     });
 }
 
-/// One of two keys: 1, the other: −1, none or both: 0.
+/// Returns 1 while only `plus` is held, −1 while only `minus` is, otherwise 0.
 fn either(input: &InputState, plus: Key, minus: Key) -> f32 {
     f32::from(i8::from(input.key_down(plus)) - i8::from(input.key_down(minus)))
 }
 
 fn move_target(input: &InputState, stage: &mut Stage, camera: &Camera, seconds: f32) {
-    // As the viewer sees it, but level: up is the character's.
+    // Move relative to the view, but along the character's up and the horizontal plane.
     let up = camera.directions[0];
     let [right, ..] = camera.axes();
     let nearer = right.cross(up);
@@ -123,7 +125,7 @@ fn move_camera(input: &InputState, camera: &mut Camera, metre: f32, seconds: f32
     camera.zoom(ZOOM_SPEED.powf(seconds * either(input, Key::Z, Key::X)), metre);
 }
 
-/// The mouse over the scene: it drags the target, turns the view, moves it with another button, and zooms.
+/// Applies the mouse in the scene: it drags the target, turns the view, moves the view with another button, and zooms.
 pub(crate) fn mouse(scene: &Response, stage: &mut Stage, camera: &mut Camera, held: &mut Option<Held>) {
     let rect = scene.rect;
     let delta = Vec2::new(scene.drag_delta().x, scene.drag_delta().y);
@@ -154,7 +156,8 @@ pub(crate) fn mouse(scene: &Response, stage: &mut Stage, camera: &mut Camera, he
     }
 }
 
-/// Shift of the figure whose target is under a point of the scene, which is given from its upper left.
+/// Returns the offset of the figure whose target is under a point of the scene, given relative to its upper left
+/// corner.
 fn figure_of_target(stage: &Stage, camera: &Camera, rect: Rect, at: Vec2) -> Option<Vec3> {
     let size = Vec2::new(rect.width(), rect.height());
     let edge = camera.axes()[1] * (TARGET * stage.character.metre());

@@ -27,23 +27,23 @@ pub(crate) use movers::Movers;
 pub(crate) use sheet::Place;
 use sheet::{Printer, Sheet};
 
-/// Resources on the graphics card.
+/// GPU resources.
 pub(crate) struct Canvas {
     context: Context,
-    /// Model of the current surface.
+    /// Buffers of the current surface; `None` before the first picture.
     model: Option<Model>,
     figures: Figures,
     marks: Marks,
     fans: Fans,
     floor: Floor,
-    /// As large as the place.
+    /// Off-screen target with the size of the destination.
     sheet: Option<Sheet>,
     printer: Printer,
 }
 
 impl Canvas {
     /// # Errors
-    /// Why this OpenGL cannot draw, in words.
+    /// If shaders or buffers cannot be created with this OpenGL context.
     pub(crate) fn new(gl: Arc<glow::Context>) -> Result<Self, String> {
         let make = || {
             let context = Context::from_gl_context(gl)?;
@@ -61,7 +61,7 @@ impl Canvas {
         make().map_err(|error: CoreError| format!("the graphics need OpenGL 3.3 or WebGL 2: {error}"))
     }
 
-    /// Draws all over the place.
+    /// Draws the picture over the whole of `place`.
     pub(crate) fn draw(&mut self, picture: &Picture, place: Place) {
         let size = [place.width, place.height].map(|side| side.max(1));
         let light = Light::new(picture, Viewport::new_at_origo(size[0], size[1]));

@@ -7,18 +7,21 @@ use aim_runtime::glam::Vec3;
 
 use crate::character::Character;
 
-/// How far the floor rises for a way ahead and to the left.
+/// Slope of the floor in the character's forward direction, rise over run.
 const AHEAD: f32 = 0.16;
+/// Slope of the floor to the character's left, rise over run.
 const LEFT: f32 = 0.1;
-/// From the ankle to the ball, metres of a character of 1.7 m.
+/// Horizontal distance from the ankle to the ball of the foot, metres of a 1.7 m character.
 const BALL: f32 = 0.1;
-/// A foot stands while its ball is no higher and no faster than this: metres, and metres a second, of a character of 1.7 m.
+/// Height of the ball above the floor below which a foot may be planted, metres of a 1.7 m character.
 const LOW: f32 = 0.045;
+/// Speed of the ball up to which a foot may be planted, metres of a 1.7 m character per second.
 const SLOW: f32 = 0.35;
-/// What goes further than this in a frame has jumped: a clip that begins again. Metres of a character of 1.7 m.
+/// Movement in one frame above which the foot is taken to have jumped, as when a clip restarts, metres of a 1.7 m
+/// character.
 const JUMP: f32 = 0.5;
 
-/// A plane through the point below the character.
+/// The sloped floor: a plane through the point below the character.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Slope {
     centre: Vec3,
@@ -33,7 +36,7 @@ impl Slope {
         Self { centre: character.floor, up, normal }
     }
 
-    /// Height of the floor at a point over the floor's middle.
+    /// Returns the height of the floor at a point, relative to the floor's centre.
     pub(crate) fn height(&self, point: Vec3) -> f32 {
         let off = point - self.centre;
         (off - self.up * off.dot(self.up)).dot(self.normal) / -self.up.dot(self.normal)
@@ -50,16 +53,16 @@ impl Slope {
 pub(crate) struct Feet {
     figure: Figure,
     stance: Stance,
-    /// The ankles, and the balls in their spaces.
+    /// For each foot, the node of the ankle, and the position of the ball in the ankle's space.
     balls: Vec<(usize, Vec3)>,
     pelvis: usize,
     metre: f32,
-    /// Where the balls were in the frame before, as animated.
+    /// Animated positions of the balls in the previous frame.
     before: Vec<Vec3>,
 }
 
 impl Feet {
-    /// `None` of a character whose legs are not told by the names of its bones.
+    /// Returns `None` if the names of the bones do not identify the character's legs.
     pub(crate) fn new(character: &Character) -> Option<Self> {
         let skeleton = character.skeleton();
         let pelvis = character.measurement.with_role(Role::Hips)?.node;
@@ -92,7 +95,7 @@ impl Feet {
         })
     }
 
-    /// Puts a pose that is so far aside onto the slope.
+    /// Adapts the pose of a figure with offset `shift` to the slope.
     pub(crate) fn apply(
         &mut self,
         slope: &Slope,
@@ -109,14 +112,14 @@ impl Feet {
         let balls: Vec<Vec3> = self.balls.iter().map(|&(bone, ball)| model[bone].transform_point3(ball)).collect();
         let raised = slope.up * slope.height(Vec3::from(model[self.pelvis].translation) + shift);
         for (at, foot) in self.stance.feet_mut().iter_mut().enumerate() {
-            // As animated: low, and at rest.
+            // A foot stands if its animated ball is low and slow.
             let height = (balls[at] - slope.centre).dot(slope.up);
             let way = self.before.get(at).map_or(0.0, |before| balls[at].distance(*before));
             if way > JUMP * metre {
                 foot.reset();
             }
             let stands = height < LOW * metre && way <= SLOW * metre * dt;
-            // Nothing is decided while no time passes.
+            // A frame without time changes no foot.
             if dt > 0.0 && stands {
                 foot.plant();
             } else if dt > 0.0 {
@@ -134,7 +137,7 @@ impl Feet {
         Ok(())
     }
 
-    /// Points at which the feet are planted.
+    /// Returns the points at which feet are planted.
     pub(crate) fn anchors(&self) -> impl Iterator<Item = Vec3> {
         self.plants().iter().filter_map(Plant::anchor)
     }
@@ -143,14 +146,15 @@ impl Feet {
         self.stance.feet()
     }
 
-    /// The ankles, and the balls in their spaces.
+    /// Returns, for each foot, the node of the ankle and the position of the ball in the ankle's space.
     #[cfg(test)]
     pub(crate) fn balls(&self) -> impl Iterator<Item = (usize, Vec3)> {
         self.balls.iter().copied()
     }
 }
 
-/// The first bone that is named for a foot, of each leg: a pelvis, a thigh and a shank are above it.
+/// Returns the first bone of each leg whose name contains `foot`, at least three bones below the pelvis, so that the
+/// pelvis, a thigh and a shank lie above it.
 fn feet(skeleton: &Skeleton, pelvis: usize) -> Vec<usize> {
     let name = |bone: usize| skeleton.nodes()[bone].vrm_bone.as_ref().unwrap_or(&skeleton.names()[bone]).to_lowercase();
     let mut found: Vec<usize> = Vec::new();

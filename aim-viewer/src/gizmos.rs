@@ -1,4 +1,4 @@
-//! The picture of a stage: its figures, and rays, cones, axes and trails that explain their aiming.
+//! Builds the picture of a stage: the figures, and rays, cones, axes and trails that visualise the aiming.
 
 use std::f32::consts::PI;
 
@@ -16,27 +16,27 @@ use crate::stage::Stage;
 /// Parts of the scene that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shown {
-    /// The reference frames of the bones.
+    /// Local axes of the bones.
     pub axes: bool,
-    /// Gaze rays.
+    /// Rays of the gazes.
     pub gaze: bool,
-    /// Limit cones.
+    /// Ranges of motion of the joints, as cones.
     pub limits: bool,
-    /// Boxes of the bones, and what of them is under the mouse pointer.
+    /// Bounding boxes of the bones, and the triangle under the mouse pointer.
     pub boxes: bool,
     /// A lamp in the right hand.
     pub lamp: bool,
-    /// A sloped floor, feet planted on it.
+    /// A sloped floor with planted feet.
     pub feet: bool,
     /// Trail of the target.
     pub trail: bool,
-    /// Error and angles over time.
+    /// Plots of the error and the angles over time.
     pub plots: bool,
-    /// Time of solving.
+    /// Time that solving takes.
     pub timing: bool,
-    /// The panel.
+    /// The settings panel.
     pub panel: bool,
-    /// On dark ground.
+    /// Dark background.
     pub dark: bool,
 }
 
@@ -58,29 +58,35 @@ impl Default for Shown {
     }
 }
 
-// Okabe and Ito's colours, which colour-blind people tell apart.
+// The palette of Okabe and Ito, which is distinguishable with colour blindness.
 pub(crate) const GREEN: Colour = [0, 158, 115, 255];
 pub(crate) const ORANGE: Colour = [230, 159, 0, 255];
 pub(crate) const VERMILION: Colour = [213, 94, 0, 255];
 pub(crate) const BLUE: Colour = [86, 180, 233, 255];
 pub(crate) const PURPLE: Colour = [204, 121, 167, 255];
-/// Of a bone's own X, Y and Z, as everywhere.
+/// Colours of a bone's X, Y and Z axes: red, green and blue, as usual.
 const AXES: [Colour; 3] = [[232, 72, 85, 255], [120, 190, 60, 255], [66, 135, 245, 255]];
-/// Of each joint's cone and curves, from the effector inward.
+/// Colours of each joint's cone and curves, from the effector inward.
 const CONES: [Colour; 4] = [[86, 180, 233, 70], [230, 159, 0, 60], [204, 121, 167, 60], [0, 158, 115, 60]];
 
-/// The target's radius, the thickness of rays, the radius of points at which feet are planted, the thickness of axes and trails, metres of a character of 1.7 m.
+/// Radius of the target, metres of a 1.7 m character.
 pub(crate) const TARGET: f32 = 0.035;
+/// Radius of gaze rays, metres of a 1.7 m character.
 const RAY: f32 = 0.004;
+/// Radius of the points at which feet are planted, metres of a 1.7 m character.
 const ANCHOR: f32 = 0.018;
+/// Radius of the axes of an aimed bone, metres of a 1.7 m character. Other bones have half of it.
 const AXIS: f32 = 0.005;
+/// Radius of the target's trail, metres of a 1.7 m character.
 const TRAIL: f32 = 0.003;
-/// The lengths of a chain bone's axes, of another bone's, and of cones.
+/// Length of the axes of an aimed bone, metres of a 1.7 m character.
 const AXIS_LENGTH: f32 = 0.14;
+/// Length of the axes of other bones, metres of a 1.7 m character.
 const SMALL_AXIS_LENGTH: f32 = 0.05;
+/// Length of limit cones, metres of a 1.7 m character.
 const CONE_LENGTH: f32 = 0.3;
 
-/// The colour of a solver's curves.
+/// Returns the colour of a solver's curves.
 pub(crate) fn colour_of_solver(solver: Solver) -> Colour {
     match solver {
         Solver::Natural => BLUE,
@@ -89,13 +95,13 @@ pub(crate) fn colour_of_solver(solver: Solver) -> Colour {
     }
 }
 
-/// The colour of a joint's curves: its cone's, opaque.
+/// Returns the colour of a joint's curves: the colour of its cone, opaque.
 pub(crate) fn colour_of_joint(at: usize) -> Colour {
     let [r, g, b, _] = CONES[at % CONES.len()];
     [r, g, b, 255]
 }
 
-/// The colour of a gaze by what became of it.
+/// Returns the colour of a gaze with this status.
 pub(crate) fn colour_of(status: Status) -> Colour {
     match status {
         Status::Reached => GREEN,
@@ -107,7 +113,7 @@ pub(crate) fn colour_of(status: Status) -> Colour {
 }
 
 impl Stage {
-    /// The picture as the camera sees it.
+    /// Returns the picture as seen by the camera.
     pub(crate) fn picture(&self, camera: &Camera, shown: Shown) -> Picture {
         let character = &self.character;
         let metre = character.metre();
@@ -183,7 +189,7 @@ impl Stage {
         }
     }
 
-    /// From each eye as far as the target is away.
+    /// Adds a ray from each eye along its gaze, as long as the distance to the target.
     fn show_gaze(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame) {
         let shift = actor.shift;
         let radius = RAY * self.character.metre();
@@ -195,7 +201,7 @@ impl Stage {
         }));
     }
 
-    /// The paper's reference frames: each bone's own X, Y and Z, those of the chain long.
+    /// Adds the local X, Y and Z axes of each bone, as in the paper's figures; those of aimed bones are longer.
     fn show_axes(&self, picture: &mut Picture, frame: &AimedFrame, shift: Vec3) {
         let metre = self.character.metre();
         let chain = &self.character.chain;
@@ -212,7 +218,7 @@ impl Stage {
         }
     }
 
-    /// Each joint's range of motion about where its forward is without its own turn.
+    /// Adds each joint's range of motion, relative to its forward direction without its own correction.
     fn show_limits(&self, picture: &mut Picture, actor: &Actor, frame: &AimedFrame) {
         let length = CONE_LENGTH * self.character.metre();
         for (at, &correction) in actor.character.corrections().iter().enumerate() {
@@ -242,13 +248,13 @@ fn direction(v: [f64; 3]) -> Vec3 {
     DVec3::from_array(v).as_vec3()
 }
 
-/// A bone's directions in the world, of length one, before the correction was multiplied in.
+/// Returns a map from a bone's local directions to unit vectors in the world, without the bone's correction.
 fn unturned(world: &DAffine3, correction: Quat) -> impl Fn(Vec3) -> Vec3 {
     let (world, back) = (*world, correction.inverse());
     move |v| world.transform_vector3((back * v).as_dvec3()).as_vec3().normalize_or_zero()
 }
 
-/// Points around a box of heading × pitch, in order.
+/// Returns points along the outline of a heading × pitch rectangle, in order.
 fn around(heading: [f32; 2], pitch: [f32; 2]) -> impl Iterator<Item = [f32; 2]> {
     const STEPS: u8 = 16;
     let side = |a: [f32; 2], b: [f32; 2]| {

@@ -1,4 +1,4 @@
-//! [`Lamp`]: a thing in the right hand.
+//! [`Lamp`]: a lamp attached to the right hand.
 
 use aim_animation::attached;
 use aim_runtime::glam::{Affine3A, DAffine3, Mat3A, Vec3};
@@ -6,36 +6,37 @@ use aim_runtime::glam::{Affine3A, DAffine3, Mat3A, Vec3};
 use crate::character::Character;
 use crate::picture::{Colour, Fan, Picture, Rod};
 
-/// Ends of the handle and of the head along the lamp, and how far it shines, metres of a character of 1.7 m; its handle
-/// lies in the hand.
+/// Positions along the lamp: back and front of the handle, front of the head, end of the light; metres of a 1.7 m
+/// character. The origin lies in the hand.
 const ENDS: [f32; 4] = [-0.07, 0.08, 0.15, 0.75];
-/// Radii of handle, head and light.
+/// Radii of the handle, the head, and the end of the light, metres of a 1.7 m character.
 const RADII: [f32; 3] = [0.016, 0.03, 0.16];
 const HANDLE: Colour = [60, 60, 66, 255];
 const HEAD: Colour = [230, 230, 224, 255];
 const LIGHT: Colour = [255, 226, 130, 70];
-/// Corners of the light's rim.
+/// Number of corners of the light's rim.
 const CORNERS: u8 = 24;
-/// From the wrist to the middle of the hand.
+/// Distance from the wrist to the middle of the hand, metres of a 1.7 m character.
 const PALM: f32 = 0.08;
 
-/// A lamp, and how the hand holds it.
+/// A lamp and its attachment to the hand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lamp {
     hand: usize,
-    /// The lamp in the space of the hand: it shines along its Z, and its units are the file's.
+    /// Transform of the lamp in the hand's space, in the file's units. The lamp shines along its Z.
     grip: Affine3A,
     metre: f32,
 }
 
 impl Lamp {
-    /// In the middle of the hand, along the forearm as the bind pose has it. `None` without a right hand.
+    /// Places the lamp in the middle of the right hand, along the forearm in the bind pose. Returns `None` if the
+    /// character has no right hand.
     pub(crate) fn new(character: &Character) -> Option<Self> {
         let hand = character.hand?;
         let bind = &character.measurement.bind_world;
         let wrist = bind[hand].translation.as_vec3();
         let metre = character.metre();
-        // Some forearms end in a bone that only twists, at the wrist.
+        // Skip twist bones at the wrist, which some forearms have.
         let mut inward = character.skeleton().ancestry(hand).map(|bone| bind[bone].translation.as_vec3());
         let elbow = inward.find(|at| at.distance(wrist) > PALM * metre)?;
         let along = (wrist - elbow).try_normalize()?;
@@ -48,7 +49,7 @@ impl Lamp {
         back.is_finite().then(|| Self { hand, grip: back * placed, metre })
     }
 
-    /// Where it is with the nodes in the world.
+    /// Returns the lamp's world transform for these world transforms of the nodes.
     pub(crate) fn place(&self, world: &[DAffine3]) -> Affine3A {
         attached(&world[self.hand].as_affine3a(), &self.grip)
     }

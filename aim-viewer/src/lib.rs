@@ -1,7 +1,7 @@
-//! A window with a live character that looks at a target.
+//! A viewer: a window with a live character that looks at a target.
 //!
-//! The runtime does the aiming; what is here shows it. `stage` holds the character and its solvers, `controls` and `panel`
-//! turn input into changes of it, `gizmos` says what there is to see, `draw` draws that.
+//! The runtime does the aiming; this crate displays it. `stage` holds the character and its solvers, `controls` and
+//! `panel` turn input into changes of the stage, `gizmos` builds a picture of it, and `draw` draws that picture.
 
 mod actor;
 mod app;

@@ -1,4 +1,4 @@
-//! The window on a desktop, and pictures of it.
+//! The desktop window, and screenshots of it.
 
 use std::cell::RefCell;
 use std::path::PathBuf;
@@ -19,26 +19,26 @@ use crate::viewer::Viewer;
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Options {
-    /// A .glb, .gltf or .vrm file; the mannequin if not given.
+    /// Model file, .glb, .gltf or .vrm; `None` for the mannequin.
     pub file: Option<PathBuf>,
-    /// Its rig; proposed if not given.
+    /// TOML file of the rig; `None` to propose one.
     pub rig: Option<PathBuf>,
-    /// The clip that is played; the first if not given.
+    /// Name of the clip to play; `None` for the default.
     pub clip: Option<String>,
-    /// Which solvers; what suits the rig if not given.
+    /// Solvers to show; `None` for those that suit the rig.
     pub lineup: Option<Lineup>,
     /// Path of the target.
     pub path: Path,
-    /// Number of characters; 0 counts as 1.
+    /// Number of characters; 0 is treated as 1.
     pub crowd: usize,
     /// Parts of the scene that are shown.
     pub shown: Shown,
-    /// A picture to take instead of staying open.
+    /// Screenshot to take, after which the window closes; `None` to stay open.
     pub shot: Option<Shot>,
 }
 
 impl Options {
-    /// The state that the window begins with.
+    /// Returns the initial state of the window.
     fn viewer(&self) -> Result<Viewer, String> {
         let character = match &self.file {
             Some(file) => Character::open(file, self.rig.as_deref())?,
@@ -62,23 +62,25 @@ impl Options {
     }
 }
 
-/// A picture of the window.
+/// A screenshot of the window.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// The PNG file.
+    /// Path of the PNG file to write.
     pub out: PathBuf,
-    /// After how many frames of a sixtieth of a second.
+    /// Number of frames of 1/60 s before the screenshot.
     pub frames: u32,
-    /// Width and height, pixels.
+    /// Width and height of the window, logical pixels.
     pub size: [u32; 2],
-    /// True to describe it as JSON.
+    /// `true` to return a description as JSON instead of a sentence.
     pub json: bool,
 }
 
-/// Opens the window and stays until it is closed, or until the picture is taken. Tells what is to be told of the picture.
+/// Opens the window and blocks until it is closed or the screenshot is taken. Returns the description of the
+/// screenshot, or an empty string without one.
 ///
 /// # Errors
-/// Files that cannot be used, no display, no OpenGL 3: in words.
+/// A message, if a file cannot be used, there is no display or no OpenGL 3, or the window is closed before the
+/// screenshot.
 pub fn run(options: Options) -> Result<String, String> {
     let viewer = options.viewer()?;
     let size = options.shot.as_ref().map_or([1280, 800], |shot| shot.size);
@@ -100,7 +102,7 @@ pub fn run(options: Options) -> Result<String, String> {
     told.replace(Ok(String::new()))
 }
 
-/// Why there is no window.
+/// Returns an error message for a window that could not be opened.
 fn in_words(error: &eframe::Error) -> String {
     const NO_OPENGL: &str = "there is no OpenGL 3 to draw with, by hardware or software";
     match error {
@@ -113,7 +115,7 @@ fn in_words(error: &eframe::Error) -> String {
     }
 }
 
-/// Waits for its frame, asks for the screen, writes it, and closes the window.
+/// Returns a callback that waits for the frame of the screenshot, requests it, writes it, and closes the window.
 fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After {
     let (mut frame, mut is_asked) = (0, false);
     Box::new(move |context, viewer| {
@@ -132,13 +134,13 @@ fn photographer(shot: Shot, told: Rc<RefCell<Result<String, String>>>) -> After 
             *told.borrow_mut() = saved.map(|()| words());
             context.send_viewport_cmd(egui::ViewportCommand::Close);
         } else if frame > shot.frames && !std::mem::replace(&mut is_asked, true) {
-            // No time passes any more: whichever frame it is, it is the same.
+            // Time stands still from here on, so it does not matter which frame is captured.
             context.send_viewport_cmd(egui::ViewportCommand::Screenshot(egui::UserData::default()));
         }
     })
 }
 
-/// Writes a picture as PNG, as small as it gets, whole or not at all.
+/// Writes an image as PNG with the best compression. The file is written completely or not at all.
 fn save(image: &egui::ColorImage, out: &std::path::Path) -> Result<(), String> {
     let [width, height] = image.size.map(|side| u32::try_from(side).unwrap_or(u32::MAX));
     let opaque: Vec<u8> = image.as_raw().chunks_exact(4).flat_map(|pixel| &pixel[..3]).copied().collect();

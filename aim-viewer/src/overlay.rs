@@ -1,4 +1,4 @@
-//! Texts over the scene: names, status, time of solving, and trouble.
+//! Text over the scene: names, status, solving time, and errors.
 
 use aim_runtime::Status;
 use aim_runtime::glam::{self, Vec3};
@@ -13,12 +13,13 @@ use crate::viewer::Viewer;
 
 /// Distance from the scene's edges, points.
 const MARGIN: f32 = 10.0;
-/// Notes are not made narrower than this, points.
+/// Least width of a note, points.
 const NARROWEST: f32 = 80.0;
-/// The height of a figure's label, points.
+/// Height of a figure's label, points.
 const LABEL: f32 = 30.0;
-/// Time that the hint stays, and time that it takes to fade, seconds.
+/// Time for which the hint is shown, seconds.
 const HINT: f64 = 8.0;
+/// Duration of the hint's fading, at the end of its time, seconds.
 const FADE: f64 = 2.0;
 
 pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
@@ -41,7 +42,7 @@ pub(crate) fn show(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     }
 }
 
-/// Something in a corner of the scene that the mouse goes through.
+/// Shows contents in a corner of the scene, transparent to the mouse.
 fn note(context: &egui::Context, scene: Rect, id: &str, corner: Align2, contents: impl FnOnce(&mut Ui)) {
     let at = corner.pos_in_rect(&scene.shrink(MARGIN));
     area(scene, Id::new(id)).interactable(false).pivot(corner).fixed_pos(at).show(context, |ui| {
@@ -85,14 +86,14 @@ fn status(ui: &mut Ui, stage: &Stage, age: f64) {
     }
 }
 
-/// A spot of a colour, as high as a line.
+/// Adds a coloured dot, as high as a line of text.
 pub(crate) fn dot(ui: &mut Ui, [r, g, b, _]: Colour) {
     let size = Vec2::splat(ui.text_style_height(&egui::TextStyle::Body));
     let (rect, _) = ui.allocate_exact_size(size, egui::Sense::empty());
     ui.painter().circle_filled(rect.center(), 0.3 * rect.width(), Color32::from_rgb(r, g, b));
 }
 
-/// A status in a word, and what it means.
+/// Returns the name of a status and its meaning.
 fn words(status: Status) -> (&'static str, &'static str) {
     match status {
         Status::Reached => ("reached", "on the target"),
@@ -121,7 +122,7 @@ fn timing(ui: &mut Ui, stage: &Stage) {
     }
 }
 
-/// A solver's name under its figure: over it are gazes and targets.
+/// Shows a solver's name below its figure; above the figure are gazes and targets.
 fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor: &Actor) {
     let Some(feet) = on_screen(viewer, scene, viewer.stage.character.floor + actor.shift) else { return };
     let place = feet.min(Pos2::new(f32::INFINITY, scene.bottom() - LABEL));
@@ -137,13 +138,13 @@ fn label(context: &egui::Context, scene: Rect, viewer: &Viewer, at: usize, actor
     });
 }
 
-/// Place of a point of the world on the screen; `None` behind the camera.
+/// Returns the screen position of a world point; `None` if it is behind the camera.
 pub(crate) fn on_screen(viewer: &Viewer, scene: Rect, point: Vec3) -> Option<Pos2> {
     let seen = viewer.camera.project(point, glam::Vec2::new(scene.width(), scene.height()))?;
     Some(scene.min + Vec2::new(seen.x, seen.y))
 }
 
-/// A button that brings the panel back.
+/// Shows a button that opens the panel.
 fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
     let corner = Align2::RIGHT_TOP;
     let at = corner.pos_in_rect(&scene.shrink(MARGIN));
@@ -157,7 +158,7 @@ fn open_panel(context: &egui::Context, scene: Rect, viewer: &mut Viewer) {
 fn trouble(context: &egui::Context, viewer: &mut Viewer) {
     let Some(text) = viewer.trouble.clone() else { return };
     let window = context.content_rect().shrink(MARGIN);
-    // Each text finds its own size.
+    // The text is part of the id, so that each text gets its own size.
     let area = area(window, Id::new(("trouble", &text))).order(egui::Order::Foreground);
     area.pivot(Align2::CENTER_TOP).fixed_pos(window.center_top()).show(context, |ui| {
         let red = ui.visuals().error_fg_color;

@@ -1,4 +1,4 @@
-//! The panel at the side: everything that can be set.
+//! The side panel with all settings.
 
 mod joint;
 pub(crate) mod widgets;
@@ -19,14 +19,15 @@ use crate::tools::Tool;
 use crate::tuning::Lineup;
 use crate::viewer::Viewer;
 
-/// The panel's width, points.
+/// Default width of the panel, points.
 const WIDTH: f32 = 330.0;
+/// Widths to which the panel can be resized, points.
 const WIDTHS: RangeInclusive<f32> = 250.0..=460.0;
-/// The animation's speed: 1 is real time.
+/// Range of the animation's speed; 1 is real time.
 const SPEEDS: RangeInclusive<f32> = 0.0..=3.0;
-/// Number of characters.
+/// Range of the number of characters.
 const CROWD: RangeInclusive<usize> = 1..=100;
-/// Distance of a target from the bind pose's effector, metres of a 1.7 m character.
+/// Range of the target's coordinates relative to the effector in the bind pose, metres of a 1.7 m character.
 const PLACES: RangeInclusive<f32> = -20.0..=20.0;
 
 pub(crate) fn show(ui: &mut Ui, viewer: &mut Viewer) {
@@ -115,7 +116,7 @@ fn animation(ui: &mut Ui, stage: &mut Stage) {
     });
 }
 
-/// A list of clips: the first stands for none.
+/// Shows a list of clips; the first entry means no clip.
 fn pick(ui: &mut Ui, what: &str, chosen: &mut Option<usize>, clips: &[String]) {
     let at = chosen.map_or(0, |clip| clip + 1);
     let width = ui.available_width();
@@ -304,7 +305,7 @@ fn rig(ui: &mut Ui, viewer: &mut Viewer) {
     });
 }
 
-/// The rig as it is set now, in one of the two notations.
+/// Returns the rig with its present settings, in one of the two notations.
 fn declared_as(stage: &Stage, notation: fn(&Proposal, &str) -> String) -> String {
     let Proposal { reasons, .. } = &stage.character.declared;
     let now = Proposal { spec: stage.tuning.spec.clone(), reasons: reasons.clone() };

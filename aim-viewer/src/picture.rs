@@ -1,5 +1,5 @@
-//! [`Picture`]: what there is to see in one frame, as plain numbers in the world of the file. The state makes it, `draw`
-//! shows it; neither knows the other.
+//! [`Picture`]: the contents of one frame as plain numbers, in the file's world space. The stage builds it and `draw`
+//! draws it; neither depends on the other.
 
 use std::sync::Arc;
 
@@ -8,92 +8,92 @@ use aim_runtime::glam::Vec3;
 
 use crate::skinning::Skinning;
 
-/// Red, green, blue and opacity, sRGB.
+/// Red, green, blue and opacity, 0…255, sRGB.
 pub(crate) type Colour = [u8; 4];
 
-/// One frame.
+/// The contents of one frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
-    /// From where it is seen.
+    /// The camera.
     pub(crate) view: Perspective,
     /// Surface of the figures: the same [`Arc`] as long as the character stays the same.
     pub(crate) surface: Arc<Surface>,
-    /// What moves its vertices.
+    /// Skinning of the surface's vertices.
     pub(crate) skinning: Arc<Skinning>,
     /// The figures: one, several side by side, or a crowd.
     pub(crate) figures: Vec<Figure>,
-    /// Rods: gaze rays, bones' axes, trails, and targets, which are rods without length.
+    /// Rods: gaze rays, bone axes, trails, and targets, which are rods of length 0.
     pub(crate) rods: Vec<Rod>,
     /// Fans: limit cones.
     pub(crate) fans: Vec<Fan>,
     /// The floor.
     pub(crate) ground: Ground,
-    /// True for a dark background.
+    /// `true` for a dark background.
     pub(crate) dark: bool,
 }
 
 /// A perspective view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Perspective {
-    /// Place of the camera.
+    /// Position of the camera.
     pub(crate) from: Vec3,
-    /// The point that it looks at.
+    /// Point at which the camera looks.
     pub(crate) at: Vec3,
-    /// Its up, of length one.
+    /// Up direction of the camera, unit vector.
     pub(crate) up: Vec3,
-    /// The vertical angle of view, radians.
+    /// Vertical field of view, radians.
     pub(crate) field_rad: f32,
-    /// Nearer than this, and further, nothing is seen.
+    /// Distances of the near and far clipping planes.
     pub(crate) depth: [f32; 2],
 }
 
 /// One posed character.
 #[derive(Clone, Debug)]
 pub(crate) struct Figure {
-    /// Three rows for each joint, world ← mesh.
+    /// Three rows of each joint's skinning matrix, world ← mesh.
     pub(crate) rows: Vec<[f32; 4]>,
-    /// A weight for each morph target.
+    /// Weight of each morph target.
     pub(crate) morphs: Vec<f32>,
-    /// The lowest and the highest coordinates, which no vertex leaves.
+    /// Bounding box of all vertices, `[low, high]`.
     pub(crate) bounds: [Vec3; 2],
 }
 
-/// A cylinder with round ends; without length a ball.
+/// A capsule: a cylinder with hemispherical ends. With length 0, a ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Rod {
-    /// One end.
+    /// One end of the axis.
     pub(crate) from: Vec3,
-    /// The other.
+    /// The other end of the axis.
     pub(crate) to: Vec3,
-    /// Half as thick as it is.
+    /// Radius of the cylinder and its ends.
     pub(crate) radius: f32,
     pub(crate) colour: Colour,
-    /// True if it is shaded.
+    /// `true` if the rod is shaded.
     pub(crate) is_lit: bool,
-    /// True to draw it over the figures, as bones' axes are.
+    /// `true` if the rod is drawn over the figures, as the bones' axes are.
     pub(crate) in_front: bool,
 }
 
-/// A translucent cone of any shape: triangles from the apex to each piece of the closed rim, seen from both sides.
+/// A translucent cone with any base: triangles from the apex to each edge of the closed rim, visible from both sides.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fan {
-    /// Its tip.
+    /// Tip of the cone.
     pub(crate) apex: Vec3,
-    /// Its rim, in order; the last joins the first.
+    /// Points of the rim, in order; the last connects to the first.
     pub(crate) rim: Vec<Vec3>,
-    /// Unlit, translucent.
+    /// Colour, drawn without lighting.
     pub(crate) colour: Colour,
 }
 
-/// A round floor with a grid, faint and fading towards its edge.
+/// A round floor with a faint grid that fades towards the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ground {
-    /// Its middle.
+    /// Centre of the floor.
     pub(crate) centre: Vec3,
-    /// Its normal, of length one.
+    /// Unit normal of the floor.
     pub(crate) up: Vec3,
-    /// Its radius.
+    /// Radius of the floor.
     pub(crate) radius: f32,
-    /// Between the grid's lines.
+    /// Spacing of the grid's lines.
     pub(crate) step: f32,
 }

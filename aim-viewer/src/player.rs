@@ -1,4 +1,5 @@
-//! [`Player`]: what a character does by itself: a clip, perhaps another one on its upper body, and the way from one to the next.
+//! [`Player`]: the animation of a character: a clip, optionally another on the upper body, and transitions between
+//! clips.
 
 use aim_animation::{Blender, Clip, Control, Cursor, Inertia, Mask, Motion, Root, RootPath, Transform, Transition};
 use aim_character::Role;
@@ -7,28 +8,28 @@ use crate::character::Character;
 
 /// Longest transition from one clip to another, seconds.
 pub(crate) const LONGEST_FADE: f32 = 2.0;
-/// Samples of a root's way, a second.
+/// Sampling rate of the root's path, Hz.
 const ROOT_HZ: f32 = 30.0;
 
-/// Clips to be played, and how.
+/// The clips to play, and playback options.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Play {
-    /// `None` is the rest pose.
+    /// Index of the clip; `None` for the rest pose.
     pub(crate) clip: Option<usize>,
-    /// The clip of the upper body, if it has one of its own.
+    /// Index of a separate clip for the upper body, if any.
     pub(crate) over: Option<usize>,
-    /// Length of the transition from one clip to another, seconds.
+    /// Duration of the transition from one clip to another, seconds.
     pub(crate) fade_s: f32,
-    /// True to leave out the movement of the root.
+    /// `true` to remove the movement of the root.
     pub(crate) in_place: bool,
 }
 
-/// Facts of a character that all who play its clips share.
+/// Data of a character that all its players share.
 #[derive(Debug)]
 pub(crate) struct Repertoire {
-    /// All that hangs on the innermost joint of the rig.
+    /// The rig's innermost joint and its descendants.
     upper_body: Mask,
-    /// The steady movement of each clip's root; `None` of a clip without length.
+    /// Average movement of each clip's root; `None` for a clip of length 0.
     motions: Vec<Option<Motion>>,
 }
 
@@ -47,18 +48,19 @@ impl Repertoire {
     }
 }
 
-/// One character that plays.
+/// The playback state of one character.
 #[derive(Clone, Debug)]
 pub(crate) struct Player {
-    /// Clips that were played last.
+    /// The clips and options of the last call; `None` before the first.
     last: Option<Play>,
     control: Control,
     over: Control,
     inertia: Inertia,
-    /// The last two poses, the older one first, and the time between them.
+    /// The last two poses, the older one first.
     shown: [Vec<Transform>; 2],
+    /// Time between the last two poses, seconds.
     dt_s: f32,
-    /// Seconds by which it is ahead of the others.
+    /// Offset of the playback time, by which characters of a crowd differ, seconds.
     phase: f32,
 }
 
@@ -70,17 +72,17 @@ impl Player {
         Self { last: None, control, over: control, inertia, shown: [rest(), rest()], dt_s: 0.0, phase }
     }
 
-    /// Seconds since the beginning of the clip.
+    /// Returns the time since the beginning of the clip, seconds.
     pub(crate) fn time(&self) -> f32 {
         self.control.time_s()
     }
 
-    /// Goes to a time of the clip, the phase aside.
+    /// Sets the time within the clip, to which the phase is added.
     pub(crate) fn seek(&mut self, time: f32, length: f32) {
         self.control.seek(if length > 0.0 { (time + self.phase) % length } else { 0.0 });
     }
 
-    /// Goes on by `dt` seconds of the animation, and tells the pose.
+    /// Advances the animation by `dt` seconds and returns the pose.
     pub(crate) fn advance(
         &mut self,
         character: &Character,
@@ -103,14 +105,14 @@ impl Player {
             let [older, newer] = &self.shown;
             let transition =
                 Transition { shown: [older, newer], next: [&next, &next], dt_s: self.dt_s, length_s: play.fade_s };
-            // Of equal lengths.
+            // Cannot fail: all slices have the skeleton's length.
             let _ = self.inertia.begin(&transition);
         }
         self.control.advance(dt, length(play.clip));
         self.over.advance(dt, length(play.over));
         self.inertia.advance(dt);
         let mut pose = self.sample(character, shared, play);
-        // Of equal lengths.
+        // Cannot fail: all slices have the skeleton's length.
         let _ = self.inertia.apply(&mut pose);
         if dt > 0.0 {
             self.shown.rotate_left(1);
@@ -120,14 +122,14 @@ impl Player {
         pose
     }
 
-    /// The pose without what a transition has left.
+    /// Returns the pose of the clips, without the offset of a transition in progress.
     fn sample(&self, character: &Character, shared: &Repertoire, play: Play) -> Vec<Transform> {
         let skeleton = character.skeleton();
         let mut pose = skeleton.rest().to_vec();
         if let Some(clip) = play.clip.and_then(|clip| character.clips().get(clip)) {
             clip.sample(self.control.time_s(), &mut Cursor::default(), &mut pose);
         }
-        // All slices are of equal lengths.
+        // Cannot fail here and below: all slices have the skeleton's length.
         if let Some(motion) = play.clip.filter(|_| play.in_place).and_then(|clip| shared.motions.get(clip)?.as_ref()) {
             let _ = motion.remove(self.control.time_s(), skeleton, &mut pose);
         }

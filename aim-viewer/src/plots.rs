@@ -1,4 +1,4 @@
-//! Error and angles over the last seconds.
+//! Plots of the error and the angles over the last seconds.
 
 use aim_character::range_in_frame;
 use aim_codegen::JointSpec;
@@ -11,14 +11,14 @@ use crate::panel::widgets::named;
 use crate::picture::Colour;
 use crate::stage::{Memory, Stage};
 
-/// Length of the past that is shown, seconds.
+/// Length of the time axis, seconds.
 const PAST: f64 = 10.0;
-/// Nothing is plotted in less room than this, points.
+/// Least width and height of the available space for which plots are shown, points.
 const LEAST: [f32; 2] = [360.0, 300.0];
 
-/// Shows them; of the joints that one which is `chosen`, or all.
+/// Shows the plots. `chosen` is the joint whose angles are plotted, or `None` for all.
 pub(crate) fn show(ui: &mut Ui, stage: &Stage, chosen: &mut Option<usize>) {
-    // There is no room for plots beside a scene.
+    // With less space, there is no room for both the scene and the plots.
     if ui.available_width() < LEAST[0] || ui.available_height() < LEAST[1] {
         return;
     }
@@ -86,7 +86,7 @@ fn angles(ui: &mut Ui, stage: &Stage, chosen: &mut Option<usize>) {
     });
 }
 
-/// The ends of a joint's range, as the added angles are counted now.
+/// Plots the ends of a joint's range, relative to the animation as the plotted angles are.
 fn limits(plot: &mut PlotUi<'_>, stage: &Stage, at: usize, joint: &JointSpec, colour: Color32) {
     let Some(frame) = stage.first().and_then(|frame| frame.joints.get(at)) else { return };
     let declared = [(joint.heading, 10.0), (joint.pitch, 4.0)];
@@ -98,7 +98,7 @@ fn limits(plot: &mut PlotUi<'_>, stage: &Stage, at: usize, joint: &JointSpec, co
     }
 }
 
-/// A plot that only shows: it takes neither the wheel nor drags.
+/// Returns a plot without interaction by scrolling or dragging.
 fn plot<'a>(name: &str, y: &str) -> Plot<'a> {
     Plot::new(name)
         .custom_x_axes(vec![AxisHints::new_x().label("time [s]").label_spacing(16.0..=24.0)])
@@ -117,7 +117,7 @@ fn set_time(plot: &mut PlotUi<'_>) {
     plot.set_plot_bounds_x(-PAST..=0.0);
 }
 
-/// A value over the seconds before now.
+/// Returns the points of a value over the time before the present, seconds.
 fn points<'a>(stage: &Stage, value: impl Fn(&Memory) -> Option<f64>) -> PlotPoints<'a> {
     let now = stage.memory.back().map_or(0.0, |memory| memory.t);
     let recent = stage.memory.iter().filter(|memory| now - memory.t <= PAST);

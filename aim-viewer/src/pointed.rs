@@ -1,4 +1,5 @@
-//! [`Pointed`]: the place of a figure that is under the mouse pointer; and the boxes of bones, by which it is found.
+//! [`Pointed`]: the point of a figure under the mouse pointer. Also draws the bounding boxes of bones, which speed up
+//! the ray cast.
 
 use aim_animation::{OrientedBox, Ray};
 use aim_runtime::glam::Vec3;
@@ -8,25 +9,27 @@ use crate::character::Character;
 use crate::gizmos::{BLUE, ORANGE, VERMILION};
 use crate::picture::{Colour, Picture, Rod};
 
-/// Half the thickness of edges, and the radius of the point that is hit, metres of a character of 1.7 m.
+/// Radius of the edges of boxes and triangles, metres of a 1.7 m character.
 const EDGE: f32 = 0.0015;
+/// Radius of the edges of the box of the bone that is pointed at, metres of a 1.7 m character.
 const THICK: f32 = 0.004;
+/// Radius of the point that is hit, metres of a 1.7 m character.
 const POINT: f32 = 0.009;
 
-/// What a ray hits of the figures.
+/// The nearest hit of a ray with the figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pointed {
-    /// Which of the actors.
+    /// Index of the actor that is hit.
     pub(crate) actor: usize,
     pub(crate) bone: usize,
-    /// The corners of the triangle, in the world.
+    /// Corners of the triangle that is hit, world space.
     pub(crate) triangle: [Vec3; 3],
-    /// The point of it, in the world.
+    /// Point of the hit, world space.
     pub(crate) point: Vec3,
 }
 
 impl Pointed {
-    /// The nearest that a ray hits.
+    /// Returns the nearest hit of a ray with the figures; `None` if it misses all.
     pub(crate) fn new(character: &Character, actors: &[Actor], ray: &Ray) -> Option<Self> {
         let hits = actors.iter().enumerate().filter_map(|(at, actor)| {
             let ray = Ray { origin: ray.origin - actor.shift, ..*ray };
@@ -39,7 +42,8 @@ impl Pointed {
     }
 }
 
-/// Shows the boxes of an actor's bones; that of `pointed` with its triangle and the point.
+/// Draws the boxes of an actor's bones. The box of the bone in `pointed` is highlighted, with the triangle and the
+/// point.
 pub(crate) fn show(picture: &mut Picture, character: &Character, actor: &Actor, pointed: Option<&Pointed>) {
     let metre = character.metre();
     let mut edge = |[from, to]: [Vec3; 2], radius: f32, colour: Colour, in_front: bool| {
@@ -60,7 +64,7 @@ pub(crate) fn show(picture: &mut Picture, character: &Character, actor: &Actor, 
     }
 }
 
-/// The twelve edges of a box: between corners whose numbers differ in one bit, once each.
+/// Returns the twelve edges of a box. Corners whose indices differ in exactly one bit are connected.
 fn edges(oriented: &OrientedBox) -> impl Iterator<Item = [Vec3; 2]> {
     let corners = oriented.corners();
     let ends = (0..8_usize).flat_map(|from| [1, 2, 4].map(|bit| (from, from | bit)));

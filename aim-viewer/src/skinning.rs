@@ -1,4 +1,5 @@
-//! [`Skinning`]: the mesh of a character, what moves its vertices, and the boxes of its bones.
+//! [`Skinning`]: the mesh of a character, the skin and morph targets that move its vertices, and the boxes of its
+//! bones.
 
 use aim_animation::glam::{Affine3A, Vec3A};
 use aim_animation::{BoneBoxes, Clip, Cursor, Hit, Mesh, MeshError, MeshPose, OrientedBox, Ray, Skin, matrix_rows};
@@ -7,19 +8,19 @@ use aim_runtime::glam::{DAffine3, Vec3};
 
 use crate::picture::Figure;
 
-/// Made once for each character.
+/// Skinning data, created once for each character.
 #[derive(Debug)]
 pub(crate) struct Skinning {
     pub(crate) mesh: Mesh,
     skin: Skin,
     boxes: BoneBoxes,
-    /// The scalar of the document's clips that is each morph target's weight.
+    /// For each morph target, the index of the clips' scalar track that drives its weight, if any.
     scalars: Vec<Option<usize>>,
-    /// The weights of the morph targets where no clip has any.
+    /// Weights of the morph targets without a clip.
     at_rest: Vec<f32>,
 }
 
-/// What moves the mesh in a frame.
+/// Joint matrices and morph weights that pose the mesh in a frame.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Posed {
     pub(crate) matrices: Vec<Affine3A>,
@@ -34,7 +35,7 @@ impl Posed {
 
 impl Skinning {
     /// # Errors
-    /// None that can be met: the surface's mesh hangs on the surface's skin.
+    /// None in practice: the mesh and the skin come from the same surface.
     pub(crate) fn new(document: &Document, surface: &Surface) -> Result<Self, MeshError> {
         let (mesh, skin) = surface.mesh(document.skeleton());
         let boxes = BoneBoxes::new(&mesh, &skin)?;
@@ -46,16 +47,17 @@ impl Skinning {
         Ok(Self { mesh, skin, boxes, scalars, at_rest: surface.morph_weights().to_vec() })
     }
 
-    /// The joint matrices for the nodes in the world.
+    /// Returns the joint matrices for these world transforms of the nodes.
     pub(crate) fn matrices(&self, world: &[DAffine3]) -> Vec<Affine3A> {
         let model: Vec<Affine3A> = world.iter().map(DAffine3::as_affine3a).collect();
         let mut matrices = vec![Affine3A::IDENTITY; self.skin.len()];
-        // Of equal lengths.
+        // Cannot fail: the slices match the skeleton and the skin.
         let _ = self.skin.matrices(&model, &mut matrices);
         matrices
     }
 
-    /// The weights of the morph targets at a time of a clip; `set` are scalars that have another value.
+    /// Returns the weights of the morph targets at a time of a clip, seconds. `set` overrides the values of scalars by
+    /// index.
     pub(crate) fn morphs(&self, clip: Option<(&Clip, f32)>, set: impl IntoIterator<Item = (usize, f32)>) -> Vec<f32> {
         let mut weights = self.at_rest.clone();
         let Some(last) = self.scalars.iter().flatten().max() else { return weights };
@@ -81,7 +83,7 @@ impl Skinning {
         weights
     }
 
-    /// The figure as it is drawn, so far aside.
+    /// Returns the figure to draw, with an offset.
     pub(crate) fn figure(&self, posed: &Posed, shift: Vec3) -> Figure {
         let shifted = |matrix: &Affine3A| Affine3A { translation: matrix.translation + Vec3A::from(shift), ..*matrix };
         let bounds = self.boxes.whole(&posed.pose()).ok().flatten();
@@ -92,18 +94,18 @@ impl Skinning {
         }
     }
 
-    /// The box of each bone that moves something, with the bone.
+    /// Returns each bone that moves vertices, with its box.
     pub(crate) fn boxes(&self, posed: &Posed) -> impl Iterator<Item = (usize, OrientedBox)> {
         let joints = self.skin.bones().iter().enumerate();
         joints.filter_map(|(joint, bone)| Some((*bone, self.boxes.oriented(joint, &posed.pose())?)))
     }
 
-    /// What a ray meets first.
+    /// Returns the first hit of a ray.
     pub(crate) fn hit(&self, posed: &Posed, ray: &Ray) -> Option<Hit> {
         self.boxes.hit(&self.mesh, &posed.pose(), ray).ok().flatten()
     }
 
-    /// The corners of a triangle in the world.
+    /// Returns the corners of a triangle in the pose, without the figure's offset.
     pub(crate) fn triangle(&self, posed: &Posed, triangle: usize) -> Option<[Vec3; 3]> {
         let corners = self.mesh.triangles().get(triangle)?;
         let mut positions = vec![Vec3::ZERO; self.mesh.positions().len()];

@@ -1,4 +1,4 @@
-//! [`Stage`]: a character that moves, a target, and the solvers that turn the one to the other, frame by frame.
+//! [`Stage`]: an animated character, its target, and the solvers that aim it, advanced frame by frame.
 
 use std::cell::OnceCell;
 use std::collections::VecDeque;
@@ -24,42 +24,42 @@ use crate::timing::Timing;
 use crate::tools::{Tools, Try};
 use crate::tuning::Tuning;
 
-/// The longest frame, seconds: what took longer is not caught up with.
+/// Longest time step of a frame, seconds. Time beyond that is dropped.
 pub(crate) const LONGEST: f32 = 0.1;
-/// A frame where frames are counted.
+/// Time step of a single step, and of every frame when frames are counted, seconds.
 pub(crate) const SIXTIETH: f32 = 1.0 / 60.0;
-/// Frames remembered for the plots and the trail.
+/// Number of frames kept for the plots and the trail.
 const REMEMBERED: usize = 600;
-/// Distance between characters, metres of a 1.7 m one.
+/// Distance between characters, metres of a 1.7 m character.
 const APART: f32 = 1.15;
 
-/// The animation's time.
+/// Playback state of the animation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Clock {
     pub(crate) play: Play,
-    /// Seconds of the animation since the clip was begun.
+    /// Animation time since the clip was started, seconds.
     pub(crate) time: f32,
     /// Speed of the animation and of the target's path: 1 is real time.
     pub(crate) speed: f32,
     pub(crate) paused: bool,
-    /// True to advance the next frame by a sixtieth of a second although all is paused.
+    /// `true` to advance the next frame by 1/60 s although the animation is paused.
     pub(crate) step: bool,
 }
 
-/// A frame, remembered.
+/// Values of a past frame, for the plots and the trail.
 #[derive(Clone, Debug)]
 pub(crate) struct Memory {
-    /// Seconds.
+    /// Time of the frame, seconds.
     pub(crate) t: f64,
-    /// Each actor's error, degrees.
+    /// Error of each actor, degrees.
     pub(crate) error_deg: Vec<f64>,
-    /// The first actor's added heading and pitch, joint by joint, degrees.
+    /// Added heading and pitch of each joint of the first actor, degrees.
     pub(crate) angles_deg: Vec<[f64; 2]>,
-    /// Place of the target.
+    /// Position of the target, world space.
     pub(crate) target: Vec3,
 }
 
-/// All of it.
+/// The state of the scene.
 #[derive(Debug)]
 pub(crate) struct Stage {
     pub(crate) character: Character,
@@ -67,37 +67,37 @@ pub(crate) struct Stage {
     pub(crate) target: Target,
     pub(crate) clock: Clock,
     pub(crate) actors: Vec<Actor>,
-    /// Those who look at the first actor's target, from behind it.
+    /// Further characters, behind the first actor, that look at its target.
     pub(crate) crowd: Vec<Actor>,
-    /// The rig as it is set now.
+    /// The rig with its present settings.
     rig: Arc<InterpretedRig>,
     pub(crate) memory: VecDeque<Memory>,
     pub(crate) timing: Timing,
-    /// True if frames are counted and not timed: then there is no frame rate to show.
+    /// `true` if every frame advances by the same time, so that there is no frame rate to show.
     pub(crate) counts_frames: bool,
     repertoire: Repertoire,
-    /// What the mouse points at, if that is asked for.
+    /// The hit under the mouse pointer, while boxes are shown.
     pub(crate) pointed: Option<Pointed>,
-    /// True to slope the floor and to plant feet on it.
+    /// `true` to slope the floor and plant feet on it.
     pub(crate) is_sloped: bool,
     pub(crate) slope: Slope,
-    /// Feet as each character begins with, where they are found.
+    /// Initial state of the feet, cloned for each character; `None` if no feet were found.
     pub(crate) feet: Option<Feet>,
-    /// A lamp for the right hand, where there is one.
+    /// The lamp of the right hand; `None` if no hand was found.
     pub(crate) lamp: Option<Lamp>,
-    /// Found when a tool is first tried.
+    /// Created when a tool is first used.
     tools: OnceCell<Tools>,
     live: Live,
     live_is_for_both_eyes: bool,
-    /// Seconds of frames so far.
+    /// Total time of all frames, seconds.
     age: f64,
 }
 
 impl Stage {
-    /// A character with a target.
+    /// Creates a stage with a character and a target.
     ///
     /// # Errors
-    /// A rig whose bones are no chain of the character.
+    /// If the rig's bones do not form a chain in the character.
     pub(crate) fn new(character: Character) -> Result<Self, String> {
         let tuning = Tuning::new(&character);
         let rig = Arc::new(InterpretedRig::new(&tuning.spec));
@@ -132,7 +132,7 @@ impl Stage {
             tuning,
             live,
         };
-        // A first frame without time: everything that is shown is there.
+        // Run a frame of zero duration, so that everything that is shown exists.
         stage.advance(0.0);
         stage.memory.clear();
         Ok(stage)
@@ -142,32 +142,32 @@ impl Stage {
         room(&self.character)
     }
 
-    /// Current place of the target.
+    /// Returns the current position of the target, world space.
     pub(crate) fn target_now(&self) -> Vec3 {
         self.target.at(&self.room())
     }
 
-    /// Result of the last frame of the first actor.
+    /// Returns the result of the first actor's last frame.
     pub(crate) fn first(&self) -> Option<&AimedFrame> {
         self.actors.first()?.frame.as_ref()
     }
 
-    /// Remembers what a ray hits of the figures, until the next one.
+    /// Stores the hit of a ray with the figures, until the next call.
     pub(crate) fn point_at(&mut self, ray: Option<Ray>) {
         self.pointed = ray.and_then(|ray| Pointed::new(&self.character, &self.actors, &ray));
     }
 
-    /// Offset of each character from its place in the file.
+    /// Returns the offset of each character from its position in the file.
     pub(crate) fn shifts(&self) -> impl Iterator<Item = Vec3> {
         self.actors.iter().map(|actor| actor.shift).chain(self.crowd.iter().map(|member| member.shift))
     }
 
-    /// The aimed joint: 0 is the rig's effector.
+    /// Returns the index of the aimed joint; 0 is the rig's effector.
     pub(crate) fn effector(&self) -> usize {
         self.tuning.settings.effector
     }
 
-    /// The clip and the target's path from their beginning, joints at rest.
+    /// Restarts the clip and the target's path, with the joints at rest.
     pub(crate) fn restart(&mut self) {
         self.seek(0.0);
         self.target.time = 0.0;
@@ -176,20 +176,20 @@ impl Stage {
         self.memory.clear();
     }
 
-    /// All to a time of the clip.
+    /// Sets all characters to a time of the clip, seconds.
     pub(crate) fn seek(&mut self, time: f32) {
         let length = self.clip_length();
         self.clock.time = time;
         self.actors.iter_mut().chain(&mut self.crowd).for_each(|actor| actor.player.seek(time, length));
     }
 
-    /// Length of the clip that plays, seconds; 0 of the rest pose.
+    /// Returns the length of the current clip, seconds; 0 for the rest pose.
     pub(crate) fn clip_length(&self) -> f32 {
         let clip = self.clock.play.clip.and_then(|clip| self.character.clips().get(clip));
         clip.map_or(0.0, Clip::length_s)
     }
 
-    /// From the eyes to the neck, and back.
+    /// Switches the effector between the eyes and the neck.
     pub(crate) fn switch_effector(&mut self) {
         let joints = &self.tuning.spec.joints;
         let neck = joints.iter().skip(1).position(|joint| matches!(joint.role, Role::Neck | Role::Head));
@@ -197,13 +197,14 @@ impl Stage {
         self.tuning.settings.effector = if self.effector() == 0 { other } else { 0 };
     }
 
-    /// Starts and directions of the gazes of a frame: of both eyes, or of the other joint that is aimed.
+    /// Returns the origins and directions of the gazes of a frame: those of both eyes, or of the joint that is aimed
+    /// instead.
     fn gazes(&self, frame: &AimedFrame) -> Vec<[Vec3; 2]> {
         let gazes = self.live.gazes(self.effector(), &frame.world);
         gazes.into_iter().map(|gaze| gaze.map(|v| v.as_vec3())).collect()
     }
 
-    /// Goes on by so many seconds of real time.
+    /// Advances by `seconds` of real time.
     pub(crate) fn advance(&mut self, seconds: f32) {
         Timing::note(&mut self.timing.between, seconds.into());
         let dt = match (self.clock.paused, std::mem::take(&mut self.clock.step)) {
@@ -222,7 +223,7 @@ impl Stage {
         let taken: Vec<Duration> = actors.iter_mut().map(|actor| self.aim(actor, target, dt)).collect();
         let taken_by_crowd: Duration = crowd.iter_mut().map(|actor| self.aim(actor, target - actor.shift, dt)).sum();
         (self.actors, self.crowd) = (actors, crowd);
-        // A frame without time asks little of a solver.
+        // Frames of zero duration are not timed, because they cost a solver little.
         if dt > 0.0 {
             taken.iter().for_each(|taken| Timing::note(&mut self.timing.one, taken.as_secs_f64()));
             if !self.crowd.is_empty() {
@@ -232,7 +233,7 @@ impl Stage {
         }
     }
 
-    /// Aims one of them for a frame, and tells how long the solver took.
+    /// Aims a character for a frame, and returns the time that the solver took.
     fn aim(&self, actor: &mut Actor, target: Vec3, dt: f32) -> Duration {
         let skeleton = self.character.skeleton();
         let settings = self.tuning.settings(actor.solver);
@@ -244,7 +245,7 @@ impl Stage {
             actor.feet = None;
         } else if let Some(template) = &self.feet {
             let feet = actor.feet.get_or_insert_with(|| template.clone());
-            // Of equal lengths.
+            // Cannot fail: the pose has the skeleton's length.
             let _ = feet.apply(&self.slope, actor.shift, dt * self.clock.speed, &mut pose);
         }
         self.live.pose_morph_eyes(clip, seconds, &mut pose);
@@ -276,7 +277,7 @@ impl Stage {
         taken
     }
 
-    /// Has as many actors and rigs as the tuning wants.
+    /// Adapts actors and rigs to the tuning.
     fn recast(&mut self) {
         let tuning = &self.tuning;
         let is_alone = tuning.crowd > 1 || tuning.tool.is_some();
@@ -290,7 +291,7 @@ impl Stage {
                 let player = known.map_or_else(|| Player::new(&self.character, 0.0), |actor| actor.player.clone());
                 let character =
                     known.map_or_else(|| DynAim::new(self.rig.clone() as SharedRig), |actor| actor.character.clone());
-                // As a row is read from in front.
+                // From left to right, as seen from in front.
                 let shift = left * ((count(at) - middle) * APART * self.character.metre());
                 self.actors.push(Actor::new(solver, shift, player, character));
             }
@@ -305,7 +306,7 @@ impl Stage {
         let both_eyes = self.tuning.both_eyes;
         if both_eyes != self.live_is_for_both_eyes {
             let Character { document, measurement, chain, .. } = &self.character;
-            // It was a chain before.
+            // Cannot fail: the bones formed a chain before.
             if let Ok(live) = Live::new(&*self.rig, document, measurement, chain, both_eyes) {
                 self.live = live;
             }
@@ -314,13 +315,13 @@ impl Stage {
         self.gather();
     }
 
-    /// Compiled code has the declared rig only: where anything of that is set otherwise, the crowd's is interpreted.
+    /// Returns the crowd's rig: the compiled one if the settings are as declared, otherwise the interpreted one.
     fn crowd_rig(&self) -> SharedRig {
         let is_compiled = self.character.is_mannequin && self.tuning.spec == *self.character.spec();
         if is_compiled { Arc::new(Mannequin::RIG) } else { self.rig.clone() }
     }
 
-    /// Has as many of the crowd as there should be, in rows behind the first.
+    /// Adapts the crowd to the number in the tuning, in rows behind the first actor.
     fn gather(&mut self) {
         let solver = self.actors[0].solver;
         self.crowd.iter_mut().for_each(|actor| actor.solver = solver);
@@ -338,7 +339,7 @@ impl Stage {
             self.crowd.push(Actor::new(solver, Vec3::ZERO, player, character));
         }
         for (at, actor) in self.crowd.iter_mut().enumerate() {
-            // Outward from the middle, row by row; the first place is the actor's.
+            // Places fill outward from the middle, row by row. The first place is the actor's.
             let (row, column) = ((at + 1) / rows, (at + 1) % rows);
             let aside = count(column.div_ceil(2)) * if column % 2 == 0 { 1.0 } else { -1.0 };
             actor.shift = (left * aside - forward * count(row)) * (APART * metre);
@@ -363,7 +364,7 @@ impl Stage {
     }
 }
 
-/// Characters of a crowd in a row.
+/// Number of characters in a row of the crowd.
 const ROW: usize = 10;
 
 fn room(character: &Character) -> Room {

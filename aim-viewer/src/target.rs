@@ -1,18 +1,18 @@
-//! The target: still, or on a path around the character.
+//! The target, which is still or moves on a path around the character.
 
 use aim_runtime::glam::Vec3;
 
-/// Path of a target.
+/// The path of a target.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Path {
-    /// It stays where it is put.
+    /// No movement.
     #[default]
     Still,
-    /// Around the character.
+    /// A circle around the character.
     Orbit,
-    /// An eight that lies on its side, in front of the character.
+    /// A figure of eight on its side, in front of the character.
     Eight,
-    /// Here and there in front of the character, the same way again only after hours.
+    /// An irregular path in front of the character, which repeats only after hours.
     Noise,
 }
 
@@ -29,44 +29,45 @@ impl Path {
     }
 }
 
-/// The room that paths are in, in the world.
+/// The coordinate system of paths, relative to the character.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Room {
-    /// Place of the effector in the bind pose.
+    /// Position of the effector in the bind pose, world space.
     pub(crate) centre: Vec3,
-    /// Up, forward and left, of length one.
+    /// Up, forward and left of the character: unit vectors, world space.
     pub(crate) directions: [Vec3; 3],
-    /// A metre of a character of 1.7 m.
+    /// Length that corresponds to 1 m if the character is 1.7 m tall.
     pub(crate) metre: f32,
 }
 
 impl Room {
-    /// So many metres to the left, up, and in front.
+    /// Returns the point at these distances to the left, up and in front, metres of a 1.7 m character.
     pub(crate) fn point(&self, left: f32, up: f32, forward: f32) -> Vec3 {
         let [u, f, l] = self.directions;
         self.centre + (l * left + u * up + f * forward) * self.metre
     }
 
-    /// Metres to the left, up, and in front of a point.
+    /// Returns a point's distances to the left, up and in front, metres of a 1.7 m character: the inverse of
+    /// [`point`](Self::point).
     pub(crate) fn place(&self, point: Vec3) -> [f32; 3] {
         let [u, f, l] = self.directions;
         [l, u, f].map(|axis| (point - self.centre).dot(axis) / self.metre)
     }
 }
 
-/// A target that can be moved, and moves.
+/// A target that moves on a path or by hand.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    /// Its place in the world if it is still.
+    /// Position of a still target, world space.
     pub(crate) place: Vec3,
     pub(crate) path: Path,
-    /// Seconds on its path.
+    /// Time on the path, seconds.
     pub(crate) time: f32,
 }
 
-/// Once around, seconds.
+/// Period of the orbit, seconds.
 const ORBIT: f32 = 8.0;
-/// One eight, seconds.
+/// Period of the figure of eight, seconds.
 const EIGHT: f32 = 6.0;
 
 impl Target {
@@ -74,7 +75,7 @@ impl Target {
         Self { place: room.point(0.7, 0.25, 1.4), path: Path::Still, time: 0.0 }
     }
 
-    /// Its current place.
+    /// Returns the current position, world space.
     pub(crate) fn at(&self, room: &Room) -> Vec3 {
         let t = self.time;
         let phase = |seconds: f32| std::f32::consts::TAU * t / seconds;
@@ -88,7 +89,7 @@ impl Target {
                 let (sin, cos) = phase(EIGHT).sin_cos();
                 room.point(0.9 * sin, 0.1 + 0.6 * sin * cos, 1.3)
             }
-            // Periods of which the common multiple is long.
+            // The least common multiple of the periods is long.
             Path::Noise => room.point(
                 0.7 * phase(7.3).sin() + 0.3 * phase(2.9).sin(),
                 0.1 + 0.3 * phase(5.1).sin() + 0.2 * phase(1.9).sin(),
@@ -97,7 +98,7 @@ impl Target {
         }
     }
 
-    /// Has it go on along another path; without one it stays where it is.
+    /// Changes the path. With [`Path::Still`] the target stays where it is.
     pub(crate) fn follow(&mut self, room: &Room, path: Path) {
         if path == Path::Still {
             self.place = self.at(room);
@@ -105,14 +106,14 @@ impl Target {
         self.path = path;
     }
 
-    /// Places on its path from now on.
+    /// Samples future positions on the path.
     pub(crate) fn way(&self, room: &Room) -> impl Iterator<Item = Vec3> {
         let (target, room) = (*self, *room);
         let steps: u8 = if self.path == Path::Still { 1 } else { 32 };
         (0..steps).map(move |step| Self { time: target.time + f32::from(step) * 0.4, ..target }.at(&room))
     }
 
-    /// Moves it by hand: whatever path it was on ends where it is.
+    /// Moves the target by hand. This ends its path at the present position.
     pub(crate) fn move_by(&mut self, room: &Room, by: Vec3) {
         self.place = self.at(room) + by;
         self.path = Path::Still;

@@ -1,18 +1,18 @@
-//! [`Timing`]: how long solving takes.
+//! [`Timing`]: the time that solving takes.
 
-/// Times of solving: means over about the last second.
+/// Solving times, averaged over about the last second.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Timing {
-    /// One character's solver, seconds a frame.
+    /// Time of the solver for one character, seconds per frame.
     pub(crate) one: f64,
-    /// All of the crowd's, seconds a frame.
+    /// Time of the solvers for the whole crowd, seconds per frame.
     pub(crate) crowd: f64,
-    /// Between frames, seconds.
+    /// Time between frames, seconds.
     pub(crate) between: f64,
 }
 
 impl Timing {
-    /// One part in so many of the mean is the newest frame.
+    /// Time constant of the exponential mean, in frames.
     const MEMORY: f64 = 60.0;
 
     pub(crate) fn note(mean: &mut f64, seconds: f64) {

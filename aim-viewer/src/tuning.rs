@@ -1,4 +1,4 @@
-//! [`Tuning`]: what is aimed, how, and for how many characters.
+//! [`Tuning`]: the settings of the aiming and the number of characters.
 
 use aim_codegen::{RigSpec, Role};
 use aim_runtime::{Ascent, Settings, Solver};
@@ -6,12 +6,12 @@ use aim_runtime::{Ascent, Settings, Solver};
 use crate::character::Character;
 use crate::tools::Tool;
 
-/// Which solvers are shown.
+/// The solvers that are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lineup {
-    /// This one.
+    /// A single solver.
     One(Solver),
-    /// All three, side by side.
+    /// All three solvers, side by side.
     All,
 }
 
@@ -45,18 +45,18 @@ pub(crate) fn solver_name(solver: Solver) -> &'static str {
 /// Settings of the aiming.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tuning {
-    /// The rig, with ranges, rates and stiffness as they are set now.
+    /// The rig, with the present ranges, rates and stiffness.
     pub(crate) spec: RigSpec,
-    /// All but the solver.
+    /// The runtime's settings. The solver comes from the lineup.
     pub(crate) settings: Settings,
     pub(crate) lineup: Lineup,
-    /// True to aim the other eye itself.
+    /// `true` to aim the other eye at the target as well; otherwise it repeats the turn of the first.
     pub(crate) both_eyes: bool,
-    /// What is tried in place of the rig's solver.
+    /// Tool that is used instead of the rig's solver.
     pub(crate) tool: Option<Tool>,
-    /// True to use the ascent as published, without later additions.
+    /// `true` to use the ascent as published, without later additions.
     pub(crate) as_published: bool,
-    /// Number of characters; if there are more than one, all use the lineup's first solver.
+    /// Number of characters. If there is more than one, all use the lineup's first solver.
     pub(crate) crowd: usize,
 }
 
@@ -75,9 +75,9 @@ impl Tuning {
         }
     }
 
-    /// The settings of a figure with this solver.
+    /// Returns the settings of a figure with this solver.
     pub(crate) fn settings(&self, solver: Solver) -> Settings {
-        // What is tried goes over the animation alone.
+        // A tool starts from the animation, so the rig must not add to it.
         let weight = if self.tool.is_some() { 0.0 } else { self.settings.weight };
         let ascent = if self.as_published { Ascent::paper() } else { Ascent::default() };
         self.settings.with_weight(weight).with_solver(solver).with_ascent(ascent)

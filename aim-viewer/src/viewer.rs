@@ -1,4 +1,4 @@
-//! [`Viewer`]: all that the window shows but the drawing itself. Tests drive it as the window does.
+//! [`Viewer`]: the contents of the window, except for the drawing itself. Tests drive it as the window does.
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -17,10 +17,10 @@ use crate::picture::Picture;
 use crate::stage::{LONGEST, Stage};
 use crate::{overlay, panel, plots};
 
-/// Longest time of a frame, seconds.
+/// Greatest frame time that is accepted, seconds. The stage has a smaller limit of its own.
 const LONGEST_PAUSE: f32 = 60.0;
 
-/// A window narrower than this has no room for the panel, points.
+/// Least width of a window with a panel, points.
 const NARROW: f32 = 480.0;
 
 /// The state of the window.
@@ -31,24 +31,24 @@ pub(crate) struct Viewer {
     pub(crate) shown: Shown,
     /// The last error, until it is dismissed.
     pub(crate) trouble: Option<String>,
-    /// Of which joint the angles are plotted; of all if of none.
+    /// Joint whose angles are plotted; `None` for all.
     pub(crate) plotted: Option<usize>,
-    /// The notation copied last, and the time of that.
+    /// The notation last copied, and the viewer's age at that time, seconds.
     pub(crate) copied: Option<(&'static str, f64)>,
-    /// Seconds since it was opened.
+    /// Time since the viewer was opened, seconds.
     pub(crate) age: f64,
-    /// True once the camera has been placed so that all is in sight.
+    /// `true` once the camera has been placed so that everything is visible.
     is_framed: bool,
-    /// Rectangle of the scene, points.
+    /// Rectangle of the scene in the window, points.
     scene: egui::Rect,
     held: Option<Held>,
 }
 
 impl Viewer {
-    /// A window onto a character.
+    /// Creates a viewer that shows a character.
     ///
     /// # Errors
-    /// A rig whose bones are no chain of the character.
+    /// If the rig's bones do not form a chain in the character.
     pub(crate) fn new(character: Character) -> Result<Self, String> {
         let stage = Stage::new(character)?;
         let camera = camera(&stage, Vec2::ONE);
@@ -67,12 +67,13 @@ impl Viewer {
         })
     }
 
-    /// The camera where all is in sight, as soon as it is known how much room the scene has.
+    /// Resets the camera in the next frame, when the size of the scene is known, so that everything is visible.
     pub(crate) fn step_back(&mut self) {
         self.is_framed = false;
     }
 
-    /// One frame: input, `seconds` of time, and what is around the scene. `paint` is told what to draw where.
+    /// Runs one frame: input, `seconds` of time, and the interface around the scene. `paint` receives the picture and
+    /// the rectangle to draw it into.
     pub(crate) fn ui(
         &mut self,
         ui: &mut egui::Ui,
@@ -80,15 +81,15 @@ impl Viewer {
         paint: impl FnOnce(&egui::Ui, egui::Rect, Arc<Picture>),
     ) {
         let context = ui.ctx().clone();
-        // Also where a clock goes backwards, or tells nothing.
+        // The clock may run backwards or return NaN.
         let seconds = if seconds.is_nan() { 0.0 } else { seconds.clamp(0.0, LONGEST_PAUSE) };
-        // A frame is one pass: another would take its input and its time again.
+        // Allow only one pass per frame: a second one would apply input and time again.
         context.options_mut(|options| options.max_passes = NonZeroUsize::MIN);
         context.set_theme(if self.shown.dark { egui::Theme::Dark } else { egui::Theme::Light });
         self.open_dropped(&context);
         self.age += f64::from(seconds);
         controls::keys(&context, &mut self.stage, &mut self.camera, &mut self.shown, seconds.min(LONGEST));
-        // In a narrow window the scene comes first.
+        // In a narrow window the scene has priority.
         if self.shown.panel && ui.available_width() >= NARROW {
             panel::show(ui, self);
         }
@@ -116,7 +117,7 @@ impl Viewer {
         context.request_repaint();
     }
 
-    /// Description of the scene in words, the same for the same input.
+    /// Returns a description of the scene in one line. It is deterministic for the same input.
     pub(crate) fn caption(&self) -> String {
         let one = |actor: &Actor| {
             let frame = actor.frame.as_ref()?;
@@ -126,10 +127,11 @@ impl Viewer {
         format!("{}: {}", self.stage.character.name, each.join("; "))
     }
 
-    /// The same as JSON, for programs: each actor's solver, status and error, degrees, where its target and its gazes'
-    /// ends are in the world and, in points from the window's upper left, on the screen.
+    /// Returns a description of the scene as JSON. For each actor it has solver, status, error in degrees, the target
+    /// in world space, and the screen positions of the target and of the gazes' ends, in points from the window's upper
+    /// left corner.
     pub(crate) fn state(&self) -> String {
-        // Ten-thousandths are the same wherever it runs; what is not finite becomes null.
+        // Rounded to 1e-4, so that the output is the same on every platform. Values that are not finite become null.
         let rounded = |x: f64| (x * 1e4).round() / 1e4;
         let seen = |at: Vec3| {
             let at = overlay::on_screen(self, self.scene, at)?;
@@ -154,7 +156,8 @@ impl Viewer {
         self.stage.actors.iter().filter_map(one).collect::<Value>().to_string()
     }
 
-    /// Another character, seen from where its face is; what is shown stays.
+    /// Shows another character and resets the camera; the choice of what is shown stays. An error is stored in
+    /// `trouble`.
     pub(crate) fn open(&mut self, character: Result<Character, String>) {
         match character.and_then(Stage::new) {
             Ok(stage) => {
@@ -167,7 +170,7 @@ impl Viewer {
         }
     }
 
-    /// Files dropped onto the window: a model, or a rig for the one that is shown.
+    /// Opens files dropped onto the window: models, and rigs for the model that is shown.
     fn open_dropped(&mut self, context: &egui::Context) {
         let dropped = context.input(|input| input.raw.dropped_files.clone());
         let name = |file: &egui::DroppedFile| match &file.path {
@@ -175,7 +178,7 @@ impl Viewer {
             None => file.name.clone(),
         };
         let is_rig = |file: &egui::DroppedFile| name(file).to_lowercase().ends_with(".toml");
-        // A rig that comes with a model is that model's.
+        // A rig that is dropped together with a model belongs to that model, so models go first.
         let (rigs, models): (Vec<_>, Vec<_>) = dropped.iter().partition(|file| is_rig(file));
         for file in models.into_iter().chain(rigs) {
             let (path, name, is_rig) = (file.path.as_deref(), name(file), is_rig(file));
@@ -190,7 +193,7 @@ impl Viewer {
             let failed = character.is_err();
             self.open(character);
             if failed {
-                // What came with it was meant for it.
+                // The remaining files were meant for the one that failed.
                 break;
             }
         }
@@ -206,8 +209,8 @@ fn text(name: &str, path: Option<&std::path::Path>, bytes: Option<&[u8]>) -> Res
     String::from_utf8(bytes).map_err(|_| format!("{name}: is no text; drop a rig's TOML file"))
 }
 
-/// In front and a little to the right, so that a gaze to the left is seen from the side: the upper bodies of all, and the
-/// target on all of its path, fill a scene of this shape.
+/// Returns a camera in front and a little to the right, so that a gaze to the left is seen from the side. The upper
+/// bodies of all characters and the target's whole path fit into a scene of this size.
 fn camera(stage: &Stage, scene: Vec2) -> Camera {
     let room = stage.room();
     let [up, ..] = room.directions;

@@ -7,14 +7,14 @@ use crate::app::App;
 use crate::character::Character;
 use crate::viewer::Viewer;
 
-/// The attribute of the canvas that tells what is shown, for whoever drives the page.
+/// Attribute of the canvas that describes the scene, for programs that drive the page.
 const STATE: &str = "data-state";
 
-/// Starts the viewer on the canvas with this id and returns; the page's own events drive it from then on. After each frame
-/// the canvas says in its attribute `data-state`, as JSON, where the target is and how far each gaze is off it.
+/// Starts the viewer on the canvas with this id and returns; from then on, the page's events drive it. After each
+/// frame, the canvas' attribute `data-state` holds the position of the target and the error of each gaze as JSON.
 ///
 /// # Errors
-/// No such canvas, or no WebGL 2: in words.
+/// A message, if there is no such canvas or no WebGL 2.
 pub async fn start(canvas: &str) -> Result<(), String> {
     let document = window().and_then(|window| window.document()).ok_or("there is no page to draw on")?;
     let element = document.get_element_by_id(canvas).ok_or_else(|| format!("the page has no element {canvas:?}"))?;
@@ -22,7 +22,7 @@ pub async fn start(canvas: &str) -> Result<(), String> {
     let viewer = Viewer::new(Character::mannequin()?)?;
     let told = element.clone();
     let after = Box::new(move |_: &eframe::egui::Context, viewer: &Viewer| {
-        // Nothing depends on its being told.
+        // A failure is ignored: the viewer itself does not use the attribute.
         let _ = told.set_attribute(STATE, &viewer.state());
     });
     let app = App { viewer, frames: None, after };

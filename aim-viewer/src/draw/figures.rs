@@ -1,4 +1,4 @@
-//! The figures: one model, and for each figure its joints and the weights of its morph targets.
+//! Figures: instances of one model, each with its joint transforms and morph weights.
 
 use aim_gltf::Alpha;
 use aim_runtime::glam::Vec3;
@@ -9,23 +9,24 @@ use super::model::{Model, Part};
 use super::numbers;
 use crate::picture::Figure;
 
-/// The GLSL that poses vertices: `skin(normal, place, direction)`. Numbers for it come from [`Figures`].
+/// GLSL function that poses vertices: `skin(normal, place, direction)`. [`Figures`] supplies its uniforms.
 pub(super) const SKIN: &str = include_str!("shaders/skin.glsl");
 
-/// The program, and the figures' numbers, kept from frame to frame.
+/// The shader program, and the texture with the figures' data, reused from frame to frame.
 pub(super) struct Figures {
     context: Context,
     program: Program,
     numbers: Option<Texture2D>,
-    /// Texels of a figure, and those of its joints.
+    /// Texels per figure.
     stride: usize,
+    /// Texels of a figure's joints.
     rows: usize,
     /// Number of figures in the picture.
     shown: usize,
     bounds: Option<[Vec3; 2]>,
 }
 
-/// Pass of drawing: opaque parts first, then translucent ones.
+/// Draw pass: opaque parts first, then translucent ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Pass {
     Opaque,
@@ -40,12 +41,12 @@ impl Figures {
         Ok(Self { context: context.clone(), program, numbers: None, stride: 0, rows: 0, shown: 0, bounds: None })
     }
 
-    /// Sends the figures' numbers, one after the other.
+    /// Uploads the figures' joint transforms and morph weights, one figure after the other.
     pub(super) fn fill(&mut self, figures: &[Figure]) {
         let mut texels = Vec::new();
         for Figure { rows, morphs, .. } in figures {
             texels.extend_from_slice(rows);
-            // Of equal lengths for all, as they are of one model.
+            // The same number for all figures, because they share one model.
             self.rows = rows.len();
             texels.extend(morphs.chunks(4).map(|four| std::array::from_fn(|at| four.get(at).copied().unwrap_or(0.0))));
         }
@@ -56,7 +57,7 @@ impl Figures {
         self.bounds = bounds.filter(|[low, high]| low.is_finite() && high.is_finite());
     }
 
-    /// The lowest and the highest coordinates of all; none if there is no figure, or not a finite one.
+    /// Returns the bounding box of all figures, `[low, high]`; `None` if there are no figures or it is not finite.
     pub(super) fn bounds(&self) -> Option<[Vec3; 2]> {
         self.bounds
     }
@@ -67,7 +68,8 @@ impl Figures {
         for part in model.parts.iter().filter(|part| pass_of(part) == pass) {
             let material = &part.material;
             program.use_uniform("colour", three_d::Vec4::from(material.colour));
-            // Below it nothing is seen; what is opaque has no opacity of its own.
+            // Fragments with less alpha than `cutoff` are discarded. Opaque and masked materials ignore their own
+            // alpha.
             let (cutoff, own) = match material.alpha {
                 Alpha::Opaque => (0.0, 0.0),
                 Alpha::Mask(cutoff) => (cutoff, 0.0),
@@ -89,14 +91,14 @@ impl Figures {
         }
     }
 
-    /// Draws with a program that needs places alone, all parts that hide something.
+    /// Draws all opaque and masked parts with a program that uses only positions.
     pub(super) fn cast(&self, program: &Program, model: &Model, states: RenderStates, viewport: Viewport) {
         for part in model.parts.iter().filter(|part| !part.is_translucent()) {
             self.draw_part(program, model, part, (states, viewport));
         }
     }
 
-    /// A part of all figures, by a program that begins with [`SKIN`].
+    /// Draws one part of all figures with a program whose source begins with [`SKIN`].
     fn draw_part(&self, program: &Program, model: &Model, part: &Part, (states, viewport): (RenderStates, Viewport)) {
         let Some(numbers) = self.numbers.as_ref().filter(|_| self.shown > 0) else { return };
         let count = |count: usize| i32::try_from(count).unwrap_or(i32::MAX);

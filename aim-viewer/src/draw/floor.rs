@@ -1,4 +1,4 @@
-//! Backdrop and floor: the floor has a grid and shows the figures' soft shadow.
+//! Backdrop and floor. The floor has a grid and shows a soft shadow of the figures.
 
 use std::convert::Infallible;
 
@@ -14,12 +14,13 @@ use super::model::Model;
 use super::sheet::{OVER_ALL, square};
 use crate::picture::Ground;
 
-/// Pixels along a side of the shadow.
+/// Side of the shadow texture, pixels.
 const SHADOW: u32 = 512;
-/// Margin of the shadow around the figures, in parts of their height.
+/// Margin of the shadow texture around the figures, relative to their height.
 const MARGIN: f32 = 0.25;
-/// Radius of its blur, and the height at which it is a third as strong, in parts of the figures' height.
+/// Radius of the shadow's blur, relative to the figures' height.
 const BLUR: f32 = 0.05;
+/// Height at which a shadow is a third as strong, relative to the figures' height.
 const FADING: f32 = 0.25;
 
 pub(super) struct Floor {
@@ -27,18 +28,18 @@ pub(super) struct Floor {
     floor: Program,
     caster: Program,
     square: VertexBuffer<[f32; 2]>,
-    /// Nearness of the lowest thing above each place of the floor: 1 on it, less the higher.
+    /// Proximity of the lowest object above each point of the floor: 1 on the floor, decreasing with height.
     shadow: Texture2D,
     shadowed: Shadowed,
 }
 
-/// The part of the floor that the shadow is about, in the floor's own coordinates.
+/// The square of the floor that the shadow texture covers, in floor coordinates.
 #[derive(Clone, Copy, Debug, Default)]
 struct Shadowed {
     middle: Vec2,
-    /// Half of its side; nothing casts a shadow if it is zero.
+    /// Half of the square's side; 0 if nothing casts a shadow.
     extent: f32,
-    /// Radius of its blur.
+    /// Radius of the blur.
     blur: f32,
 }
 
@@ -67,7 +68,7 @@ impl Floor {
         })
     }
 
-    /// Sees the figures from above.
+    /// Renders the figures into the shadow texture, seen from above.
     pub(super) fn cast(&mut self, ground: &Ground, figures: &Figures, model: &Model) {
         let [across, along] = sides(ground.up);
         let flat = |place: Vec3| Vec2::new((place - ground.centre).dot(across), (place - ground.centre).dot(along));
@@ -113,7 +114,7 @@ impl Floor {
         self.backdrop.draw_arrays(OVER_ALL, light.viewport, self.square.vertex_count());
     }
 
-    /// The floor, from above; from below one looks through it.
+    /// Draws the floor if the eye is above it; from below it is not drawn.
     pub(super) fn draw(&self, ground: &Ground, light: &Light) {
         if (light.eye - ground.centre).dot(ground.up) <= 0.0 {
             return;
@@ -134,14 +135,14 @@ impl Floor {
     }
 }
 
-/// Gives a program the floor's own coordinates.
+/// Sets the uniforms for the floor's coordinate system.
 fn send_plane(program: &Program, ground: &Ground, [across, along]: [Vec3; 2]) {
     for (name, vector) in [("centre", ground.centre), ("across", across), ("along", along)] {
         program.use_uniform(name, three_d::Vec3::from(vector.to_array()));
     }
 }
 
-/// Two directions along the floor.
+/// Returns two orthonormal directions in the plane of the floor.
 fn sides(up: Vec3) -> [Vec3; 2] {
     let across = up.any_orthonormal_vector();
     [across, up.cross(across)]

@@ -1,27 +1,29 @@
-//! From where it is seen, and what lights it.
+//! Camera and light of a picture, as shader uniforms.
 
 use aim_runtime::glam::Vec3;
 use three_d::{Camera, Mat4, Program, Viewer as _, Viewport, radians};
 
 use crate::picture::Picture;
 
-/// The GLSL that [`Light::send`] has numbers for: `lit(base, place, normal)`.
+/// GLSL function that lights a surface: `lit(base, place, normal)`. [`Light::send`] sets its uniforms.
 pub(super) const GLSL: &str = include_str!("shaders/light.glsl");
 
-/// From where it is seen, and what lights it: a key and a fill that go with the eye, so that faces can be read from all
-/// sides, and the sky.
+/// Camera and light: a key and a fill light that move with the eye, so that shapes are legible from all sides, and a
+/// sky light.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Light {
     pub(super) viewport: Viewport,
     pub(super) eye: Vec3,
     pub(super) is_dark: bool,
-    /// Clip ← world.
+    /// View-projection matrix, clip ← world.
     view_projection: Mat4,
-    /// Towards them.
+    /// Unit vector towards the key light.
     key: Vec3,
+    /// Unit vector towards the fill light.
     fill: Vec3,
+    /// Unit vector towards the sky.
     sky: Vec3,
-    /// Size of a pixel at distance one.
+    /// Size of a pixel at distance 1, in world units.
     pixel: f32,
 }
 
@@ -56,7 +58,7 @@ impl Light {
         }
     }
 
-    /// Gives a program those numbers that it asks for.
+    /// Sets those uniforms that the program declares.
     pub(super) fn send(&self, program: &Program) {
         let send = |name: &str, vector: Vec3| {
             program.use_uniform_if_required(name, three_d::Vec3::from(vector.to_array()));

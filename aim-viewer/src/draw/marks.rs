@@ -1,4 +1,4 @@
-//! Rods and balls, all at once: a ball is a rod without length.
+//! Rods and balls, drawn as instances of one capsule; a ball is a rod of length 0.
 
 use aim_runtime::glam::Vec3;
 use three_d::{Blend, Context, CoreError, ElementBuffer, InstanceBuffer, Program, RenderStates, VertexBuffer};
@@ -6,24 +6,25 @@ use three_d::{Blend, Context, CoreError, ElementBuffer, InstanceBuffer, Program,
 use super::light::{self, Light};
 use crate::picture::{Colour, Picture, Rod};
 
-/// Sides around, and rings from the middle to an end.
+/// Vertices around the axis.
 const SIDES: u32 = 24;
+/// Rings of each hemisphere, from its rim to its pole.
 const RINGS: u32 = 7;
 
 pub(super) struct Marks {
     program: Program,
-    /// A direction from the axis' end, and which end.
+    /// For each vertex, its direction from an end of the axis, and the number of that end, 0 or 1.
     corners: VertexBuffer<[f32; 4]>,
     triangles: ElementBuffer<u32>,
     hidden: Instances,
     in_front: Instances,
 }
 
-/// Rods on the graphics card.
+/// Instance data of rods on the GPU.
 struct Instances {
     from: InstanceBuffer<[f32; 3]>,
     to: InstanceBuffer<[f32; 3]>,
-    /// The radius, and one if lit.
+    /// The radius, and 1 if the rod is lit, else 0.
     kind: InstanceBuffer<[f32; 2]>,
     colour: InstanceBuffer<[f32; 4]>,
 }
@@ -84,7 +85,7 @@ impl Instances {
     }
 }
 
-/// The corners and triangles of a rod along z: a half ball at each end, and a tube between their rims.
+/// Returns the vertices and triangles of a rod along z: a hemisphere at each end, and a tube between their rims.
 fn capsule() -> (Vec<[f32; 4]>, Vec<u32>) {
     #[expect(clippy::cast_precision_loss, reason = "a few sides")]
     let turn = |part: u32, whole: u32| std::f32::consts::TAU * part as f32 / whole as f32;
@@ -108,7 +109,7 @@ fn capsule() -> (Vec<[f32; 4]>, Vec<u32>) {
     (near.chain(far).collect(), triangles.collect())
 }
 
-/// An sRGB colour as linear light, its opacity as it is.
+/// Converts an sRGB colour to linear light; the opacity is only scaled to 0…1.
 fn linear(colour: Colour) -> [f32; 4] {
     let [red, green, blue, opacity] = colour.map(|part| f32::from(part) / 255.0);
     let part = |x: f32| if x <= 0.04045 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) };
@@ -132,7 +133,7 @@ mod tests {
             let [a, b, c] = [place(corners[0]), place(corners[1]), place(corners[2])];
             volume += a.dot(b.cross(c)) / 6.0;
         }
-        // A ball and a tube three long, less what the corners cut off.
+        // A unit ball and a tube of length 3, less the volume lost to the facets.
         let whole = std::f32::consts::PI * (4.0 / 3.0 + 3.0);
         assert!((0.97..1.0).contains(&(volume / whole)), "{volume} of {whole}");
     }

@@ -1,4 +1,4 @@
-//! Geometry that figures share: triangles by material, texture coordinates, pictures.
+//! Geometry that figures share: triangles by material, texture coordinates and textures.
 
 use std::collections::{BTreeMap, HashMap};
 use std::io::Cursor;
@@ -15,17 +15,17 @@ use three_d::{
 use super::movers::Movers;
 use super::numbers;
 
-/// Pixels along a side of a picture that each OpenGL 3.3 and WebGL 2 takes; larger ones are made smaller.
+/// Largest texture side that every OpenGL 3.3 and WebGL 2 supports, pixels. Larger images are scaled down.
 const MOST_PIXELS: u32 = 2048;
 
-/// A surface at rest on the graphics card, and what moves its vertices.
+/// A surface in its rest pose on the GPU, with joint weights and morph targets.
 pub(super) struct Model {
     surface: Arc<Surface>,
     pub(super) positions: VertexBuffer<[f32; 3]>,
     pub(super) normals: VertexBuffer<[f32; 3]>,
     pub(super) joints: VertexBuffer<[u32; 4]>,
     pub(super) weights: VertexBuffer<[f32; 4]>,
-    /// For each vertex the first of its shifts by morph targets, and their number.
+    /// For each vertex, the index of its first morph displacement in `shifts`, and their number.
     pub(super) shifted: VertexBuffer<[u32; 2]>,
     pub(super) shifts: Texture2D,
     pub(super) texture_coordinates: VertexBuffer<[f32; 2]>,
@@ -79,7 +79,7 @@ impl Model {
 }
 
 impl Part {
-    /// True if it does not hide what is behind it.
+    /// Returns `true` if the part is alpha-blended.
     pub(super) fn is_translucent(&self) -> bool {
         self.material.alpha == Alpha::Blend
     }
@@ -89,7 +89,8 @@ fn vectors(vectors: &[Vec3]) -> Vec<[f32; 3]> {
     vectors.iter().map(Vec3::to_array).collect()
 }
 
-/// The corners of each material's triangles, materials in their order, those without one first.
+/// Returns the vertex indices of each material's triangles, in the order of the materials; those without a material
+/// come first.
 fn by_material(surface: &Surface) -> Vec<(Option<usize>, Vec<u32>)> {
     let mut parts = BTreeMap::<_, Vec<u32>>::new();
     for triangle in surface.triangles() {
@@ -99,7 +100,8 @@ fn by_material(surface: &Surface) -> Vec<(Option<usize>, Vec<u32>)> {
     parts.into_iter().collect()
 }
 
-/// The size and the pixels of an encoded picture, made small enough; none where it cannot be read.
+/// Decodes an image to its size and RGBA pixels, scaled down to [`MOST_PIXELS`] if larger; `None` if it cannot be
+/// decoded.
 fn decode(encoded: &[u8]) -> Option<([u32; 2], Vec<[u8; 4]>)> {
     let image = ImageReader::new(Cursor::new(encoded)).with_guessed_format().ok()?.decode().ok()?;
     let fits = image.width() <= MOST_PIXELS && image.height() <= MOST_PIXELS;

@@ -1,17 +1,18 @@
-//! [`Movers`]: joints and morph targets of each vertex, as the vertex shader takes them.
+//! [`Movers`]: joint influences and morph displacements of each vertex, in the layout of the vertex shader.
 
 use aim_animation::Mesh;
 
-/// Texels of shifts at most: as many rows of a texture as each OpenGL 3.3 and WebGL 2 takes.
+/// Greatest number of texels in `shifts`: 1024 rows of 1024 texels. Every OpenGL 3.3 and WebGL 2 supports this size.
 const MOST_SHIFTS: usize = 1024 * 1024;
 
 pub(crate) struct Movers {
-    /// The four heaviest joints of each vertex, and their weights, together 1.
+    /// The four joints of greatest weight for each vertex.
     pub(crate) joints: Vec<[u32; 4]>,
+    /// The weights of these joints, which sum to 1.
     pub(crate) weights: Vec<[f32; 4]>,
-    /// For each vertex the first of its shifts, and their number.
+    /// For each vertex, the index of its first morph displacement, and their number.
     pub(crate) shifted: Vec<[u32; 2]>,
-    /// Two texels for each: the way of the place with the target's index, and of the normal.
+    /// Two texels for each morph displacement: that of the position with the target's index, and that of the normal.
     pub(crate) shifts: Vec<[f32; 4]>,
 }
 

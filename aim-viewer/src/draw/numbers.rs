@@ -1,11 +1,11 @@
-//! Lists of numbers that vertex shaders read: textures that are not seen.
+//! Data textures: arrays of numbers for vertex shaders.
 
 use three_d::{Context, Interpolation, Texture2D, Wrapping};
 
-/// Texels along a row: as many as each OpenGL 3.3 and WebGL 2 takes.
+/// Texels per row: a width that every OpenGL 3.3 and WebGL 2 supports.
 const COLUMNS: u32 = 1024;
 
-/// A texture of these texels, row by row, at least one; rows are filled with zeros.
+/// Creates a texture with these texels, row by row. It has at least one row, and the last is padded with zeros.
 pub(super) fn texture(context: &Context, texels: &[[f32; 4]]) -> Texture2D {
     let (texels, rows) = filled(texels);
     let (filter, wrap) = (Interpolation::Nearest, Wrapping::ClampToEdge);
@@ -14,7 +14,7 @@ pub(super) fn texture(context: &Context, texels: &[[f32; 4]]) -> Texture2D {
     texture
 }
 
-/// The same, in a texture that is kept as long as it has the size.
+/// Writes the texels to an existing texture if it has the right size; otherwise replaces it.
 pub(super) fn fill(context: &Context, kept: &mut Option<Texture2D>, texels: &[[f32; 4]]) {
     let (filled, rows) = filled(texels);
     match kept {

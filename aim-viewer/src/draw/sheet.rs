@@ -1,4 +1,4 @@
-//! Off-screen target with four samples a pixel, whatever the window has, and a depth of its own.
+//! Off-screen target with four samples per pixel, independent of the window's, and its own depth buffer.
 
 use std::convert::Infallible;
 
@@ -7,17 +7,17 @@ use three_d::{
     RenderTargetMultisample, ScissorBox, Texture2D, VertexBuffer, Viewport, Wrapping, WriteMask,
 };
 
-/// Samples a pixel: as many as each OpenGL 3.3 and WebGL 2 has.
+/// Samples per pixel: every OpenGL 3.3 and WebGL 2 supports this number.
 const SAMPLES: u32 = 4;
 
-/// Part of the screen to draw on, in pixels from its lower left.
+/// Part of the screen to draw on, in pixels from its lower left corner.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub(crate) x: i32,
     pub(crate) y: i32,
     pub(crate) width: u32,
     pub(crate) height: u32,
-    /// The whole screen.
+    /// Size of the whole screen, pixels.
     pub(crate) screen: [u32; 2],
 }
 
@@ -40,7 +40,7 @@ impl Sheet {
         [self.pixels.width(), self.pixels.height()]
     }
 
-    /// Clears what is asked for, then draws.
+    /// Clears the buffers selected by `clear`, then draws.
     pub(super) fn draw(&self, clear: ClearState, draw: impl FnOnce()) {
         let Ok(_) = self.samples.clear(clear).write::<Infallible>(|| {
             draw();
@@ -48,17 +48,17 @@ impl Sheet {
         });
     }
 
-    /// The mean of the samples.
+    /// Resolves the samples and returns the resulting texture.
     fn resolved(&self) -> &Texture2D {
         self.samples.resolve_color_to(&self.pixels.as_color_target(None));
         &self.pixels
     }
 }
 
-/// Brings sheets onto the screen.
+/// Copies sheets to the screen.
 pub(super) struct Printer {
     program: Program,
-    /// Two triangles from −1 to 1.
+    /// Two triangles that cover −1…1 in x and y.
     square: VertexBuffer<[f32; 2]>,
 }
 
@@ -82,13 +82,13 @@ impl Printer {
     }
 }
 
-/// Two triangles from −1 to 1.
+/// Two triangles that cover −1…1 in x and y.
 pub(super) fn square(context: &Context) -> VertexBuffer<[f32; 2]> {
     let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     VertexBuffer::new_with_data(context, &corners)
 }
 
-/// Over all that is there, and behind all that comes.
+/// Render states that draw over everything and write no depth, so that later objects are drawn in front.
 pub(super) const OVER_ALL: RenderStates = RenderStates {
     write_mask: WriteMask::COLOR,
     depth_test: DepthTest::Always,

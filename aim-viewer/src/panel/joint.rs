@@ -1,16 +1,17 @@
-//! One joint's settings. Whatever is set here, the declaration stays one that passes every check.
+//! Settings of one joint. Every combination that can be set is a valid declaration.
 
 use aim_codegen::{AngleRange, JointSpec, LimitsFrom};
 use eframe::egui::{self, Ui};
 
 use super::widgets::{button, check, named, row};
 
-/// A range goes this far to one side at least, degrees: less cannot be declared.
+/// Least magnitude of the larger end of a range, degrees. Smaller ranges cannot be declared.
 const NARROWEST: f64 = 1.0;
-/// Range given to an angle that was free, degrees to either side.
+/// Range of an angle that is no longer free and has no declared range, degrees to either side.
 const LIMITED: f64 = 90.0;
-/// Rates and accelerations, degrees a second (and that a second); more may have been declared.
+/// Range of rates, degrees per second. The declared rate may be higher.
 const RATES: std::ops::RangeInclusive<f64> = 1.0..=2000.0;
+/// Range of accelerations, degrees per second squared. The declared acceleration may be higher.
 const ACCELERATIONS: std::ops::RangeInclusive<f64> = 10.0..=20_000.0;
 const STIFFNESSES: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
@@ -65,18 +66,18 @@ fn settings(ui: &mut Ui, joint: &mut JointSpec, declared: &JointSpec) {
     });
 }
 
-/// The two ends of a range: the lower one at most 0, the upper one at least 0, and not both.
+/// Shows the two ends of a range: the lower one at most 0, the upper one at least 0, and not both 0.
 fn ends(ui: &mut Ui, range: &mut AngleRange, name: &str) {
     let AngleRange::Between(lo, hi) = range else { return };
     let shown = [lo.to_degrees(), hi.to_degrees()];
-    // Whichever end is nearer than that, the other one must not be.
+    // If one end is nearer to 0 than `NARROWEST`, the other one must be at least that far.
     let least = |other: f64| if other.abs() >= NARROWEST { 0.0 } else { NARROWEST };
     degrees(ui, lo, -180.0..=-least(shown[1]), "°", &format!("{name} from"));
     ui.label("…");
     degrees(ui, hi, least(shown[0])..=180.0, "°", &format!("{name} to"));
 }
 
-/// An angle in degrees. What is not touched stays to the last bit.
+/// Shows an angle in degrees. An angle that is not edited keeps its exact value in radians.
 fn degrees(ui: &mut Ui, angle: &mut f64, range: std::ops::RangeInclusive<f64>, unit: &str, name: &str) {
     let mut degrees = angle.to_degrees();
     let speed = (degrees.abs() * 0.01).max(0.2);

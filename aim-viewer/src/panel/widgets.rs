@@ -1,25 +1,25 @@
-//! What the panel is made of. Every control has a name of its own, for those who do not see it and for tests.
+//! Widgets of the panel. Every control has an accessible name, for screen readers and for tests.
 
 use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Response, RichText, Ui};
 
-/// The width of the column of names, points.
+/// Width of the column of names, points.
 const NAMES: f32 = 62.0;
-/// The width of what tells a slider's value, points.
+/// Width of the text with a slider's value, points.
 const VALUE: f32 = 40.0;
 
-/// The same response, with a name.
+/// Sets a widget's accessible name, and returns its response.
 pub(crate) fn named(response: Response, name: &str) -> Response {
     response.ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
     response
 }
 
-/// Something with a heading that folds it.
+/// Shows a section that can be collapsed.
 pub(super) fn group(ui: &mut Ui, heading: &str, is_open: bool, contents: impl FnOnce(&mut Ui)) {
     ui.add_space(4.0);
     let folded = egui::CollapsingHeader::new(RichText::new(heading).strong()).default_open(is_open);
-    // The contents keep the whole width: headings tell groups apart well enough.
+    // The contents are not indented, because the headings separate the sections well enough.
     let shown = folded.show_unindented(ui, |ui| {
         contents(ui);
         ui.add_space(2.0);
@@ -27,7 +27,7 @@ pub(super) fn group(ui: &mut Ui, heading: &str, is_open: bool, contents: impl Fn
     named(shown.header_response, &format!("group {heading}"));
 }
 
-/// A line: what it is, and its controls, which may go on in further lines.
+/// Shows a line with a name and controls. The controls may wrap to further lines.
 pub(super) fn row<R>(ui: &mut Ui, name: &str, hover: &str, controls: impl FnOnce(&mut Ui) -> R) -> R {
     let line = |ui: &mut Ui| {
         let size = egui::vec2(NAMES, ui.spacing().interact_size.y);
@@ -44,7 +44,7 @@ pub(super) fn row<R>(ui: &mut Ui, name: &str, hover: &str, controls: impl FnOnce
     ui.horizontal_top(line).inner
 }
 
-/// A sentence.
+/// Shows a note in small text.
 pub(super) fn note(ui: &mut Ui, text: &str) {
     ui.add(egui::Label::new(RichText::new(text).weak().small()).wrap());
 }
@@ -53,7 +53,7 @@ pub(crate) fn button(ui: &mut Ui, text: &str, name: &str, hover: &str) -> Respon
     named(ui.button(text), name).on_hover_text(hover)
 }
 
-/// One of several.
+/// Shows a choice of one of several options, `(value, name, hover text)`.
 pub(super) fn choice<'a, T: PartialEq>(
     ui: &mut Ui,
     what: &str,
@@ -69,14 +69,14 @@ pub(super) fn choice<'a, T: PartialEq>(
     }
 }
 
-/// A flag, or why it cannot be set.
+/// Shows a checkbox. `can` says whether it is enabled, and otherwise why not.
 pub(super) fn check(ui: &mut Ui, flag: &mut bool, text: &str, name: &str, can: (bool, &str), hover: &str) -> Response {
     let (enabled, why_not) = can;
     let shown = ui.add_enabled(enabled, egui::Checkbox::new(flag, text));
     named(shown, name).on_hover_text(hover).on_disabled_hover_text(why_not)
 }
 
-/// A slider that fills the line, with its value behind it.
+/// Shows a slider that fills the line, followed by its value.
 pub(super) fn slider<T: egui::emath::Numeric>(
     ui: &mut Ui,
     value: &mut T,

@@ -1,11 +1,12 @@
-//! Feet on a sloped floor.
+//! Tests of feet on a sloped floor.
 
 use aim_animation::Plant;
 use aim_runtime::glam::DVec3;
 
 use super::*;
 
-/// The heights of both balls over the slope, along up, and how far each is from where it is planted; by the nodes in the world.
+/// Returns, for each foot, the height of its ball above the slope along up, and the distance from its planted position
+/// if planted. Computed from the world transforms of the nodes.
 fn feet(window: &Window) -> Vec<(f64, Option<f64>)> {
     let stage = &window.viewer().stage;
     let (actor, frame) = (&stage.actors[0], stage.first().expect("a frame"));

@@ -1,4 +1,4 @@
-//! Files that are dropped onto the window.
+//! Tests of files dropped onto the window.
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ heading = ["-5deg", "5deg"]
 rate = "30deg"
 "#;
 
-/// As a desktop hands a file over: by its path.
+/// Returns a dropped file as a desktop passes it, by path.
 fn on_disk(name: &str, bytes: &[u8]) -> egui::DroppedFile {
     let folder = std::env::temp_dir().join(format!("aim-viewer-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder for files");

@@ -1,4 +1,4 @@
-//! Every key that the help tells.
+//! Tests of every key in the help.
 
 use aim_runtime::glam::Vec3;
 
@@ -8,10 +8,10 @@ use crate::gizmos::Shown;
 use crate::stage::Stage;
 use crate::tools::Tool;
 
-/// What a key is pressed or held for, and what has to come of it.
+/// The keys of an entry in the help, and for each a test of its effect.
 type Case = (&'static str, &'static [(Key, fn(&mut Window, Key))]);
 
-/// By the same words as in the help.
+/// The entries, with the same names as in the help.
 const CASES: [Case; 14] = [
     ("I K", &[(Key::I, |w, key| moves(w, key, up)), (Key::K, |w, key| moves(w, key, |w| -up(w)))]),
     ("J L", &[(Key::J, |w, key| moves(w, key, |w| -right(w))), (Key::L, |w, key| moves(w, key, right))]),
@@ -49,7 +49,7 @@ fn nearer(window: &Window) -> Vec3 {
     right(window).cross(up(window))
 }
 
-/// The target goes 0.6 m in half a second, this way, and off its path.
+/// Checks that the key moves the target by 0.6 m in half a second in this direction, and takes it off its path.
 fn moves(window: &mut Window, key: Key, direction: impl Fn(&Window) -> Vec3) {
     window.click("path: orbit");
     let before = window.viewer().stage.target_now();

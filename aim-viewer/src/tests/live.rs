@@ -1,4 +1,4 @@
-//! What runs on while things are changed.
+//! Tests of changes while the viewer runs.
 
 use aim_runtime::Solver;
 use aim_runtime::glam::Vec3;
@@ -7,13 +7,13 @@ use super::*;
 use crate::stage::Stage;
 use crate::tuning::Lineup;
 
-/// Every actor's added angles.
+/// Returns the added angles of all actors' joints, radians.
 fn angles(stage: &Stage) -> Vec<[f32; 2]> {
     let joints = stage.actors.iter().filter_map(|actor| actor.frame.as_ref()).flat_map(|frame| &frame.joints);
     joints.map(|joint| [joint.heading, joint.pitch]).collect()
 }
 
-/// All that moves.
+/// Returns the whole moving state as text, for comparisons.
 fn moving(window: &Window) -> String {
     let Stage { clock, target, memory, actors, crowd, .. } = &window.viewer().stage;
     let worlds: Vec<_> = actors.iter().map(|a| &a.frame).chain(crowd.iter().map(|m| &m.frame)).collect();
@@ -70,7 +70,7 @@ fn speed_is_that_of_clip_and_path() {
     }
 }
 
-/// What is switched while all is paused.
+/// A name, and a change that is made while the stage is paused.
 type Switch = (&'static str, fn(&mut Stage));
 
 #[test]
@@ -123,7 +123,7 @@ fn a_crowd_is_as_its_first_where_it_stands_alike() {
         frames.map(|frame| frame.error_deg).collect()
     };
     assert_eq!(errors(&window).len(), 19);
-    // Other ranges hold for the whole crowd.
+    // Changed ranges apply to the whole crowd.
     let reached = errors(&window).iter().filter(|error| **error < 0.2).count();
     assert!(reached > 10, "{:?}", errors(&window));
     for joint in &mut window.harness.state_mut().stage.tuning.spec.joints {
@@ -155,7 +155,7 @@ fn ranges_rates_and_weight_are_held_live() {
     assert!(angles(&window.viewer().stage).iter().flatten().all(|angle| *angle == 0.0), "the animation alone");
 }
 
-/// Everything that is drawn or plotted is a number.
+/// Checks that everything drawn or plotted is finite.
 fn assert_finite(window: &Window) {
     let Viewer { stage, camera, shown, .. } = window.viewer();
     let picture = stage.picture(camera, *shown);

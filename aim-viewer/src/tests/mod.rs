@@ -1,4 +1,4 @@
-//! The viewer, driven by what a user does: keys, the mouse, files. Nothing is drawn.
+//! Tests that drive the viewer as a user does, by keys, the mouse and files. Nothing is drawn.
 
 mod feet;
 mod files;
@@ -25,14 +25,15 @@ use crate::overlay::on_screen;
 use crate::stage::SIXTIETH;
 use crate::viewer::Viewer;
 
-/// A window, as high as its panel is long.
+/// Size of a window that shows the whole panel without scrolling, points.
 const TALL: [f32; 2] = [1280.0, 2600.0];
+/// Size of an ordinary window, points.
 const USUAL: [f32; 2] = [1280.0, 800.0];
 
-/// A viewer in a window without a screen.
+/// A viewer in a simulated window.
 struct Window {
     harness: Harness<'static, Viewer>,
-    /// Where the scene is.
+    /// Rectangle of the scene in the window, points.
     scene: Rc<Cell<Rect>>,
 }
 
@@ -46,7 +47,7 @@ impl Window {
         let builder = Harness::builder().with_size(size).with_step_dt(SIXTIETH).with_max_steps(1);
         let viewer = Viewer::new(character).expect("its rig is a chain");
         let mut window = Self { harness: builder.build_ui_state(frame, viewer), scene };
-        // Until everything has found its size.
+        // The layout needs two frames.
         window.frames(2);
         window
     }
@@ -63,7 +64,7 @@ impl Window {
         self.harness.run_steps(count);
     }
 
-    /// Place of a point of the world on the screen; `None` behind the camera.
+    /// Returns the screen position of a world point. Panics if it is behind the camera.
     fn seen(&self, point: Vec3) -> Pos2 {
         on_screen(self.viewer(), self.scene.get(), point).expect("it is in front of the camera")
     }
@@ -73,7 +74,7 @@ impl Window {
         self.harness.step();
     }
 
-    /// Keeps a key down for so many frames, at least one.
+    /// Holds a key for this number of frames, at least one.
     fn hold(&mut self, key: Key, frames: usize) {
         self.harness.key_down(key);
         self.harness.step();
@@ -82,7 +83,7 @@ impl Window {
         self.harness.step();
     }
 
-    /// The pointer is pressed at one place and let go at another.
+    /// Presses a mouse button at `from`, moves the pointer, and releases the button at `to`.
     fn drag(&mut self, button: egui::PointerButton, from: Pos2, to: Pos2) {
         let pressed = |pos, pressed| egui::Event::PointerButton { pos, button, pressed, modifiers: Default::default() };
         self.harness.event(egui::Event::PointerMoved(from));
@@ -104,7 +105,7 @@ impl Window {
             modifiers: Default::default(),
         });
         self.harness.step();
-        // The wheel is smoothed over some frames.
+        // egui smooths the wheel over several frames.
         self.frames(20);
     }
 
@@ -130,11 +131,11 @@ impl Window {
     fn click(&mut self, name: &str) {
         self.harness.get(by(name)).click();
         self.harness.step();
-        // What was changed is shown the frame after.
+        // A change is shown in the next frame.
         self.harness.step();
     }
 
-    /// The names of all that can be clicked, dragged or typed into.
+    /// Returns the names of all controls that can be clicked, dragged or typed into.
     fn controls(&self) -> BTreeSet<String> {
         let mut found = BTreeSet::new();
         let mut open = vec![self.harness.root()];
@@ -150,7 +151,7 @@ impl Window {
         found
     }
 
-    /// What stands on the screen.
+    /// Returns all texts on the screen.
     fn texts(&self) -> Vec<String> {
         let mut found = Vec::new();
         let mut open = vec![self.harness.root()];
@@ -165,7 +166,7 @@ impl Window {
 fn is_control(node: &egui_kittest::kittest::AccessKitNode<'_>) -> bool {
     use accesskit::Role;
     let passive = [Role::Window, Role::GenericContainer, Role::Label, Role::TextRun];
-    // What has no role is an area, an axis of a plot or an edge of a panel, unless it was given a name.
+    // Nodes without a role and a name are areas, axes of plots, or edges of panels.
     let is_unknown = node.role() == Role::Unknown && node.label().is_none();
     !passive.contains(&node.role()) && !is_unknown
 }

@@ -1,11 +1,11 @@
-//! What the mouse does in the scene, and what it leaves alone.
+//! Tests of the mouse in the scene, and outside it.
 
 use eframe::egui::{PointerButton, Vec2, vec2};
 
 use super::*;
 use crate::tuning::Lineup;
 
-/// Somewhere in the scene where nothing is.
+/// Returns an empty place in the scene.
 fn elsewhere(window: &Window) -> Pos2 {
     let scene = window.scene.get();
     scene.left_top() + vec2(40.0, scene.height() * 0.5)
@@ -49,7 +49,7 @@ fn elsewhere_the_mouse_turns_and_moves_the_camera() {
     let [yaw, pitch] = [window.viewer().camera.yaw, window.viewer().camera.pitch];
     window.drag(PointerButton::Primary, from, from + vec2(50.0, 25.0));
     let turned = window.viewer().camera;
-    // As one takes hold of a thing: what is in front goes along.
+    // The front of the scene follows the pointer.
     assert!(turned.yaw < yaw && turned.pitch > pitch && turned.focus == camera, "{turned:?}");
     for button in [PointerButton::Secondary, PointerButton::Middle] {
         let before = window.viewer().camera;

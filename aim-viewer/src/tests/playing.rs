@@ -1,4 +1,4 @@
-//! Clips as they are played: at any time, one after the other, one over the other, with and without the way of their root.
+//! Tests of playing clips: seeking, transitions, a separate clip on the upper body, and in-place movement.
 
 use aim_animation::{Clip, Track};
 use aim_runtime::glam::{DVec3, Quat, Vec3};
@@ -7,7 +7,8 @@ use egui_kittest::kittest::Queryable;
 use super::{USUAL, Window};
 use crate::character::Character;
 
-/// The mannequin with a clip in which it glides ahead by two metres in a second and turns its hips and arms.
+/// Returns a window with the mannequin and a clip in which its hips move ahead by two metres in a second and its left
+/// arm is raised.
 fn gliding() -> Window {
     let mannequin = Character::mannequin().expect("the mannequin");
     let skeleton = mannequin.skeleton();
@@ -21,7 +22,7 @@ fn gliding() -> Window {
         .with_rotation(arm, Track::linear([0.0, 1.0], raised).expect("two keys"));
     let file = mannequin.document.with_clips(&[clip]).expect("it can be written");
     let mut window = Window::new(Character::from_bytes("gliding.glb", &file).expect("as the mannequin"), USUAL);
-    // Without aim, once that has faded: what is seen is what is played.
+    // Turn aiming off and wait until the corrections are gone, so that only the animation is visible.
     window.harness.state_mut().stage.tuning.settings.weight = 0.0;
     window.frames(150);
     window
@@ -33,7 +34,7 @@ fn place(window: &Window, name: &str) -> DVec3 {
     stage.first().expect("there is a frame").world[node].translation
 }
 
-/// The place at a time of a clip, as the file has it.
+/// Returns a node's position at a time of a clip, computed directly from the file.
 fn authored(window: &Window, clip: &str, seconds: f32, name: &str) -> DVec3 {
     let character = &window.viewer().stage.character;
     let (skeleton, clip) = (character.skeleton(), character.document.clip(clip).expect("it is there"));
@@ -78,7 +79,7 @@ fn one_clip_goes_over_into_another() {
         let rest = window.viewer().stage.character.skeleton().clone();
         let rest = rest.world_f64(rest.rest())[rest.find(hand).expect("it has one")].translation;
         let left = place(&window, hand).distance(rest);
-        // It is still where it was, or at once in the other clip.
+        // With a fade the hand is still near its old position, without one it is in the new pose at once.
         assert!(if fade_s > 0.0 { left > step } else { left < 1e-4 }, "{step} m gone, {left} m from the rest pose");
         window.frames(40);
         let left = place(&window, hand).distance(rest);

@@ -1,10 +1,10 @@
-//! What the mouse points at, and the thing in the hand.
+//! Tests of the hit under the mouse pointer, and of the lamp in the hand.
 
 use aim_runtime::glam::{DVec3, Vec2};
 
 use super::*;
 
-/// Where on the screen a vertex is in the middle of a figure that a bone carries.
+/// Returns the screen position halfway between a bone and its first child.
 fn middle(window: &Window, bone: &str) -> Pos2 {
     let stage = &window.viewer().stage;
     let skeleton = stage.character.skeleton();
@@ -28,13 +28,13 @@ fn the_bone_under_the_pointer_is_found() {
         let stage = &window.viewer().stage;
         let pointed = stage.pointed.expect("the figure is there");
         assert_eq!(stage.character.skeleton().names()[pointed.bone], bone);
-        // The point is under the pointer, and on the triangle.
+        // The point lies under the pointer and in the plane of the triangle.
         assert!(window.seen(pointed.point).distance(at) < 0.5, "{:?} {at:?}", window.seen(pointed.point));
         let [a, b, c] = pointed.triangle;
         let normal = (b - a).cross(c - a).normalize();
         assert!((pointed.point - a).dot(normal).abs() < 1e-4, "{pointed:?}");
     }
-    // Beside the figure there is nothing, and without boxes nothing is looked for.
+    // Beside the figure there is no hit.
     window.harness.event(egui::Event::PointerMoved(window.scene.get().left_top() + egui::vec2(5.0, 300.0)));
     window.frames(2);
     assert_eq!(window.viewer().stage.pointed, None);
@@ -76,7 +76,7 @@ fn the_lamp_stays_in_the_hand() {
             let stage = &window.viewer().stage;
             let world = &stage.first().expect("a frame").world;
             let lamp = stage.lamp.expect("there is a hand").place(world).as_daffine3();
-            // Forward kinematics in double precision: as a child of the hand.
+            // In double precision, the lamp keeps its position in the hand's space, like a child of the hand.
             let bind = &stage.character.measurement.bind_world;
             let hand = world[stage.character.hand.expect("it has one")];
             let of_hand = hand.inverse().transform_point3(lamp.transform_point3(DVec3::Z * 0.1));

@@ -1,4 +1,5 @@
-//! What is sent to the graphics card, evaluated as the vertex shader does, against the definition in double precision.
+//! Evaluates the data sent to the GPU as the vertex shader does, and compares the result with the definition in double
+//! precision.
 
 use aim_character::{PAPER_AXES, Palette, mannequin};
 use aim_gltf::Document;
@@ -8,7 +9,7 @@ use serde_json::json;
 use super::*;
 use crate::draw::Movers;
 
-/// A vertex as the shader places it, and its normal.
+/// Returns the position and normal of a vertex as computed by the shader.
 fn shaded(movers: &Movers, vertex: usize, rest: [Vec3; 2], (rows, weights): (&[[f32; 4]], &[f32])) -> [DVec3; 2] {
     let [mut place, mut normal] = rest.map(|v| v.as_dvec3());
     let [first, count] = movers.shifted[vertex].map(|number| number as usize);
@@ -33,8 +34,8 @@ fn shaded(movers: &Movers, vertex: usize, rest: [Vec3; 2], (rows, weights): (&[[
     [DVec3::new(at(x, mean[0][3]), at(y, mean[1][3]), at(z, mean[2][3])), turned.normalize_or_zero()]
 }
 
-/// Holds every vertex of a moving figure against the definition: places by `Palette`, normals by the inverse's transpose
-/// of a matrix that is found by moving the corners of a small tetrahedron.
+/// Checks every vertex of a moving figure. Positions are compared with `Palette`, normals with the inverse transpose of
+/// the local linear map, which is found by moving the vertex along each axis.
 fn assert_as_defined(character: Character) {
     let mut window = Window::new(character, USUAL);
     for frames in [1, 20, 40] {
@@ -81,10 +82,11 @@ fn vertices_of_real_characters_are_where_the_definition_has_them() {
     }
 }
 
-/// What the targets of the left eye are called: to the right, to the left, down and up.
+/// Names of the morph targets of the left eye: to the right, to the left, down and up.
 const LEFT_EYE: [&str; 4] = ["eyeLookInLeft", "eyeLookOutLeft", "eyeLookDownLeft", "eyeLookUpLeft"];
 
-/// The mannequin with those targets instead of eyes that turn. Target `k` moves all of the head by `k + 1` centimetres.
+/// Returns the mannequin with the morph targets of [`LEFT_EYE`] instead of eye bones. Target `k` moves the whole head
+/// by `k + 1` centimetres.
 fn with_morph_eye() -> Character {
     let glb = mannequin(|_| PAPER_AXES).expect("frames");
     let document = Document::from_bytes(&glb).expect("it can be read");
@@ -133,7 +135,7 @@ fn morph_targets_move_vertices_as_the_eye_looks() {
     for (left, expected) in [(1.0, 1), (-1.0, 0)] {
         let stage = &mut window.harness.state_mut().stage;
         stage.target.place = stage.room().point(left, 0.0, 1.0);
-        // The eye leaps, and the head has hardly moved.
+        // After a few frames the eye has turned and the head has hardly moved.
         window.frames(6);
         let stage = &window.viewer().stage;
         let skinning = &stage.character.skinning;
@@ -149,7 +151,7 @@ fn morph_targets_move_vertices_as_the_eye_looks() {
         let [found, _] = shaded(&movers, vertex, rest, (&figure.rows, &figure.morphs));
         let [wanted, _] = shaded(&movers, vertex, [rest[0] + by, rest[1]], (&figure.rows, &[0.0; 4]));
         assert!(found.distance(wanted) < 1e-6 && by.length() > 1e-3, "{found} {wanted} {by}");
-        // Back in front before the other way.
+        // Restart before looking the other way.
         window.harness.state_mut().stage.restart();
     }
 }

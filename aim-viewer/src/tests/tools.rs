@@ -1,4 +1,4 @@
-//! Solvers that are tried in place of the rig's, on any character.
+//! Tests of the tools that replace the rig's solver, on several characters.
 
 use aim_character::{PAPER_AXES, Role, mannequin};
 use aim_runtime::glam::{DAffine3, DVec3};
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::*;
 use crate::tools::Tool;
 
-/// A GLB whose JSON and binary chunk are changed.
+/// Returns a GLB file with its JSON and binary chunk edited.
 pub(super) fn edited(glb: &[u8], edit: impl FnOnce(&mut Value, &mut Vec<u8>)) -> Vec<u8> {
     let length = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes")) as usize;
     let json = 20..20 + length(12);
@@ -18,7 +18,7 @@ pub(super) fn edited(glb: &[u8], edit: impl FnOnce(&mut Value, &mut Vec<u8>)) ->
     aim_gltf::to_glb(document.to_string().as_bytes(), Some(&bin)).expect("it is small")
 }
 
-/// The mannequin below a node of this scale.
+/// Returns the mannequin below a node with this scale.
 pub(super) fn scaled(scale: [f64; 3]) -> Character {
     let file = edited(&mannequin(|_| PAPER_AXES).expect("frames"), |document, _| {
         let roots = document["scenes"][0]["nodes"].clone();
@@ -37,7 +37,7 @@ const TANK: &str = r#"{ "asset": { "version": "2.0" }, "nodes": [
     { "name": "end", "translation": [0.0, 0.0, -2.0] }
 ] }"#;
 
-/// After two seconds with a tool and a still target; and as it is without either.
+/// Returns the window after two seconds with a tool and a still target, and the world transforms without either.
 fn tried(character: Character, tool: Tool, target: impl Fn(&Viewer) -> Vec3) -> (Window, Vec<DAffine3>) {
     let mut window = Window::new(character, USUAL);
     let stage = &mut window.harness.state_mut().stage;
@@ -52,7 +52,7 @@ fn tried(character: Character, tool: Tool, target: impl Fn(&Viewer) -> Vec3) -> 
     (window, unaimed)
 }
 
-/// Degrees between a bone's measured forward and the way from its origin to the target.
+/// Returns the angle between a bone's measured forward direction and the direction to the target, degrees.
 fn off(window: &Window, bone: usize) -> f64 {
     let stage = &window.viewer().stage;
     let world = stage.first().expect("a frame").world[bone];
@@ -68,7 +68,7 @@ fn ahead(viewer: &Viewer) -> Vec3 {
 #[test]
 fn a_head_an_eye_and_poses_point_at_the_target() {
     for scale in [[1.0; 3], [-1.0, 1.0, 1.0], [-1.2, 0.9, 1.1]] {
-        // Under uneven scale no turn of a bone is exact: the nearest is taken.
+        // With non-uniform scale, no rotation of a bone is exact, and the solver returns the nearest.
         let most_deg = if scale[1] == 1.0 { 0.1 } else { 4.0 };
         for tool in [Tool::LookAt, Tool::OneBone, Tool::AimPoses] {
             let (window, unaimed) = tried(scaled(scale), tool, ahead);
@@ -86,7 +86,7 @@ fn a_head_an_eye_and_poses_point_at_the_target() {
                 assert!(off < most_deg, "{tool:?} under {scale:?}: {off}° off");
             }
             assert!(frame.error_deg < most_deg, "{tool:?} under {scale:?}: tells {}° off", frame.error_deg);
-            // Nothing but what hangs on the bones that it is to turn has moved.
+            // Only the turned bones and their descendants have moved.
             let turned = match tool {
                 Tool::LookAt => vec![head],
                 Tool::OneBone => eyes.to_vec(),
@@ -119,7 +119,7 @@ fn a_hand_reaches_for_the_target() {
         assert!(left < 1e-3, "{left} m left under {scale:?}");
         let right = hand - stage.character.measurement.bind_world[stage.character.chain.joints[0]].translation;
         assert!(right.dot(stage.character.measurement.left) < 0.0, "it is the right one");
-        // Out of reach it stretches there.
+        // For a target out of reach, the arm stretches towards it.
         let (window, _) = tried(scaled(scale), Tool::Ccd, |viewer| viewer.stage.room().point(-1.0, 0.5, 4.0));
         let frame = window.viewer().stage.first().expect("a frame");
         assert_eq!(frame.outcome.status, aim_runtime::Status::AtLimit);

@@ -1,4 +1,4 @@
-//! The panel, the plots and the overlay: every control, by its name.
+//! Tests of every control of the panel, the plots and the overlay, by name.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use super::*;
 use crate::target::Path;
 use crate::tuning::Lineup;
 
-/// A rig for the mannequin with whatever a panel can show of a joint.
+/// A rig for the mannequin that uses every setting that the panel can show for a joint.
 const RICH: &str = r#"
 name = "Rich"
 axes = { up = "+X", forward = "+Y", left = "+Z" }
@@ -57,7 +57,7 @@ fn ends(range: Option<AngleRange>) -> [f64; 2] {
     }
 }
 
-/// A click and what it changes: read before and after.
+/// A control to click, a function that reads the state, and its values before and after.
 type Click = (&'static str, fn(&Viewer) -> String, &'static str, &'static str);
 
 const CLICKS: &[Click] = &[
@@ -117,7 +117,8 @@ fn behind(viewer: &Viewer) -> String {
     format!("{policy:?}")
 }
 
-/// What a drag to the right changes, and by which sign; to the left the other way.
+/// A control to drag, and a function that reads its value. Dragging right increases the value, dragging left decreases
+/// it.
 type Drag = (&'static str, fn(&Viewer) -> f64);
 
 const DRAGS: &[Drag] = &[
@@ -146,7 +147,7 @@ const DRAGS: &[Drag] = &[
     ("spine3 stiffness", |v| spec(v).joints[2].stiffness),
 ];
 
-/// What unfolds, and something of its inside.
+/// Collapsible sections, each with a control that it contains.
 const FOLDS: &[(&str, &str)] = &[
     ("group Animation", "pause"),
     ("group Aiming", "weight"),
@@ -159,7 +160,7 @@ const FOLDS: &[(&str, &str)] = &[
     ("group Rig", "copy as Rust"),
 ];
 
-/// The controls that have a test of their own below.
+/// Controls with separate tests below.
 const OTHERS: &[&str] = &[
     "clip",
     "clip: rest pose",
@@ -193,18 +194,18 @@ const OTHERS: &[&str] = &[
     "copy as TOML",
     "group Help",
     "dismiss",
-    // Those of the mouse.
+    // Tested in `mouse.rs`.
     "scene",
 ];
 
-/// Unfolds all joints.
+/// Expands the sections of all joints.
 fn unfold(window: &mut Window) {
     for joint in ["joint left_eye", "joint neck", "joint spine3"] {
         window.click(joint);
     }
 }
 
-/// Presses on a drag value or on a slider's handle and moves by so many points.
+/// Drags a drag value or slider by this number of points.
 fn pull(window: &mut Window, name: &str, by: f32) {
     let from = window.rect(name).center();
     window.drag(egui::PointerButton::Primary, from, from + egui::vec2(by, 0.0));
@@ -223,7 +224,8 @@ fn every_control_has_a_test() {
     unfold(&mut window);
     window.click("group Help");
     let mut found = window.controls();
-    // What is there only at times: a list that is open, two words for one button, a range where none was.
+    // Controls that are shown only at times: open lists, the second label of a button, the range of a joint that was
+    // free.
     for list in ["clip", "upper"] {
         window.click(list);
         found.extend(window.controls());
@@ -258,7 +260,7 @@ fn drags_change_what_they_say() {
     let mut window = rich();
     unfold(&mut window);
     for (name, read) in DRAGS {
-        // Sliders jump to the pointer: they start from their middle.
+        // Sliders jump to the pointer, so the drag starts from the middle of the slider.
         pull(&mut window, name, -12.0);
         let before = read(window.viewer());
         pull(&mut window, name, 40.0);
@@ -346,14 +348,14 @@ fn numbers_are_typed() {
     window.press(Key::Enter);
     window.frames(2);
     assert_eq!(ends(spec(window.viewer()).joints[1].heading), [-60.0, 12.5]);
-    // What is typed does not move the target or the camera.
+    // Typing does not move the target or the camera.
     let before = (window.viewer().stage.target_now(), window.viewer().camera);
     window.click("neck rate");
     window.hold(Key::K, 3);
     assert_eq!((window.viewer().stage.target_now(), window.viewer().camera), before);
 }
 
-/// Whether a joint is one that a declaration may have.
+/// Checks that a joint can be declared.
 fn assert_declarable(joint: &JointSpec) {
     for range in [joint.heading, joint.pitch].into_iter().flatten() {
         if let AngleRange::Between(lo, hi) = range {
@@ -416,7 +418,7 @@ fn read_rust(text: &str) -> RigSpec {
     from_derive_input(&item).unwrap_or_else(|errors| panic!("{}\n{text}", errors.render())).spec
 }
 
-/// What a button put onto the clipboard.
+/// Clicks a button, and parses the text that it copies to the clipboard.
 fn copied(window: &mut Window, name: &str, read: fn(&str) -> RigSpec) -> RigSpec {
     window.harness.get(by(name)).click();
     window.harness.step();

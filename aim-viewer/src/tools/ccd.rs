@@ -1,4 +1,4 @@
-//! A chain whose end goes to the target.
+//! A chain whose tip reaches for the target.
 
 use aim_runtime::Status;
 use aim_runtime::glam::{Quat, Vec3};
@@ -7,10 +7,10 @@ use aim_runtime::ik::{Ccd, CcdJoint, CcdLimit, CcdStatus};
 use super::{Body, Tried, error_deg};
 use crate::character::Character;
 
-/// How far each joint may turn from the animation, radians, from the tip inward: forearm, upper arm, shoulder, chest.
+/// Largest turn of each joint from the animation, radians, from the tip inward: forearm, upper arm, shoulder, chest.
 const TURNS: [f32; 4] = [2.0, 2.0, 0.4, 0.4];
 
-/// From the root outward: a chest, a shoulder and an arm; or a trunk where there is no hand.
+/// The joints of the chain, from the root outward: chest, shoulder and arm, or the rig's own chain if there is no hand.
 #[derive(Debug)]
 pub(super) struct Arm {
     joints: Vec<(usize, f32)>,
@@ -28,7 +28,7 @@ impl Arm {
         }
         let chain = &character.chain.joints;
         let joints = chain.iter().skip(1).map(|&joint| (joint, TURNS[2])).rev();
-        // A chain of one turns about itself.
+        // A rig with one joint leaves no joints, and nothing turns.
         Self { joints: joints.collect(), tip: chain[0] }
     }
 
@@ -39,7 +39,8 @@ impl Arm {
         let outcome = Ccd::new().solve(&mut joints, body.origin(self.tip), target);
         let mut carried = Quat::IDENTITY;
         for (joint, &(bone, _)) in joints.iter().zip(&self.joints) {
-            // Its turn is from the animation; the joints before it have carried it along by theirs.
+            // `turn` is relative to the animation and includes the turns of the joints inward of it: own turn = turn ·
+            // carried⁻¹.
             body.turn(bone, joint.turn * carried.inverse());
             carried = joint.turn;
         }

@@ -1,4 +1,4 @@
-//! A head on its neck.
+//! A head that turns relative to its neck.
 
 use aim_character::Role;
 use aim_runtime::Status;
@@ -8,16 +8,18 @@ use aim_runtime::ik::{LookAt, LookAtStatus};
 use super::{Body, Tried, Try, axes, error_deg};
 use crate::character::Character;
 
-/// How far the head turns to either side, up and down, radians; and how fast, radians a second.
+/// Largest heading to either side, radians.
 const HEADING: f32 = 1.2;
+/// Largest pitch up or down, radians.
 const PITCH: f32 = 0.8;
+/// Largest speed, radians per second.
 const SPEED: f32 = 4.0;
 
-/// The head, or what is aimed first where there is none.
+/// The head, or the first joint of the chain if no head was found.
 #[derive(Debug)]
 pub(super) struct Head {
     bone: usize,
-    /// What it sits on; roots sit on the model.
+    /// Parent of the bone; `None` for a root.
     neck: Option<usize>,
     look: LookAt,
 }
@@ -36,7 +38,7 @@ impl Head {
         Self { bone, neck, look }
     }
 
-    /// From how the last frame left it; from the animation's at first.
+    /// Turns the head from its rotation in the last frame, at first from the animated one.
     pub(super) fn look(&self, body: &mut Body<'_>, tried: Try, left: &mut Option<Quat>) -> Tried {
         if let Some(rotation) = *left {
             body.set(self.bone, rotation);

@@ -1,7 +1,7 @@
-//! Solvers of [`aim_runtime::ik`] that are tried on the character that is shown, in place of its rig's.
+//! Solvers of [`aim_runtime::ik`] that can be used on the displayed character instead of its rig's solver.
 //!
-//! A [`Tool`] says which. [`Tools`] has found the bones that each of them turns, once for each character; [`Tools::apply`]
-//! turns them over the animation of a frame and says what came of it.
+//! [`Tool`] selects the solver. [`Tools`] holds the bones that each one turns, found once for each character.
+//! [`Tools::apply`] turns them on top of the animation of a frame and returns the result.
 
 mod aim_poses;
 mod ccd;
@@ -19,23 +19,23 @@ use self::look_at::Head;
 use self::one_bone::Pointer;
 use crate::character::Character;
 
-/// Which solver is tried.
+/// A solver that can be used instead of the rig's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Tool {
-    /// [`aim_runtime::ik::LookAt`]: the head alone, as it sits on its neck.
+    /// [`aim_runtime::ik::LookAt`]: turns only the head, relative to the neck.
     LookAt,
-    /// [`aim_runtime::ik::OneBone`]: each eye, or what is aimed first.
+    /// [`aim_runtime::ik::OneBone`]: turns each eye, or the first joint of the chain.
     OneBone,
-    /// [`aim_runtime::ik::Ccd`]: a hand reaches by arm and chest, or the head by the trunk.
+    /// [`aim_runtime::ik::Ccd`]: the right hand reaches with arm and chest, or without a hand the tip of the chain.
     Ccd,
-    /// [`aim_runtime::ik::AimPoses`]: between poses that the rig itself has made.
+    /// [`aim_runtime::ik::AimPoses`]: blends poses that the rig has generated.
     AimPoses,
 }
 
 impl Tool {
     pub(crate) const ALL: [Self; 4] = [Self::LookAt, Self::OneBone, Self::Ccd, Self::AimPoses];
 
-    /// The next of none and all in a circle.
+    /// Returns the next tool in the cycle: none, then each of [`ALL`](Self::ALL).
     pub(crate) fn after(tool: Option<Self>) -> Option<Self> {
         let at = Self::ALL.iter().position(|each| Some(*each) == tool);
         Self::ALL.get(at.map_or(0, |at| at + 1)).copied()
@@ -51,22 +51,23 @@ impl Tool {
     }
 }
 
-/// What came of a tool in a frame.
+/// Result of a tool in a frame.
 #[derive(Clone, Debug)]
 pub(crate) struct Tried {
     pub(crate) status: Status,
-    /// Between where it points and the target, degrees: of a hand as the chain's root sees both.
+    /// Angle between the direction of pointing and the target, degrees. For a hand, the angle between hand and target
+    /// seen from the root of the chain.
     pub(crate) error_deg: f64,
-    /// Starts and directions of what points.
+    /// Origins and directions of the rays.
     pub(crate) gazes: Vec<[Vec3; 2]>,
 }
 
-/// A frame for a tool.
+/// Input of a tool for a frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Try {
     pub(crate) tool: Tool,
     pub(crate) target: Vec3,
-    /// Seconds.
+    /// Duration of the frame, seconds.
     pub(crate) dt: f32,
 }
 
@@ -89,7 +90,8 @@ impl Tools {
         }
     }
 
-    /// Turns the tool's bones in the pose. `head` is how a head that is turned was left by the last frame.
+    /// Turns the tool's bones in the pose. `head` is the local rotation of the head after the last frame of
+    /// [`Tool::LookAt`].
     pub(crate) fn apply(
         &self,
         character: &Character,
@@ -110,7 +112,7 @@ impl Tools {
     }
 }
 
-/// A pose that is turned bone by bone.
+/// A pose, in local and model space, whose bones are turned one by one.
 struct Body<'a> {
     character: &'a Character,
     local: &'a mut [Transform],
@@ -120,19 +122,19 @@ struct Body<'a> {
 impl<'a> Body<'a> {
     fn new(character: &'a Character, local: &'a mut [Transform]) -> Self {
         let mut model = vec![Affine3A::IDENTITY; local.len()];
-        // Of equal lengths, here and below.
+        // Cannot fail here or below: all slices have the skeleton's length.
         let _ = character.skeleton().to_model(local, &mut model);
         Self { character, local, model }
     }
 
-    /// Turns a bone, and what hangs on it, in the space of the model.
+    /// Turns a bone and its descendants by a rotation in model space.
     fn turn(&mut self, bone: usize, turn: Quat) {
         let skeleton = self.character.skeleton();
         let _ = skeleton.turn_in_model(bone, turn, &self.model, self.local);
         self.carry(bone);
     }
 
-    /// Gives a bone a rotation in its parent's space.
+    /// Sets a bone's rotation in its parent's space.
     fn set(&mut self, bone: usize, rotation: Quat) {
         self.local[bone].rotation = rotation;
         self.carry(bone);
@@ -142,7 +144,7 @@ impl<'a> Body<'a> {
         let _ = self.character.skeleton().to_model_below(bone, self.local, &mut self.model);
     }
 
-    /// Of length one, or zero.
+    /// Returns a direction of a bone in model space: a unit vector, or zero if it is degenerate.
     fn direction(&self, bone: usize, of_bone: Vec3) -> Vec3 {
         self.model[bone].transform_vector3(of_bone).normalize_or_zero()
     }
@@ -152,14 +154,14 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Degrees between a gaze and its target; 90 where there is no direction.
+/// Returns the angle between a gaze and its target, degrees; 90 if there is no direction.
 fn error_deg([from, direction]: [Vec3; 2], target: Vec3) -> f64 {
     let (direction, wanted) = (direction.as_dvec3(), (target - from).as_dvec3());
     let [across, along] = [direction.cross(wanted).length(), direction.dot(wanted)];
     if across == 0.0 && along == 0.0 { 90.0 } else { across.atan2(along).to_degrees() }
 }
 
-/// A bone's measured axes; those of the world of the model for a bone that was not measured.
+/// Returns a bone's measured axes, or for a bone that was not measured the character's directions in the bone's space.
 fn axes(character: &Character, bone: usize) -> Axes {
     let measured = character.measurement.bone(bone).map(|bone| bone.frame);
     let [up, forward, left] = measured.map_or_else(

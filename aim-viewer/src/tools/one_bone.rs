@@ -1,4 +1,4 @@
-//! Bones that point at the target, each for itself.
+//! Bones that point at the target independently of each other.
 
 use aim_runtime::Status;
 use aim_runtime::glam::{DVec3, Vec3};
@@ -7,7 +7,7 @@ use aim_runtime::ik::{OneBone, OneBoneStatus};
 use super::{Body, Tried, axes, error_deg};
 use crate::character::Character;
 
-/// A bone and what of it points.
+/// A bone and the axis that points at the target, in the bone's space.
 #[derive(Debug)]
 pub(super) struct Pointer {
     bone: usize,
@@ -15,7 +15,7 @@ pub(super) struct Pointer {
 }
 
 impl Pointer {
-    /// Both eyes, or what the rig aims.
+    /// Returns the chain's first joint and, if the rig names one, the other eye.
     pub(super) fn each(character: &Character) -> Vec<Self> {
         let forward = DVec3::from_array(character.spec().effector.frame.forward).as_vec3();
         let first = Self { bone: character.chain.joints[0], axis: forward };

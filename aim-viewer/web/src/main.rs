@@ -1,8 +1,7 @@
-//! Makes the viewer's page: three files for any static web server.
+//! Builds the viewer's web page: three files for any static web server.
 //!
-//! `cargo run -p aim-viewer-web -- OUT` builds the viewer for WebAssembly (for which `rustup target add
-//! wasm32-unknown-unknown` has to have been run) and writes `index.html` with what it loads into the folder OUT, or
-//! `target/web`.
+//! `cargo run -p aim-viewer-web -- OUT` compiles the viewer to WebAssembly and writes `index.html` and the files that
+//! it loads to the folder OUT, by default `target/web`. It requires `rustup target add wasm32-unknown-unknown`.
 
 #[cfg(target_arch = "wasm32")]
 fn main() {}
@@ -30,7 +29,7 @@ mod make {
     const PAGE: &str = include_str!("../index.html");
     const TARGET: &str = "wasm32-unknown-unknown";
 
-    /// Builds the page into `out`, and tells how to look at it.
+    /// Builds the page in `out`, and returns a message with the command to view it.
     pub(crate) fn page(out: &Path) -> Result<String, String> {
         let module = module()?;
         let mut bindgen = wasm_bindgen_cli_support::Bindgen::new();

@@ -1,9 +1,10 @@
-//! The time that the systems of [`AimPlugin`] take for 2 000 mannequins that walk and look around, on one thread and on two, in seven
-//! pairs of runs. Three ratios are printed, as others may use the machine:
+//! Measures the systems of [`AimPlugin`] for 2 000 mannequins that walk and look around, on one thread and on two, in
+//! seven pairs of runs. Prints three ratios, because other processes may use the machine:
 //!
-//! - the median of the pairs, by the frame that a tenth of a run's frames are faster than: what this machine gives now;
-//! - the fastest frame of all on one thread by the fastest on two;
-//! - where Linux tells it, the medians of the frames in which no thread waited for a processor: what two free ones give.
+//! - the median over the pairs, each run represented by the 10th percentile of its frame times: the gain on this
+//!   machine at present;
+//! - the fastest frame of all runs on one thread, divided by the fastest on two;
+//! - on Linux, the medians of the frames in which no thread waited for a processor: the gain with two free processors.
 
 use std::fs::File;
 use std::sync::Mutex;
@@ -35,21 +36,21 @@ struct Walker {
 const CHARACTERS: usize = 2000;
 const FRAMES: u16 = 240;
 const RUNS: usize = 7;
-/// Undisturbed frames that have a median.
+/// Least number of undisturbed frames for which a median is printed.
 const LEAST: usize = 20;
 
-/// Of all its threads together a frame in which others want no processor waits no longer for one.
+/// Longest wait for a processor, summed over all threads, of a frame that counts as undisturbed.
 const UNDISTURBED: Duration = Duration::from_micros(100);
 
 static CLOCK: Mutex<Clock> = Mutex::new(Clock { began: None, frames: Vec::new(), threads: Vec::new() });
 
-/// The time that the systems take.
+/// Frame times of the measured systems.
 struct Clock {
-    /// When they began in this frame, and for how long threads had waited for a processor by then.
+    /// Start of the systems in this frame, and the time that threads had waited for a processor by then.
     began: Option<(Instant, Duration)>,
-    /// The time of each frame, and for how long threads had waited before it.
+    /// Duration of each frame, and the time that threads had waited before it.
     frames: Vec<(Duration, Duration)>,
-    /// The kernel's account of how long each thread waits.
+    /// The kernel's `schedstat` file of each thread.
     threads: Vec<File>,
 }
 
@@ -65,12 +66,12 @@ impl Clock {
         }
     }
 
-    /// For how long all threads have waited for a processor so far. The kernel counts a wait when it is over.
+    /// Returns the time that all threads have waited for a processor so far. The kernel adds a wait when it ends.
     fn waited(&self) -> Duration {
         self.threads.iter().filter_map(waited).sum()
     }
 
-    /// Begins anew, with the threads that there are now.
+    /// Clears the times and opens the files of the threads that exist now.
     fn reset(&mut self) {
         let tasks = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
         self.threads = tasks.filter_map(|task| File::open(task.path().join("schedstat")).ok()).collect();
@@ -78,7 +79,8 @@ impl Clock {
         self.frames.clear();
     }
 
-    /// The frames up to whose successors no thread waited, so that none that should have worked was still waiting.
+    /// Returns the frames without waits up to the start of the next frame, which also includes waits that end only
+    /// after the frame.
     fn undisturbed(&self) -> Vec<Duration> {
         let waited = self.frames.windows(2).map(|pair| (pair[0].0, pair[1].1 - pair[0].1));
         waited.filter(|(_, waited)| !self.threads.is_empty() && *waited <= UNDISTURBED).map(|(time, _)| time).collect()
@@ -98,12 +100,12 @@ fn waited(_: &File) -> Option<Duration> {
     None
 }
 
-/// Seconds of a run's frames.
+/// Frame times of a run, seconds.
 struct Run {
-    /// The one that a tenth are faster than.
+    /// 10th percentile.
     tenth: f64,
     fastest: f64,
-    /// Those in which no thread waited for a processor.
+    /// Times of the frames in which no thread waited for a processor.
     undisturbed: Vec<f64>,
 }
 
@@ -132,7 +134,7 @@ fn run(threads: usize) -> Run {
     let document = Document::from_bytes(&file).expect("a file");
     let skeleton: &Skeleton = document.skeleton();
     let mut app = App::new();
-    // Nothing else wants a thread of its own.
+    // The other pools need no more than one thread each.
     let none = TaskPoolThreadAssignmentPolicy {
         min_threads: 1,
         max_threads: 1,
@@ -190,7 +192,7 @@ fn run(threads: usize) -> Run {
     Run { tenth: times[times.len() / 10], fastest: times[0], undisturbed }
 }
 
-/// A process each: Bevy's pools are made once.
+/// Measures a run in a process of its own, because Bevy's task pools are created once per process.
 fn measured(threads: usize) -> Run {
     let program = std::env::current_exe().expect("a program");
     let run = std::process::Command::new(program).args(["--threads", &threads.to_string()]).output().expect("a run");
@@ -215,7 +217,7 @@ fn main() {
         println!("{tenth} {fastest}{undisturbed}");
         return;
     }
-    // By turns, so that what else the machine does slows both.
+    // Alternates, so that other load on the machine slows both alike.
     let pairs: Vec<[Run; 2]> = (0..RUNS).map(|_| [measured(1), measured(2)]).collect();
     let of = |threads: usize, time: fn(&Run) -> f64| pairs.iter().map(move |pair| time(&pair[threads - 1]));
     let least = |times: &mut dyn Iterator<Item = f64>| times.fold(f64::INFINITY, f64::min);

@@ -1,4 +1,4 @@
-//! [`AimRigAsset`]: a rig that is loaded.
+//! [`AimRigAsset`]: a rig loaded as a Bevy asset.
 
 use std::fmt;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use crate::character::Source;
 use crate::find::{Found, LoadedRig, find_bones};
 use crate::{AimCharacter, SharedRig};
 
-/// A rig that was loaded from a declaration in TOML, `hero.aim.toml`, as `aim rig hero.glb` prints it.
+/// A rig loaded from a TOML declaration, `hero.aim.toml`, as `aim rig hero.glb` prints it.
 #[derive(Asset, TypePath, Clone)]
 pub struct AimRigAsset {
     /// The rig.
@@ -27,10 +27,10 @@ pub struct AimRigAsset {
 }
 
 impl AimRigAsset {
-    /// The rig of a declaration in TOML; `name` is what its mistakes are told for.
+    /// Parses a TOML declaration; `name` is the file name that error messages show.
     ///
     /// # Errors
-    /// The errors of the declaration, with lines and columns.
+    /// The errors of the declaration, rendered with lines and columns.
     pub fn from_toml(name: &str, text: &str) -> Result<Self, AimRigError> {
         let spec =
             aim_codegen::declare::from_toml(name, text).map_err(|errors| AimRigError::Declaration(errors.render()))?;
@@ -44,15 +44,15 @@ impl fmt::Debug for AimRigAsset {
     }
 }
 
-/// Why a rig could not be loaded.
+/// An error from loading a rig.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum AimRigError {
     /// The file could not be read.
     Io(std::io::Error),
-    /// It is no text.
+    /// The file is not UTF-8 text.
     Text,
-    /// The errors of the declaration, with lines and columns.
+    /// The errors of the declaration, rendered with lines and columns.
     Declaration(String),
 }
 
@@ -95,14 +95,14 @@ impl AssetLoader for AimRigLoader {
 }
 
 pub(crate) fn build(app: &mut App) {
-    // Without Bevy's assets rigs may still be put on characters by other ways.
+    // Without an `AssetServer`, characters can still take their rigs from other sources.
     if app.world().contains_resource::<AssetServer>() {
         app.init_asset::<AimRigAsset>().init_asset_loader::<AimRigLoader>();
         app.add_systems(PostUpdate, take_over.before(find_bones).before(AnimationSystems));
     }
 }
 
-/// Hands rigs that have been loaded, or changed, to the characters that wait for them.
+/// Inserts [`LoadedRig`] for each character whose asset has been loaded, and replaces it if the asset was modified.
 fn take_over(
     mut commands: Commands<'_, '_>,
     rigs: Res<'_, Assets<AimRigAsset>>,

@@ -1,4 +1,4 @@
-//! [`AimBinding`]: a character whose bones are found; [`AimedBone`]: one of them.
+//! [`AimBinding`]: the state of a character whose bones have been found. [`AimedBone`]: one of these bones.
 
 use std::fmt;
 
@@ -11,32 +11,33 @@ use bevy_transform::components::Transform;
 
 use crate::SharedRig;
 
-/// A character whose bones are found: what it remembers, and this frame's input and result. The plugin puts it on, and takes it
-/// off where a bone is despawned or hung elsewhere; then the bones are looked for again.
+/// State of a character whose bones have been found: the bones, the angles, and the input and result of the last frame.
+///
+/// The plugin inserts it, and removes it if a bone is despawned or reparented. It then searches for the bones again.
 #[derive(Component)]
 pub struct AimBinding {
-    /// The bones of `skeleton`: all that are aimed or held, and what they hang on up to the character's entity.
+    /// Entity of each bone of `skeleton`: the aimed and held bones, and their ancestors below the character's entity.
     pub(crate) entities: Vec<Entity>,
     pub(crate) chain: AimChain,
     pub(crate) other_eye: Option<usize>,
     pub(crate) skeleton: Skeleton,
     pub(crate) aim: DynAim<SharedRig>,
     pub(crate) frame: AimFrame,
-    /// The bones as animated, without corrections.
+    /// Local transforms of the bones as animated, without corrections.
     pub(crate) animated: Vec<Local>,
-    /// The same with this frame's corrections.
+    /// Local transforms of the bones with this frame's corrections.
     pub(crate) aimed: Vec<Local>,
     pub(crate) model: Vec<Affine3A>,
     pub(crate) targets: Vec<Target>,
-    /// Whether `animated` and `aimed` are of this frame.
+    /// `true` if `animated` and `aimed` belong to this frame.
     pub(crate) is_solved: bool,
-    /// Whether a bone is gone, or hangs elsewhere.
+    /// `true` if a bone was despawned or reparented.
     pub(crate) is_broken: bool,
-    /// Whether a call has put the character on its target at once.
+    /// `true` if the last solve ignored rates ([`AimSnap`](crate::AimSnap)).
     pub(crate) has_snapped: bool,
 }
 
-/// A bone that a character aims, or holds.
+/// Marks a bone that a character aims or holds, and stores its transform with and without the correction.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct AimedBone {
     pub(crate) character: Entity,
@@ -46,13 +47,13 @@ pub struct AimedBone {
 }
 
 impl AimedBone {
-    /// The entity of the character.
+    /// Returns the entity of the character.
     #[must_use]
     pub fn character(&self) -> Entity {
         self.character
     }
 
-    /// The bone as it was animated, without the correction, in the last frame.
+    /// Returns the bone's animated transform of the last frame, without the correction.
     #[must_use]
     pub fn animated_transform(&self) -> Transform {
         self.base
@@ -79,7 +80,8 @@ impl AimBinding {
         }
     }
 
-    /// Takes over the angles of a character with the same joints, whose scene or rig was loaded anew: it goes on as it was.
+    /// Copies the solver's state from `before` if both rigs have the same joint names, so that the motion continues
+    /// without a jump after the scene or rig is reloaded.
     pub(crate) fn go_on_from(&mut self, before: &Self) {
         let (rig, was) = (&self.aim.rig, &before.aim.rig);
         let count = self.angles().len();
@@ -89,63 +91,66 @@ impl AimBinding {
         }
     }
 
-    /// The bone of each joint, from the effector inward.
+    /// Returns the bone of each joint, from the effector inward.
     pub fn joints(&self) -> impl Iterator<Item = Entity> + '_ {
         self.chain.joints().iter().map(|&bone| self.entities[bone])
     }
 
-    /// The bones that are held.
+    /// Returns the held bones.
     pub fn held(&self) -> impl Iterator<Item = Entity> + '_ {
         self.chain.held().map(|bone| self.entities[bone])
     }
 
-    /// The rig.
+    /// Returns the rig.
     #[must_use]
     pub fn rig(&self) -> &SharedRig {
         &self.aim.rig
     }
 
-    /// The angles of the joints, from the effector inward.
+    /// Returns the angles of the joints, from the effector inward.
     #[must_use]
     pub fn angles(&self) -> &[Joint] {
         &self.aim.state.joints
     }
 
-    /// The corrections of the last frame, from the effector inward: what animated local rotations are multiplied by on the right.
+    /// Returns the corrections of the last frame, from the effector inward. An aimed local rotation is
+    /// `animated * correction`.
     #[must_use]
     pub fn corrections(&self) -> &[Quat] {
         self.aim.corrections()
     }
 
-    /// The correction of the other eye, if it is aimed.
+    /// Returns the correction of the other eye, or `None` if it is not aimed.
     #[must_use]
     pub fn other_eye_correction(&self) -> Option<Quat> {
         self.aim.other_eye_correction()
     }
 
-    /// The pose that the solver was given in the last frame, in the world.
+    /// Returns the pose that the solver received in the last frame, world space.
     #[must_use]
     pub fn pose(&self) -> Pose<&[Affine3A]> {
         self.frame.pose()
     }
 
-    /// The points that the solver was given in the last frame.
+    /// Returns the targets that the solver received in the last frame, world space.
     #[must_use]
     pub fn targets(&self) -> &[Target] {
         &self.targets
     }
 
-    /// The gazes in the world, as lines of this length: see [`Gizmos::gazes`].
+    /// Returns the gazes as line segments of this length, in metres, world space: see [`Gizmos::gazes`].
     pub fn gaze_lines(&self, length: f32) -> Vec<GizmoLine> {
         self.lines(|gizmos| gizmos.gazes(length).collect())
     }
 
-    /// The ranges of motion in the world, as rims at this distance from the joints: see [`Gizmos::ranges`].
+    /// Returns the outlines of the ranges of motion, drawn at this distance in metres from the joints, world space: see
+    /// [`Gizmos::ranges`].
     pub fn range_lines(&self, length: f32) -> Vec<GizmoLine> {
         self.lines(|gizmos| gizmos.ranges(length).collect())
     }
 
-    /// The axes of the joints' bones in the world: see [`Gizmos::axes`].
+    /// Returns the axes of the joints' bones as line segments of this length, in metres, world space: see
+    /// [`Gizmos::axes`].
     pub fn axis_lines(&self, length: f32) -> Vec<GizmoLine> {
         self.lines(|gizmos| gizmos.axes(length).collect())
     }
@@ -156,12 +161,12 @@ impl AimBinding {
         of(Gizmos { chain, frame, description: &description, corrections: (&self.aim).into(), model })
     }
 
-    /// Aims the animated pose for a frame, or at once without `dt`.
+    /// Aims the animated pose for a frame of `dt` seconds. With `dt` `None` it snaps: rates are ignored.
     pub(crate) fn solve(&mut self, place: Affine3A, dt: Option<f32>, settings: &Settings) -> Outcome {
         let Self { chain, skeleton, aim, frame, animated, aimed, model, targets, .. } = self;
         aimed.copy_from_slice(animated);
         frame.place = place;
-        // Slices of the skeleton's own length.
+        // Cannot fail here or below: all slices have the skeleton's length.
         let _ = skeleton.to_model(aimed, model);
         let _ = chain.gather(frame, aimed, model);
         let (pose, targets) = (frame.pose(), targets_of(targets));
@@ -175,7 +180,7 @@ impl AimBinding {
     }
 }
 
-/// A single target of full weight is a point.
+/// Passes a single target of weight 1 as [`Targets::Point`].
 fn targets_of(targets: &[Target]) -> Targets<'_> {
     match targets {
         [only] if only.weight == 1.0 => Targets::Point(only.point),

@@ -1,4 +1,4 @@
-//! [`AimCharacter`]: an aimed character, by the rig that aims it.
+//! [`AimCharacter`]: declares an aimed character and its rig.
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,19 +11,21 @@ use crate::find::Seen;
 use crate::report::Reported;
 use crate::{AimOutcome, AimSettings, AimTarget};
 
-/// A rig that any number of characters share.
+/// A rig, shared by any number of characters.
 pub type SharedRig = Arc<dyn Rig + Send + Sync>;
 
-/// A character whose bones are aimed, on the entity under which its bones are: the root of its scene.
+/// A character whose bones are aimed. Insert it on the ancestor entity of the bones: the root of the character's scene.
 ///
-/// The bones are found by the names that the rig declares as soon as they appear below the entity, however deep, and not
-/// below another aimed character. Of several bones of one name that one is meant which hangs on the next joint's bone and carries the
-/// one's before, as a bone does and a mesh of the same name does not. Where that is more than one, a path tells it,
-/// `"Spine/Neck/Head"`: it means the bone whose own name is the last part, and whose ancestors next to it have the other parts as
-/// their names.
+/// Bones are found by the names that the rig declares, at any depth below the entity but not below another aimed
+/// character, as soon as they appear. If several entities share a joint's name, the one that forms a chain with the
+/// bones of the neighbouring joints is used: it descends from the next joint's bone and is an ancestor of the previous
+/// one's. This separates a bone from a mesh of the same name. If more than one qualifies, give a path such as
+/// `"Spine/Neck/Head"`: it matches an entity called `Head` whose parent is called `Neck` and whose grandparent is
+/// called `Spine`.
 ///
-/// The pose in which the bones appear is taken for the bind pose, unless the rig is measured: spawn the component with the scene,
-/// not later, when it is animated; or give the pose by [`with_bind_pose`](Self::with_bind_pose). One entity aims one chain.
+/// Unless the rig is measured, the pose in which the bones appear is taken as the bind pose. Spawn the component
+/// together with the scene, before it is animated, or set the pose with [`with_bind_pose`](Self::with_bind_pose). One
+/// entity aims one chain.
 ///
 /// ```
 /// use bevy_aim::aim::{AimRig, Joint};
@@ -54,10 +56,10 @@ pub struct AimCharacter {
     pub(crate) bind_pose: Vec<(String, Affine3A)>,
 }
 
-/// The eye that turns with joint 0.
+/// Choice of the second eye, which turns together with joint 0.
 #[derive(Clone, Debug)]
 pub(crate) enum OtherEye {
-    /// The one that the rig names, if it names one.
+    /// The eye that the rig declares, if any.
     OfRig,
     None,
     Bone {
@@ -77,32 +79,32 @@ pub(crate) enum Source {
 }
 
 impl AimCharacter {
-    /// A character of a derived rig.
+    /// Creates a character with the derived rig of `R`.
     #[must_use]
     pub fn of<R: AimRig + Sync>() -> Self {
         Self::new(Arc::new(R::RIG))
     }
 
-    /// A character of a rig known at run time.
+    /// Creates a character with a rig known at run time.
     #[must_use]
     pub fn new(rig: SharedRig) -> Self {
         Self::from_source(Source::Rig(rig))
     }
 
-    /// A character whose rig is measured when its bones appear: facing and axes from the bind pose of its skin, or without a skin
-    /// from the pose in which they appear, the chain from the bones' names, ranges and rates of people. Takes milliseconds, once
-    /// for all characters of equal skeletons.
+    /// Creates a character whose rig is measured when its bones appear. Facing and axes come from the bind pose of the
+    /// skin, or, without a skin, from the pose in which the bones appear; the chain comes from the bones' names; ranges
+    /// and rates are those of humans. Measuring takes milliseconds, once for all characters with equal skeletons.
     ///
-    /// `aim rig hero.glb --format bevy` prints the same rig to be compiled instead: measured from meshes, too, and checked by
-    /// eye.
+    /// `aim rig hero.glb --format bevy` prints the rig as code to compile instead. It also measures the meshes, and you
+    /// can check the result.
     #[cfg(feature = "measure")]
     #[must_use]
     pub fn measured() -> Self {
         Self::from_source(Source::Measured)
     }
 
-    /// A character of a rig that is loaded, `hero.aim.toml`. A file that changes is taken over while the app runs, where
-    /// Bevy watches files.
+    /// Creates a character whose rig is loaded from an asset, `hero.aim.toml`. If Bevy watches files, a changed file is
+    /// applied while the app runs.
     #[cfg(feature = "assets")]
     #[must_use]
     pub fn from_asset(rig: bevy_asset::Handle<crate::AimRigAsset>) -> Self {
@@ -114,59 +116,63 @@ impl AimCharacter {
         Self { source, bones, other_eye: OtherEye::OfRig, held, up: None, trunk: None, bind_pose }
     }
 
-    /// With another name, or path, of a joint's bone than the rig declares. Joints are counted from the effector inward.
+    /// Sets the name or path of a joint's bone, instead of the names that the rig declares. Joints are counted from the
+    /// effector inward.
     #[must_use]
     pub fn with_bone(mut self, joint: usize, bone: impl Into<String>) -> Self {
         self.bones.push((joint, bone.into()));
         self
     }
 
-    /// With the other eye, by its bone, aimed as well: see [`Pose::with_other_eye`](aim::Pose::with_other_eye). One that the rig
-    /// names, by `other_eye`, is aimed anyway.
+    /// Adds the other eye, given by the name or path of its bone, and aims it at the target as well: see
+    /// [`Pose::with_other_eye`](aim::Pose::with_other_eye). An eye that the rig declares as `other_eye` is aimed
+    /// without this call.
     #[must_use]
     pub fn with_other_eye(mut self, bone: impl Into<String>) -> Self {
         self.other_eye = OtherEye::Bone { name: bone.into(), is_aimed: true };
         self
     }
 
-    /// With the other eye, by its bone, which turns as the aimed one does.
+    /// Adds the other eye, given by the name or path of its bone, which repeats the turn of the aimed eye.
     #[must_use]
     pub fn with_following_eye(mut self, bone: impl Into<String>) -> Self {
         self.other_eye = OtherEye::Bone { name: bone.into(), is_aimed: false };
         self
     }
 
-    /// Without the other eye that the rig names: it stays as it is animated.
+    /// Ignores the other eye that the rig declares: it stays as animated.
     #[must_use]
     pub fn without_other_eye(mut self) -> Self {
         self.other_eye = OtherEye::None;
         self
     }
 
-    /// With a bone that hangs on a joint and stays with what carries that joint: an arm that hangs on a neck. Those that the
-    /// rig names, by `hold`, are held anyway.
+    /// Adds a held bone: a descendant of a joint that does not follow the joint's correction, such as an arm that is
+    /// parented to the neck. It moves with what carries the joint instead. Bones that the rig declares with `hold` are
+    /// held without this call.
     #[must_use]
     pub fn with_held(mut self, joint: usize, bone: impl Into<String>) -> Self {
         self.held.push((joint, bone.into()));
         self
     }
 
-    /// With another up than +Y, in the space of the entity.
+    /// Sets the character's up direction, in the space of the entity; +Y unless set or measured.
     #[must_use]
     pub fn with_up(mut self, up: Vec3) -> Self {
         self.up = Some(up);
         self
     }
 
-    /// With the bone that tells how the character stands, its hips: where they lie, its up is theirs.
+    /// Sets the bone, usually the hips, whose lean determines the up direction: for a character that lies down, up is
+    /// fixed to this bone.
     #[must_use]
     pub fn with_trunk(mut self, bone: impl Into<String>) -> Self {
         self.trunk = Some(bone.into());
         self
     }
 
-    /// With the places of bones in the bind pose, by their names, in the space of the entity; others are taken as they
-    /// appeared.
+    /// Sets bind transforms of bones by name, in the space of the entity. Other bones keep the transforms with which
+    /// they appeared.
     #[must_use]
     pub fn with_bind_pose<N: Into<String>>(mut self, bones: impl IntoIterator<Item = (N, Affine3A)>) -> Self {
         self.bind_pose.extend(bones.into_iter().map(|(name, place)| (name.into(), place)));

@@ -1,4 +1,4 @@
-//! Events on the entities of characters.
+//! Entity events, triggered on the entities of characters.
 //!
 //! ```
 //! use bevy_aim::AimReached;
@@ -21,26 +21,26 @@ pub struct AimReached {
     pub entity: Entity,
 }
 
-/// A character that had reached its target has not any more: it moves too fast, is out of reach, or is gone.
+/// A character that had reached its target no longer does: the target moves too fast, is out of reach, or is gone.
 #[derive(EntityEvent, Clone, Copy, Debug, PartialEq)]
 pub struct AimLost {
     /// The character.
     pub entity: Entity,
 }
 
-/// A character's target has come out of reach.
+/// A character's target has gone out of reach.
 #[derive(EntityEvent, Clone, Copy, Debug, PartialEq)]
 pub struct AimOutOfReach {
     /// The character.
     pub entity: Entity,
 }
 
-/// A character can follow its target only if its body turns. Told once, when that begins; afterwards
-/// [`AimOutcome::body_turn`](crate::AimOutcome::body_turn) says by how much.
+/// A character can reach its target only if its body turns. Triggered once, when that begins; afterwards
+/// [`AimOutcome::body_turn`](crate::AimOutcome::body_turn) has the current angle.
 #[derive(EntityEvent, Clone, Copy, Debug, PartialEq)]
 pub struct AimTurnBody {
     /// The character.
     pub entity: Entity,
-    /// The turn, radians about up, positive to the left.
+    /// Required turn of the body, radians about up, positive to the left.
     pub angle: f32,
 }

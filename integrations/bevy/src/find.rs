@@ -1,4 +1,4 @@
-//! Finds the bones of characters, as soon as there are any.
+//! Finds the bones of characters as soon as they appear.
 
 use aim::Rig;
 use aim::animation::{AimChain, AimChainError, Bone, Skeleton};
@@ -19,37 +19,39 @@ use crate::{AimBinding, AimCharacter, AimOutcome, AimStatus, AimedBone, SharedRi
 
 /// Frames without a match before a warning is logged.
 const WARNS_AFTER: u32 = 120;
-/// The fewest entities below a character that count as a loaded scene.
+/// Least number of entities below a character from which its scene is taken to be loaded. No warning is logged below
+/// it.
 const LEAST_OF_SCENE: usize = 3;
 
-/// The bones of a character as they were last seen.
+/// Result of the last search below a character.
 #[derive(Component, Clone, Debug, Default)]
 pub(crate) struct Seen {
-    /// The transform of each as it appeared.
+    /// Transform of each entity below the character when it first appeared.
     rest: EntityHashMap<Transform>,
-    /// The number of bones when they were last looked through in vain.
+    /// Number of entities below the character at the last failed search; 0 to search again in the next frame.
     in_vain: usize,
-    /// The frames since.
+    /// Frames since the last failed search.
     waits: u32,
-    /// True once a bone that is aimed is gone.
+    /// `true` if an aimed bone has been removed since the last search.
     pub(crate) has_lost: bool,
 }
 
-/// The rig of a character that was loaded.
+/// The loaded rig of a character whose rig is an asset.
 #[derive(Component, Clone)]
 pub(crate) struct LoadedRig(pub(crate) Found);
 
-/// A rig with what is known beside it.
+/// A rig, with facts about the character that the rig itself does not hold.
 #[derive(Clone)]
 pub(crate) struct Found {
     pub(crate) rig: SharedRig,
     pub(crate) up: Option<Vec3>,
     pub(crate) trunk: Option<String>,
-    /// The bind pose of all bones, in the space of the entity; none where it is the pose in which they appeared.
+    /// Bind transforms of all bones, in the space of the entity; empty if the bind pose is the pose in which they
+    /// appeared.
     pub(crate) bind: Vec<Affine3A>,
 }
 
-/// An entity below a character.
+/// An entity below a character, in the depth-first list of the search.
 pub(crate) struct Node<'a> {
     pub(crate) entity: Entity,
     pub(crate) parent: Option<usize>,
@@ -58,8 +60,8 @@ pub(crate) struct Node<'a> {
     now: Transform,
 }
 
-/// Finds the bones of characters that have none yet, or whose [`AimCharacter`] is new. Runs before the animation, in the frame in
-/// which bones appear, so that they stand in the pose in which they were loaded.
+/// Finds the bones of characters that have none yet, or whose [`AimCharacter`] has changed. Runs before the animation,
+/// in the frame in which bones appear, so that they are still in the pose in which they were loaded.
 pub(crate) fn find_bones(
     mut commands: Commands<'_, '_>,
     mut characters: Query<
@@ -79,7 +81,7 @@ pub(crate) fn find_bones(
         }
         seen.has_lost = false;
         let below = below(entity, &children, &nodes, &mut seen);
-        // The same bones will not do in this frame, either.
+        // The number of entities is unchanged, so another search would fail as well.
         if !is_new && below.len() == seen.in_vain {
             seen.waits = seen.waits.saturating_add(1);
             if let AimStatus::Unbound(why) = outcome.status
@@ -124,28 +126,28 @@ pub(crate) fn find_bones(
     }
 }
 
-/// The names searched for a joint without a bone, as a suffix for the log.
+/// Returns the names that were searched for a joint without a bone, as a suffix for the log message.
 fn names_wanted(character: &AimCharacter, loaded: Option<&LoadedRig>, why: Unbound) -> String {
     let declared = match &character.source {
         Source::Rig(rig) => Some(rig),
         #[cfg(any(feature = "assets", feature = "measure"))]
         _ => None,
     };
-    // A measured one has the names of the file.
+    // A measured rig takes its names from the file, so there is nothing to print.
     let rig = declared.or_else(|| loaded.map(|loaded| &loaded.0.rig));
     let (Some(rig), Unbound::Joint(joint)) = (rig, why) else { return String::new() };
     format!(" (looked for: {:?})", wanted(character, rig.as_ref(), joint).collect::<Vec<_>>())
 }
 
 impl Seen {
-    /// To look for the bones again, though there are as many as before.
+    /// Makes the next frame search for the bones even if their number has not changed.
     pub(crate) fn forget(&mut self) {
         self.in_vain = 0;
     }
 }
 
 impl AimBinding {
-    /// Whether a bone is turned or held, and so written.
+    /// Returns `true` if a bone is aimed or held, so that its transform is written.
     fn is_written(&self, bone: usize) -> bool {
         self.chain.joints().contains(&bone)
             || self.chain.held().any(|held| held == bone)
@@ -153,7 +155,8 @@ impl AimBinding {
     }
 }
 
-/// The entities below a character with a `Transform`, depth first, but for those below another character.
+/// Returns the entities below a character that have a `Transform`, depth first, without other characters and their
+/// descendants.
 fn below<'a>(
     root: Entity,
     children: &'a Query<'_, '_, &Children>,
@@ -171,12 +174,12 @@ fn below<'a>(
         below.push(Node { entity, parent, name: name.map_or("", Name::as_str), rest, now });
         ahead.extend(of(entity).map(|child| (child, Some(at))));
     }
-    // Those that are gone are forgotten.
+    // Drops entities that no longer exist.
     seen.rest = below.iter().map(|node| (node.entity, node.rest)).collect();
     below
 }
 
-/// The character with these bones.
+/// Builds the binding of a character to the entities below it.
 fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<AimBinding, Unbound> {
     let rig: &dyn Rig = &found.rig;
     let joints = joints(character, rig, below)?;
@@ -195,7 +198,7 @@ fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<Ai
         Some(name) => Some(find(below, name, carries).ok_or(Unbound::Trunk)?),
         None => None,
     };
-    // What the rig names, where the skeleton has it, and what the user names.
+    // Held bones: those of the rig are optional, those that the user adds must exist.
     let description = rig.description();
     let mut held: Vec<(usize, usize)> = Vec::new();
     let on = |joint: usize| {
@@ -212,7 +215,7 @@ fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<Ai
     held.sort_unstable();
     held.dedup();
 
-    // Only these and what they hang on; still depth first.
+    // Keep only these bones and their ancestors, still in depth-first order.
     let mut is_needed = vec![false; below.len()];
     let wanted = joints.iter().copied().chain(other_eye.map(|(bone, _)| bone)).chain(trunk);
     for node in wanted.chain(held.iter().map(|(_, bone)| *bone)) {
@@ -239,7 +242,7 @@ fn bind(character: &AimCharacter, found: Found, below: &[Node<'_>]) -> Result<Ai
         _ => Unbound::Rig,
     };
     let mut bind = vec![Affine3A::IDENTITY; skeleton.len()];
-    // Of equal lengths, here and below.
+    // Cannot fail: both slices have the skeleton's length.
     let _ = skeleton.to_model(skeleton.rest(), &mut bind);
     for (bone, &node) in needed.iter().enumerate() {
         if let Some(place) = found.bind.get(node) {

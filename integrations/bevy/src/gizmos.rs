@@ -1,4 +1,4 @@
-//! [`AimGizmos`]: an aim as lines that Bevy draws.
+//! [`AimGizmos`]: draws how a character aims, as Bevy gizmos.
 
 use aim::animation::{GizmoKind, GizmoLine};
 use bevy_app::{App, PostUpdate};
@@ -11,15 +11,15 @@ use bevy_gizmos::gizmos::Gizmos;
 
 use crate::{AimBinding, AimSystems};
 
-/// Draws how a character aims: its gazes, the ranges of motion of its joints, and the axes of its bones. Each has a length in metres; at 0 it
-/// is not drawn.
+/// Draws how a character aims: its gazes, the ranges of motion of its joints, and the axes of its bones. Each is drawn
+/// with a length in metres, or not at all if its length is 0.
 #[derive(Component, Clone, Copy, Debug, PartialEq)]
 pub struct AimGizmos {
-    /// Of the gazes.
+    /// Length of the gazes, metres.
     pub gazes: f32,
-    /// Of the ranges of motion.
+    /// Distance of the outlines of the ranges of motion from their joints, metres.
     pub ranges: f32,
-    /// Of the axes.
+    /// Length of the bones' axes, metres.
     pub axes: f32,
 }
 

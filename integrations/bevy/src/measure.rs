@@ -1,4 +1,4 @@
-//! Rigs that are measured from skeletons as they appear.
+//! Measures rigs from skeletons when they appear.
 
 use std::sync::Arc;
 
@@ -12,20 +12,20 @@ use crate::find::{Found, Node};
 use crate::place::of_bevy;
 use crate::skin::Skins;
 
-/// Skeletons that are remembered with their rigs.
+/// Capacity of the cache of measured skeletons.
 const MOST_SKELETONS: usize = 64;
 
-/// The rigs of the skeletons that were measured.
+/// Cache of measured rigs, oldest first.
 #[derive(Default)]
 pub(crate) struct Measured {
     known: Vec<(Key, Result<Found, Unbound>)>,
 }
 
-/// The bones that a rig is measured from, as they appeared, and their inverse bind transforms.
+/// Key of the cache: the bones as they appeared, and their inverse bind transforms.
 type Key = (Skeleton, Vec<Option<Affine3A>>);
 
 impl Measured {
-    /// The rig of these bones.
+    /// Returns the rig of these bones, measured unless it is in the cache.
     pub(crate) fn rig(&mut self, below: &[Node<'_>], skins: &Skins<'_, '_>) -> Result<Found, Unbound> {
         let bones = below.iter().map(|node| Bone::new(node.name, node.parent).with_rest(of_bevy(&node.rest)));
         let skeleton = Skeleton::new(bones).map_err(|_| Unbound::RestPose)?;

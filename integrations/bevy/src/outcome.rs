@@ -1,4 +1,4 @@
-//! [`AimOutcome`]: what became of a frame.
+//! [`AimOutcome`]: the result of a frame.
 
 use std::fmt;
 
@@ -14,41 +14,43 @@ use bevy_reflect::std_traits::ReflectDefault;
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Component, Default, Debug, PartialEq, Clone))]
 pub struct AimOutcome {
-    /// Whether the target is reached, and if not, why.
+    /// Result of the frame: reached, or the reason why not.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub status: AimStatus,
-    /// The angle that remains to the target, radians; with a weight below 1 that to the weighted goal. 0 where nothing is
-    /// aimed at. It is joint 0's, while the status tells of both eyes.
+    /// Angle between the effector's direction and the target, radians; with a weight below 1, the angle to the weighted
+    /// goal. 0 without a target. With two eyes this is the angle of joint 0, while [`status`](Self::status) considers
+    /// both.
     pub remaining: f32,
-    /// The turn, radians to the left, that the body would have to make for the target to come into reach: see
+    /// Turn that the body would have to make for the target to come into reach, radians, positive to the left: see
     /// [`Outcome::body_turn`].
     pub body_turn: f32,
-    /// All that the solver says; `None` while the bones are not found.
+    /// Complete outcome of the solver; `None` while the bones are not found.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub outcome: Option<Outcome>,
 }
 
-/// Whether a character's target is reached, and if not, why.
+/// Status of a character's aim: the target is reached, or the reason why not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum AimStatus {
-    /// Nothing can be aimed yet.
+    /// Nothing can be aimed yet, for this reason.
     Unbound(Unbound),
-    /// There is nothing to look at: the character returns to its animation, or has.
+    /// There is no target: the character returns to its animation or already follows it.
     NoTarget,
-    /// See [`Status::Reached`].
+    /// The target is reached: see [`Status::Reached`].
     Reached,
-    /// On the way: see [`Status::RateLimited`].
+    /// The target is within reach, and the joints still move towards it: see [`Status::RateLimited`].
     RateLimited,
-    /// Out of reach: see [`Status::AtLimit`].
+    /// The target is beyond the ranges of motion: see [`Status::AtLimit`].
     AtLimit,
-    /// Behind, out of reach: see [`Status::Behind`].
+    /// The target is behind the character and out of reach: see [`Status::Behind`].
     Behind,
-    /// Pose or target are no place: see [`Status::Degenerate`].
+    /// The pose or the target is not usable, for example not finite: see [`Status::Degenerate`].
     Degenerate,
 }
 
-/// Why nothing can be aimed; `Display` says it in a line, with what to do. Joints are counted from the effector inward.
+/// Reason why nothing can be aimed. `Display` prints it in one line, with a remedy if there is one. Joints are counted
+/// from the effector inward.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unbound {
@@ -57,23 +59,25 @@ pub enum Unbound {
     Bones,
     /// The rig is not loaded yet.
     Rig,
-    /// No rig can be proposed for the skeleton: neither names nor roles tell an eye, a head, a neck or anything that points.
+    /// No rig can be proposed for the skeleton: neither names nor roles identify an eye, a head, a neck or another part
+    /// that points.
     Measurement,
-    /// Several bones share the name of a joint of the measured rig, and no skin tells them apart.
+    /// Several bones share a name that the measured rig needs, and no skin distinguishes them.
     Names,
-    /// No bone has a name that the rig declares for this joint, or several have it that make a chain with the others.
+    /// No bone has a name that the rig declares for this joint, or several do and each forms a chain with the other
+    /// bones.
     Joint(usize),
-    /// The bone of the joint before this one does not hang on this one's.
+    /// The bone of the previous joint is not a descendant of this joint's bone.
     Order(usize),
-    /// No bone, or more than one, has the other eye's name; or it is a joint.
+    /// No bone or more than one has the other eye's name, or the bone is a joint.
     OtherEye,
-    /// A bone to be held does not exist, or does not hang on its joint.
+    /// A held bone does not exist, or is not a descendant of its joint's bone.
     Held,
-    /// No bone has the trunk's name, or several have it.
+    /// No bone or more than one has the trunk's name.
     Trunk,
-    /// A bone's transform was not finite, or its rotation no unit quaternion, when it appeared.
+    /// When it appeared, a bone's transform was not finite or its rotation was not a unit quaternion.
     RestPose,
-    /// The entity, or one that it hangs on, has no `Transform`.
+    /// The entity or one of its ancestors has no `Transform`.
     Place,
 }
 
@@ -141,13 +145,13 @@ impl From<Status> for AimStatus {
 }
 
 impl AimStatus {
-    /// Whether the target is reached.
+    /// Returns `true` if the target is reached.
     #[must_use]
     pub fn is_reached(self) -> bool {
         self == Self::Reached
     }
 
-    /// Whether the target is out of reach.
+    /// Returns `true` if the target is out of reach, in front or behind.
     #[must_use]
     pub fn is_out_of_reach(self) -> bool {
         matches!(self, Self::AtLimit | Self::Behind)

@@ -1,5 +1,5 @@
-//! Places of entities in this frame: by their own `Transform` and those of all that they hang on, for `GlobalTransform` is that of the
-//! last frame, with the corrections in it.
+//! World transforms of entities in this frame, computed from the `Transform`s of an entity and its ancestors.
+//! `GlobalTransform` cannot be used: until propagation it is the previous frame's, corrections included.
 
 use aim::animation;
 use aim::glam::{Affine3A, Quat};
@@ -11,7 +11,7 @@ use bevy_transform::components::Transform;
 
 use crate::AimedBone;
 
-/// The components that are read of any entity.
+/// Components read to compute an entity's world transform.
 #[derive(QueryData)]
 pub(crate) struct Node {
     pub(crate) transform: &'static Transform,
@@ -19,14 +19,14 @@ pub(crate) struct Node {
     pub(crate) bone: Option<&'static AimedBone>,
 }
 
-/// Every entity that has a place.
+/// Query for all entities with a `Transform`.
 pub(crate) type Nodes<'w, 's> = Query<'w, 's, Node>;
 
-/// Ancestors of an entity at most: Bevy does not keep users from making a cycle.
+/// Greatest number of ancestors that are followed, as Bevy does not prevent cycles in the hierarchy.
 const MOST_ANCESTORS: usize = 4096;
 
-/// An entity's place in the world, aimed bones as their last corrections have them; `None` if it, or an ancestor, has no
-/// `Transform`.
+/// Returns an entity's world transform. Aimed bones among it and its ancestors have their last corrections applied.
+/// `None` if the entity or an ancestor has no `Transform`.
 pub(crate) fn in_world(entity: Entity, nodes: &Nodes<'_, '_>) -> Option<Affine3A> {
     let mut place = Affine3A::IDENTITY;
     let mut at = entity;
@@ -42,16 +42,18 @@ pub(crate) fn in_world(entity: Entity, nodes: &Nodes<'_, '_>) -> Option<Affine3A
     None
 }
 
-/// Bevy's transform as that of the animation.
+/// Converts Bevy's transform to that of `aim::animation`.
 pub(crate) fn of_bevy(transform: &Transform) -> animation::Transform {
     let Transform { translation, rotation, scale } = *transform;
     animation::Transform { translation, rotation, scale }
 }
 
 impl AimedBone {
-    /// The transform without correction: parts that still are as they were written are those of the animation before.
+    /// Returns the transform without the correction. A rotation or translation that still has the value last written by
+    /// the plugin has not been animated since, so the stored animated value is used.
     ///
-    /// Bevy restores no bone that no clip writes, as eyes and paused characters have them: corrections would add up.
+    /// Bevy does not reset bones that no clip writes, such as eyes or the bones of a paused character. Without this
+    /// step, corrections would accumulate.
     pub(crate) fn animated(&self, now: &Transform) -> Transform {
         let mut animated = *now;
         if now.rotation == self.written.rotation {
@@ -63,7 +65,7 @@ impl AimedBone {
         animated
     }
 
-    /// The transform with the last correction, whether or not the animation has written the bone since.
+    /// Returns the transform with the last correction, whether or not the animation has written the bone since.
     fn corrected(&self, now: &Transform) -> Transform {
         let mut corrected = *now;
         if now.rotation != self.written.rotation {

@@ -1,4 +1,4 @@
-//! [`AimPlugin`]: the systems in their order.
+//! [`AimPlugin`]: adds the systems in their order.
 
 use bevy_app::{AnimationSystems, App, Plugin, PostUpdate};
 use bevy_ecs::intern::Interned;
@@ -23,15 +23,16 @@ pub struct AimPlugin {
     schedule: Interned<dyn ScheduleLabel>,
 }
 
-/// The systems that aim, in `PostUpdate`: after [`AnimationSystems`] and before [`TransformSystems::Propagate`]. What is to be aimed
-/// over, such as constraints of your own, comes before them; what hangs on aimed bones, such as a weapon that is placed by code, after
-/// them.
+/// System set of the systems that aim, in `PostUpdate` unless configured otherwise: after [`AnimationSystems`] and
+/// before [`TransformSystems::Propagate`]. Run systems that pose bones, such as your own constraints, before it, and
+/// systems that follow aimed bones, such as the placement of a weapon, after it.
 #[derive(Debug, Hash, PartialEq, Eq, Clone, Copy, SystemSet)]
 pub struct AimSystems;
 
 impl AimPlugin {
-    /// The systems in another schedule than `PostUpdate`, such as `FixedPostUpdate`: for characters that are animated there, too. In
-    /// frames in which they do not run, a clip that plays in `PostUpdate` would put its bones back.
+    /// Creates a plugin that aims in another schedule than `PostUpdate`, such as `FixedPostUpdate`. The characters must
+    /// be animated in that schedule, too: a clip that plays in `PostUpdate` would reset the bones in frames in which
+    /// the aiming systems do not run.
     pub fn in_schedule(schedule: impl ScheduleLabel) -> Self {
         Self { schedule: schedule.intern() }
     }
@@ -51,7 +52,7 @@ impl Plugin for AimPlugin {
             .register_type::<crate::AimTarget>()
             .register_type::<crate::AimOutcome>()
             .register_type::<crate::AimSnap>();
-        // Where scenes have just been spawned, and are not animated yet.
+        // At this point, new scenes have been spawned but not animated yet.
         app.add_systems(PostUpdate, find_bones.before(AnimationSystems).before(AimSystems));
         app.add_systems(self.schedule, (solve_aims, apply_aims, report_aims).chain().in_set(AimSystems));
         app.configure_sets(self.schedule, AimSystems.after(AnimationSystems).before(TransformSystems::Propagate));
@@ -59,7 +60,7 @@ impl Plugin for AimPlugin {
 
     #[cfg(any(feature = "assets", feature = "gizmos"))]
     fn finish(&self, app: &mut App) {
-        // Whether there are assets, or gizmos, is known when all plugins are there.
+        // In `finish`, because the asset and gizmo plugins may be added after this one.
         #[cfg(feature = "assets")]
         crate::asset::build(app);
         #[cfg(feature = "gizmos")]

@@ -1,4 +1,4 @@
-//! Tells what has changed, and takes off what is done or gone.
+//! Triggers events for changed outcomes, and removes despawned targets and finished components.
 
 use bevy_ecs::change_detection::{DetectChanges, Ref};
 use bevy_ecs::component::Component;
@@ -13,15 +13,15 @@ use crate::find::Seen;
 use crate::{AimAt, AimBinding, AimLost, AimOutOfReach, AimOutcome, AimReached, AimSnap, AimTarget, AimTurnBody};
 use crate::{AimCharacter, AimStatus, AimedBone};
 
-/// The last outcome that events told of a character.
+/// Outcome of a character when its events were last checked.
 #[derive(Component, Clone, Copy, Debug, Default)]
 pub(crate) struct Reported {
     status: AimStatus,
     turns: bool,
 }
 
-/// Triggers the events of characters, takes despawned targets off their lists and [`AimSnap`] off those that have snapped, and lets
-/// go of characters that have lost a bone.
+/// Triggers the characters' events, removes despawned targets from their lists and [`AimSnap`] after a snap, and
+/// unbinds characters that have lost a bone.
 pub(crate) fn report_aims(
     mut commands: Commands<'_, '_>,
     mut characters: Query<
@@ -68,12 +68,13 @@ pub(crate) fn report_aims(
     }
 }
 
-/// Lets go of a character that is not aimed any more.
+/// Unbinds a character whose [`AimCharacter`] is removed.
 pub(crate) fn release(removed: On<'_, '_, Remove<AimCharacter>>, mut commands: Commands<'_, '_>) {
     commands.entity(removed.entity).try_remove::<(AimBinding, crate::find::LoadedRig)>();
 }
 
-/// Has the bones of a character looked for again when one of them goes: where its scene is loaded anew, in the same frame.
+/// Marks a character for a new search when one of its bones is removed. If its scene is reloaded, the search succeeds
+/// in the same frame.
 pub(crate) fn lose(
     removed: On<'_, '_, Remove<AimedBone>>,
     bones: Query<'_, '_, &AimedBone>,
@@ -85,7 +86,7 @@ pub(crate) fn lose(
     }
 }
 
-/// Gives the bones of a character back as they are animated.
+/// Resets the bones of a character to their animated transforms when its binding is removed.
 pub(crate) fn restore(
     removed: On<'_, '_, Remove<AimBinding>>,
     characters: Query<'_, '_, &AimBinding>,

@@ -1,4 +1,4 @@
-//! [`AimSettings`]: how a character aims; [`AimSnap`]: at once.
+//! [`AimSettings`]: the settings of a character's aim. [`AimSnap`]: aims it at once.
 
 use aim::{Ascent, Behind, GazeSharing, Settings, Solver};
 use bevy_ecs::component::Component;
@@ -7,39 +7,40 @@ use bevy_ecs::reflect::ReflectComponent;
 #[cfg(feature = "reflect")]
 use bevy_reflect::std_traits::ReflectDefault;
 
-/// The settings of a character's aim: the fields of [`Settings`], where they are explained.
+/// Settings of a character's aim. The fields are those of [`Settings`], which explains them in full.
 ///
-/// A [`weight`](Self::weight) of 0 leaves the character to its animation: its joints go back at their rates.
+/// With a [`weight`](Self::weight) of 0 the character follows its animation: its joints return at their rates.
 #[derive(Component, Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Component, Default, Debug, PartialEq, Clone))]
 pub struct AimSettings {
-    /// Share of the way to the target, 0…1.
+    /// Fraction of the arc from the animated direction to the target at which the gaze is aimed, 0…1.
     pub weight: f32,
-    /// The angle up to which the target counts as reached, radians.
+    /// Remaining angle up to which the target counts as reached, radians.
     pub tolerance: f32,
-    /// The joint that is aimed, from the effector inward; 0 is the effector.
+    /// Index of the joint that is aimed, counted from the effector inward; 0 is the effector.
     pub effector: usize,
-    /// Share of the head in a natural gaze beyond what people do without thinking, 0…1.
+    /// Degree to which the head takes over from the eyes in a natural gaze, 0…1: at 0 they share the gaze as the rig's
+    /// [`GazeSharing`] declares, at 1 the head turns fully to the target.
     pub attention: f32,
-    /// For how long a natural gaze stays with a target out of reach, seconds.
+    /// Time for which a natural gaze stays on a target that is out of reach, seconds.
     pub patience: f32,
-    /// Policy for targets behind.
+    /// Policy for targets behind the character.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub behind: Behind,
-    /// Solver; `None` leaves it to the rig.
+    /// Solver; `None` selects the rig's default.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub solver: Option<Solver>,
-    /// Sharing of a natural gaze; `None` leaves it to the rig.
+    /// Division of a natural gaze between eyes and head; `None` selects the rig's own.
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub sharing: Option<GazeSharing>,
-    /// Steps of [`Solver::Ascent`].
+    /// Parameters of [`Solver::Ascent`].
     #[cfg_attr(feature = "reflect", reflect(ignore))]
     pub ascent: Ascent,
 }
 
 impl AimSettings {
-    /// The settings as solvers take them.
+    /// Converts to the settings of the solver.
     #[must_use]
     pub fn to_settings(&self) -> Settings {
         let mut settings = Settings::default()
@@ -77,8 +78,8 @@ impl Default for AimSettings {
     }
 }
 
-/// Puts a character on its target at once, whatever its rates, as soon as its bones are found and there is a target: after a
-/// spawn, or a cut of the camera. The component is taken off when that is done.
+/// Aims a character at its target at once, without regard to its rates, as soon as its bones are found and it has a
+/// target: for a spawn or a camera cut. The plugin removes the component when that is done.
 #[derive(Component, Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Component, Default, Debug, PartialEq, Clone))]

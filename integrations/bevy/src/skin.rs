@@ -1,4 +1,4 @@
-//! Bones by the skins that they move.
+//! Bind transforms of bones, from the skins that they move.
 
 use aim::glam::Affine3A;
 use bevy_asset::Assets;
@@ -8,7 +8,7 @@ use bevy_mesh::skinning::{SkinnedMesh, SkinnedMeshInverseBindposes};
 
 use crate::find::Node;
 
-/// The skins of meshes.
+/// Access to the skins of meshes and their inverse bind matrices.
 #[derive(SystemParam)]
 pub(crate) struct Skins<'w, 's> {
     meshes: Query<'w, 's, &'static SkinnedMesh>,
@@ -16,8 +16,9 @@ pub(crate) struct Skins<'w, 's> {
 }
 
 impl Skins<'_, '_> {
-    /// The inverse bind transform of each node, `None` where no skin lists it: all of them in the space of the mesh whose skin has the
-    /// most joints. A skin that shares no joint with those before it has a space of its own, and is left out.
+    /// Returns the inverse bind transform of each node; `None` for nodes that no skin lists. All are expressed in the
+    /// space of the mesh whose skin has the most joints. A skin without a joint in common with those before it cannot
+    /// be converted to that space and is left out.
     pub(crate) fn inverse_binds(&self, below: &[Node<'_>]) -> Vec<Option<Affine3A>> {
         let mut known: Vec<Option<Affine3A>> = vec![None; below.len()];
         let places: EntityHashMap<usize> = below.iter().enumerate().map(|(at, node)| (node.entity, at)).collect();
@@ -25,7 +26,8 @@ impl Skins<'_, '_> {
             below.iter().filter_map(|node| self.skin(node.entity, &places)).collect();
         skins.sort_by_key(|joints| std::cmp::Reverse(joints.len()));
         for (number, joints) in skins.into_iter().enumerate() {
-            // Both lead to the shared joint: own mesh → bone, and bone → first mesh.
+            // For a shared joint, `own * first_to_own == known`, so `first_to_own = own⁻¹ * known`: first mesh → bone →
+            // own mesh.
             let shared = || joints.iter().find_map(|(joint, own)| Some(own.inverse() * known[*joint]?));
             let Some(first_to_own) = (if number == 0 { Some(Affine3A::IDENTITY) } else { shared() }) else { continue };
             for (joint, own) in joints {

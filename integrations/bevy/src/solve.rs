@@ -1,4 +1,4 @@
-//! Aims characters: [`solve_aims`] reads transforms and solves, [`apply_aims`] writes them.
+//! Aims characters: [`solve_aims`] reads transforms and solves, [`apply_aims`] writes the results.
 
 use aim::{Settings, Target};
 use bevy_ecs::batching::BatchingStrategy;
@@ -13,8 +13,8 @@ use crate::outcome::{AimOutcome, Unbound};
 use crate::place::{Nodes, in_world, of_bevy};
 use crate::{AimAt, AimBinding, AimSettings, AimSnap, AimTarget, AimedBone};
 
-/// Aims all characters whose bones are found, in parallel: reads what was animated, of targets, too, and solves. Nothing but
-/// [`AimBinding`] and [`AimOutcome`] is written.
+/// Aims all characters whose bones are found, in parallel. Reads the animated transforms of bones and targets, and
+/// writes only [`AimBinding`] and [`AimOutcome`].
 pub(crate) fn solve_aims(
     time: Res<'_, Time>,
     mut characters: Query<'_, '_, (Entity, &mut AimBinding, &mut AimOutcome, &AimTarget, &AimSettings, Has<AimSnap>)>,
@@ -51,15 +51,15 @@ pub(crate) fn solve_aims(
     );
 }
 
-/// Writes what was solved, bone by bone, in parallel. A `Transform` that is right already is left alone, so that Bevy does not
-/// propagate it.
+/// Writes the solved transforms to the bones, in parallel. A `Transform` that already has the right value is left
+/// alone, so that Bevy does not propagate it.
 pub(crate) fn apply_aims(
     mut bones: Query<'_, '_, (Entity, &mut Transform, &mut AimedBone)>,
     characters: Query<'_, '_, &AimBinding>,
 ) {
     bones.par_iter_mut().batching_strategy(batches()).for_each(|(entity, mut transform, mut bone)| {
         let Ok(binding) = characters.get(bone.character) else { return };
-        // The copy of a bone still names the character of the original.
+        // A bone entity that was cloned still carries the `AimedBone` of the original.
         if binding.entities.get(bone.bone) != Some(&entity) {
             return;
         }
@@ -77,12 +77,12 @@ pub(crate) fn apply_aims(
     });
 }
 
-/// Several batches a thread, as one is seldom as fast as another: some characters follow, others search.
+/// Uses several batches per thread, because the cost of characters differs: some follow their target, others search.
 fn batches() -> BatchingStrategy {
     BatchingStrategy::new().batches_per_thread(8)
 }
 
-/// Reads the bones as they are animated; false if one is gone or hangs elsewhere.
+/// Reads the animated transforms of the bones. Returns `false` if a bone was despawned or reparented.
 fn gather(character: Entity, binding: &mut AimBinding, nodes: &Nodes<'_, '_>) -> bool {
     let AimBinding { entities, skeleton, animated, .. } = binding;
     let parents = skeleton.parents().iter().map(|parent| parent.map_or(character, |parent| entities[parent]));

@@ -1,4 +1,4 @@
-//! [`AimTarget`]: what a character looks at.
+//! [`AimTarget`]: the targets of a character.
 
 use aim::glam::Vec3;
 use bevy_ecs::component::Component;
@@ -8,10 +8,10 @@ use bevy_ecs::reflect::ReflectComponent;
 #[cfg(feature = "reflect")]
 use bevy_reflect::std_traits::ReflectDefault;
 
-/// The targets of a character: none, one, or several by their weights. Each is a point or an entity.
+/// The targets of a character: none, one, or several with weights. Each is a point or an entity.
 ///
-/// Entities that are despawned are taken off the list; the character then returns to its animation, or turns to what is
-/// left. See [`Targets`](aim::Targets) for how several are blended.
+/// Despawned entities are removed from the list; the character then returns to its animation, or turns to the remaining
+/// targets. See [`Targets`](aim::Targets) for how several are blended.
 ///
 /// ```
 /// use bevy_aim::AimTarget;
@@ -29,14 +29,14 @@ pub struct AimTarget {
     pub list: Vec<WeightedTarget>,
 }
 
-/// One of the things that a character looks at.
+/// A target of a character, with its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Debug, PartialEq, Clone))]
 pub struct WeightedTarget {
-    /// Its place.
+    /// Place of the target.
     pub at: AimAt,
-    /// Its share: see [`Target::weight`](aim::Target::weight).
+    /// Weight relative to the other targets: see [`Target::weight`](aim::Target::weight).
     pub weight: f32,
 }
 
@@ -45,49 +45,50 @@ pub struct WeightedTarget {
 #[cfg_attr(feature = "reflect", derive(bevy_reflect::Reflect))]
 #[cfg_attr(feature = "reflect", reflect(Debug, PartialEq, Clone))]
 pub enum AimAt {
-    /// A point in the world.
+    /// A point in world space.
     Point(Vec3),
-    /// An entity, in this frame and with all that it hangs on, at a point in its own space.
+    /// A point in an entity's own space. Its world position is that of this frame, computed from the `Transform`s of
+    /// the entity and its ancestors.
     ///
-    /// An entity that is or hangs on an aimed bone is where the last frame's correction has it in this frame's animation:
-    /// two characters that look at each other could not both be first. While both turn, each lags by what the other one's
-    /// correction changes in a frame.
+    /// An aimed bone on this path has this frame's animation and the previous frame's correction, because two
+    /// characters that look at each other cannot both be solved first. While both turn, each lags by the other's change
+    /// of correction in one frame.
     Entity(Entity, Vec3),
 }
 
 impl AimTarget {
-    /// Nothing: the character returns to its animation.
+    /// Creates an empty list: the character returns to its animation.
     #[must_use]
     pub const fn nothing() -> Self {
         Self { list: Vec::new() }
     }
 
-    /// A point in the world.
+    /// Creates a single target of weight 1 at a point in world space.
     #[must_use]
     pub fn point(point: Vec3) -> Self {
         Self::nothing().and_point(point, 1.0)
     }
 
-    /// An entity's origin.
+    /// Creates a single target of weight 1 at an entity's origin.
     #[must_use]
     pub fn entity(entity: Entity) -> Self {
         Self::nothing().and_entity(entity, Vec3::ZERO, 1.0)
     }
 
-    /// A point in an entity's own space.
+    /// Creates a single target of weight 1 at a point in an entity's own space.
     #[must_use]
     pub fn on_entity(entity: Entity, point: Vec3) -> Self {
         Self::nothing().and_entity(entity, point, 1.0)
     }
 
-    /// And a point in the world.
+    /// Adds a point in world space, with a weight.
     #[must_use]
     pub fn and_point(mut self, point: Vec3, weight: f32) -> Self {
         self.list.push(WeightedTarget { at: AimAt::Point(point), weight });
         self
     }
 
-    /// And a point in an entity's own space.
+    /// Adds a point in an entity's own space, with a weight.
     #[must_use]
     pub fn and_entity(mut self, entity: Entity, point: Vec3, weight: f32) -> Self {
         self.list.push(WeightedTarget { at: AimAt::Entity(entity, point), weight });

@@ -1,14 +1,15 @@
-//! Three who talk: two look at who speaks, who looks from one to the other.
+//! A conversation of three characters: the speaker looks from one listener to the other, and both look at the speaker.
 
 use bevy::prelude::*;
 use bevy_aim::{AimBinding, AimCharacter, AimPlugin, AimTarget};
 use bevy_aim_examples::{Body, Stage};
 
-/// For how long each speaks, and looks at one of the others, seconds.
+/// Time for which each character speaks, seconds.
 const SPEAKS_S: f32 = 4.0;
+/// Time for which the speaker looks at one listener, seconds.
 const LOOKS_S: f32 = 1.3;
 
-/// Who takes part, in a circle, and when it began.
+/// The participants, in a circle, and the time since the conversation began.
 #[derive(Resource)]
 pub(crate) struct Conversation {
     pub(crate) people: Vec<Entity>,
@@ -16,7 +17,7 @@ pub(crate) struct Conversation {
 }
 
 impl Conversation {
-    /// Who speaks, and whom that one looks at.
+    /// Returns the speaker and the listener whom the speaker looks at.
     pub(crate) fn now(&self) -> Option<(Entity, Entity)> {
         let count = self.people.len();
         if count < 2 {
@@ -38,7 +39,7 @@ fn spawn(mut commands: Commands) {
     for place in 0..3_u8 {
         let angle = f32::from(place) * std::f32::consts::TAU / 3.0;
         let place = Transform::from_xyz(0.8 * angle.sin(), 0.0, 0.8 * angle.cos());
-        // Each faces the middle, with its +Z.
+        // Turns the character's +Z towards the middle of the circle.
         let place = place.with_rotation(Quat::from_rotation_y(angle + std::f32::consts::PI));
         people.push(commands.spawn((Body, AimCharacter::measured(), place)).id());
     }
@@ -55,7 +56,7 @@ fn converse(
     let Some((speaker, listener)) = conversation.now() else { return };
     for &person in &conversation.people {
         let whom = if person == speaker { listener } else { speaker };
-        // In the eye: the first of the joints.
+        // The target is the eye, which is the first joint.
         let eye = bindings.get(whom).ok().and_then(|binding| binding.joints().next());
         if let Some((eye, mut target)) = eye.zip(targets.get_mut(person).ok()) {
             target.set_if_neq(AimTarget::entity(eye));

@@ -1,11 +1,12 @@
-//! Two thousand who watch a ball.
+//! Two thousand characters that watch a ball.
 
 use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimPlugin, AimTarget};
 use bevy_aim_examples::{Ball, Body, Stage};
 
-/// Characters in a row, and rows.
+/// Number of characters in a row.
 const ROW: u16 = 50;
+/// Number of rows.
 const ROWS: u16 = 40;
 
 #[derive(Component)]
@@ -19,7 +20,7 @@ fn spawn(mut commands: Commands) {
     let ball = commands.spawn((Ball(0.15), Thrown)).id();
     for number in 0..ROW * ROWS {
         let [column, row] = [number % ROW, number / ROW].map(f32::from);
-        // A stand, whose rows rise to the back.
+        // Rows of a grandstand, higher towards the back.
         let place = Transform::from_xyz(0.9 * (column - f32::from(ROW) / 2.0), 0.4 * row, -1.1 * row);
         commands.spawn((Body, AimCharacter::measured(), AimTarget::entity(ball), place));
     }

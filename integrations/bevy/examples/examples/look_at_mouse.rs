@@ -15,7 +15,8 @@ fn spawn(mut commands: Commands) {
     commands.spawn((Body, AimCharacter::measured()));
 }
 
-/// Looks where the pointer is on a plane in front of the character, and nowhere while there is no pointer.
+/// Looks at the point where the pointer's ray meets a plane in front of the character, or at nothing while there is no
+/// pointer.
 fn look_at_pointer(pointer: Res<Pointer>, mut characters: Query<(&Transform, &mut AimTarget)>) {
     for (place, mut target) in &mut characters {
         // The mannequin faces +Z, as characters of glTF files do.

@@ -1,11 +1,11 @@
-//! A turret that follows a ball, and fires when it is on it.
+//! A turret that follows a ball and fires while it aims at it.
 
 use aim::{AimRig, Joint};
 use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimOutcome, AimPlugin, AimTarget};
 use bevy_aim_examples::{Ball, Block, Stage};
 
-/// A base that goes round without end, and a barrel that is raised on it. Both point along +Z.
+/// A base that turns without limits, and a barrel that pitches on it. Both point along +Z.
 #[derive(AimRig)]
 #[aim(axes(up = +Y, forward = +Z, left = +X))]
 pub(crate) struct Turret {
@@ -15,14 +15,14 @@ pub(crate) struct Turret {
     pub(crate) base: Joint,
 }
 
-/// The seconds until a turret may fire again, and how often it did.
+/// Time until the turret may fire again, and the number of its shots.
 #[derive(Component, Default)]
 pub(crate) struct Gun {
     wait_s: f32,
     pub(crate) shots: usize,
 }
 
-/// The thing that flies in circles.
+/// Marks the ball that flies in circles.
 #[derive(Component)]
 pub(crate) struct Drone;
 

@@ -1,4 +1,4 @@
-//! The first example with a character that walks, or whatever the first clip of its file is.
+//! The example `first` with an animation: the character plays the first clip of its file, such as a walk.
 
 use bevy::prelude::*;
 use bevy_aim::{AimCharacter, AimPlugin, AimTarget};
@@ -23,7 +23,7 @@ fn swing(time: Res<Time>, mut lamp: Single<&mut Transform, With<PointLight>>, mu
     gizmos.sphere(lamp.translation, 0.05, Color::WHITE);
 }
 
-/// The first clip of the file, over and over, as soon as its bones are there.
+/// Repeats the first clip of the file, as soon as the scene has an animation player.
 fn walk(
     added: On<Add<AnimationPlayer>>,
     mut commands: Commands,

@@ -1,4 +1,4 @@
-//! Mannequins without anything to be seen: their bones.
+//! Mannequins without meshes or a window: only their bones.
 
 use std::time::Duration;
 

@@ -1,5 +1,5 @@
-//! The stage of the examples: a camera, a light, a floor, and mannequins. With the feature `window` they are drawn; without it they are the
-//! same entities, for tests.
+//! The stage of the examples: a camera, a light, a floor, and mannequins. With the feature `window` they are drawn.
+//! Without it, the same components spawn only the bones of mannequins, for tests.
 
 use bevy::prelude::*;
 
@@ -8,38 +8,39 @@ mod headless;
 #[cfg(feature = "window")]
 mod window;
 
-/// A mannequin of 1.75 m that faces +Z, in the place of a scene of your own: `WorldAssetRoot(assets.load("hero.glb#Scene0"))`.
+/// A mannequin, 1.75 m tall, that faces +Z. Your own app uses a scene instead:
+/// `WorldAssetRoot(assets.load("hero.glb#Scene0"))`.
 #[derive(Component, Clone, Copy, Debug, Default)]
 #[require(Transform)]
 pub struct Body;
 
-/// A ball of this radius, metres.
+/// A ball with this radius, metres.
 #[derive(Component, Clone, Copy, Debug)]
 #[require(Transform)]
 pub struct Ball(pub f32);
 
-/// A box of this size, metres, about its entity's origin, but for this offset.
+/// A box in the space of its entity.
 #[derive(Component, Clone, Copy, Debug)]
 #[require(Transform)]
 pub struct Block {
-    /// Width, height and depth.
+    /// Width, height and depth, metres.
     pub size: Vec3,
-    /// Its middle.
+    /// Centre of the box, metres.
     pub middle: Vec3,
 }
 
-/// The ray of the pointer: from the camera into the scene; `None` while it is not in the window.
+/// The ray of the pointer from the camera into the scene; `None` while the pointer is outside the window.
 #[derive(Resource, Clone, Copy, Debug, Default)]
 pub struct Pointer(pub Option<Ray3d>);
 
-/// The stage, seen by a camera.
+/// The stage, and the camera that shows it.
 ///
-/// With the variable `AIM_SCREENSHOT` the window leaves a picture there and closes.
+/// If the environment variable `AIM_SCREENSHOT` is set, the window saves a screenshot to that path and closes.
 #[derive(Clone, Copy, Debug)]
 pub struct Stage {
-    /// The camera's place.
+    /// Position of the camera.
     pub camera: Vec3,
-    /// The point that it looks at.
+    /// Point at which the camera looks.
     pub middle: Vec3,
 }
 

@@ -1,4 +1,4 @@
-//! A window.
+//! The stage in a window.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -16,13 +16,13 @@ use crate::{Ball, Block, Body, Pointer, Stage};
 struct View(Stage);
 
 pub(crate) fn build(stage: Stage, app: &mut App) {
-    // Beside the program, so that nothing is written into the checkout.
+    // In the temporary directory, so that nothing is written to the checkout.
     let folder = std::env::temp_dir().join("bevy_aim_examples");
     let file = mannequin(|_| PAPER_AXES).expect("axes at right angles");
     std::fs::create_dir_all(&folder).and_then(|()| std::fs::write(folder.join("mannequin.glb"), file)).expect("a file");
     let assets = AssetPlugin { file_path: folder.to_string_lossy().into_owned(), ..default() };
     let picture = std::env::var_os("AIM_SCREENSHOT");
-    // Smaller where software draws it.
+    // Screenshots may be rendered in software, which is faster at a lower resolution.
     let resolution = if picture.is_some() { (960, 540) } else { (1280, 720) };
     let window = Window { resolution: resolution.into(), ..default() };
     app.add_plugins(DefaultPlugins.set(assets).set(WindowPlugin { primary_window: Some(window), ..default() }));
@@ -32,26 +32,28 @@ pub(crate) fn build(stage: Stage, app: &mut App) {
     app.add_systems(PreUpdate, point);
     if let Some(picture) = picture {
         app.insert_resource(Picture { file: picture.into(), frames: 0 });
-        // So many frames a second, however long each takes to be drawn.
+        // Fixed time per frame, independent of how long rendering takes.
         app.insert_resource(TimeUpdateStrategy::ManualDuration(Duration::from_secs(1) / PICTURE_FPS));
         app.add_systems(Update, shoot);
     }
 }
 
-/// A picture that is to be taken, and for how many frames all bodies have been there.
+/// A requested screenshot, and the number of frames since all bodies have loaded.
 #[derive(Resource)]
 struct Picture {
     file: PathBuf,
     frames: u32,
 }
 
-/// Frames a second until a picture is taken, and how many of them. No frame counts for more than a tenth of a second.
+/// Simulated frames per second until the screenshot is taken. No fewer than 10, because the solver clamps a frame to
+/// 0.1 s.
 const PICTURE_FPS: u32 = 10;
+/// Number of the frame, counted from when all bodies have loaded, in which the screenshot is taken.
 const PICTURE_FRAMES: u32 = 20;
-/// The last frames, which are drawn: software takes a minute for one of a crowd.
+/// Number of frames that are drawn at the end. In software, a frame of the crowd takes a minute.
 const DRAWN_FRAMES: u32 = 3;
 
-/// Puts the pointer above and to the left of the middle, takes the picture, and ends as soon as it is there.
+/// Puts the pointer above and to the left of the middle, takes the screenshot, and exits when it is saved.
 fn shoot(
     mut commands: Commands,
     mut picture: ResMut<Picture>,

@@ -1,4 +1,4 @@
-//! The examples without a window: `cargo test --no-default-features`.
+//! Tests of the examples without a window: `cargo test --no-default-features`.
 #![cfg(not(feature = "window"))]
 
 use aim::AimRig as _;
@@ -27,7 +27,7 @@ fn run(app: &mut App, frames: usize) {
     (0..frames).for_each(|_| app.update());
 }
 
-/// The angle, degrees, between where the first joint of a character points, along its own `forward`, and a point.
+/// Returns the angle between a character's first joint, along its own `forward`, and the direction to a point, degrees.
 fn error_deg(app: &App, character: Entity, forward: Vec3, point: Vec3) -> f32 {
     let bone = app.world().get::<AimBinding>(character).expect("bones").joints().next().expect("a joint");
     let place = app.world().get::<GlobalTransform>(bone).expect("a place").affine();
@@ -53,7 +53,7 @@ fn each_looks_at_who_speaks() {
     let mut app = app(conversation::plugin);
     let mut speakers = Vec::new();
     for _ in 0..12 {
-        // A second and a bit: some of these moments come just after a look has begun.
+        // A little over one second, so that some samples fall just after a look has begun.
         run(&mut app, 61);
         let talk = app.world().resource::<conversation::Conversation>();
         let (speaker, listener) = talk.now().expect("people");
@@ -66,7 +66,7 @@ fn each_looks_at_who_speaks() {
             let eye = app.world().get::<GlobalTransform>(eye).expect("a place").translation();
             let outcome = app.world().get::<AimOutcome>(person).expect("an outcome");
             if outcome.status == AimStatus::Reached {
-                // While both turn, by as much as the other moves in a frame.
+                // While both turn, the error is up to the other's movement in one frame.
                 assert!(error_deg(&app, person, Vec3::Y, eye) < 1.0, "{}", error_deg(&app, person, Vec3::Y, eye));
             }
         }

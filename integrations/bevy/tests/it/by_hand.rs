@@ -1,4 +1,4 @@
-//! The same bits as the runtime called by hand, with the glue of `aim::animation` on the whole skeleton.
+//! The plugin's results are bit-identical to direct calls of the runtime with `aim::animation` on the whole skeleton.
 
 use bevy_aim::AimTarget;
 use bevy_aim::aim::animation::{AimChain, Corrections};
@@ -47,7 +47,7 @@ fn outcome_and_corrections_are_those_of_the_runtime() {
                 assert_eq!(found.to_array().map(f32::to_bits), expected.to_array().map(f32::to_bits), "frame {number}");
                 moved += usize::from(*found != Quat::IDENTITY);
             }
-            // And what is drawn is what the glue makes of them.
+            // The drawn transforms equal those that `AimChain::apply` computes.
             let corrections = Corrections::from(&*aim);
             chain.apply(&frame, corrections, &mut local, &mut model).expect("a pose");
             for name in ["left_eye", "right_eye", "neck", "spine3", "spine1", "left_clavicle"] {

@@ -1,4 +1,4 @@
-//! Events of characters.
+//! Tests of the events on characters.
 
 use bevy_aim::aim::glam::Vec3;
 use bevy_aim::{AimLost, AimOutOfReach, AimReached, AimTarget, AimTurnBody};
@@ -8,7 +8,7 @@ use bevy_transform::components::Transform;
 
 use crate::stage::{self, hero, outcome, spawn};
 
-/// The events so far, in their order.
+/// The events so far, in order.
 #[derive(Resource, Default)]
 struct Told(Vec<(Entity, String)>);
 
@@ -35,14 +35,14 @@ fn told(app: &mut App, frames: usize) -> Vec<(Entity, String)> {
 fn each_change_is_told_once_and_to_the_entity() {
     let mut app = app();
     let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
-    // Which has nothing to tell.
+    // A second character, without a target: it must not trigger events.
     spawn(&mut app, hero(), Transform::from_xyz(3.0, 0.0, 0.0), 1.0);
     let lamp = app.world_mut().spawn(Transform::from_xyz(0.3, 1.6, 2.0)).id();
     app.world_mut().entity_mut(character).insert(AimTarget::entity(lamp));
     let own = |words: &[&str]| words.iter().map(|word| (character, (*word).to_owned())).collect::<Vec<_>>();
     assert_eq!(told(&mut app, 120), own(&["reached"]));
     assert_eq!(told(&mut app, 60), own(&[]), "nothing changes");
-    // Far to the left, behind.
+    // Far to the left and behind the character.
     app.world_mut().get_mut::<Transform>(lamp).expect("a lamp").translation = Vec3::new(1.5, 1.6, -2.5);
     let words = told(&mut app, 240);
     assert!(words.iter().all(|(entity, _)| *entity == character));
@@ -51,11 +51,11 @@ fn each_change_is_told_once_and_to_the_entity() {
     assert_eq!(words.iter().filter(|word| **word == "out of reach").count(), 1, "{words:?}");
     assert_eq!(words.iter().filter(|word| **word == "turn left").count(), 1, "{words:?}");
     assert!(outcome(&app, character).body_turn > 0.3, "{:?}", outcome(&app, character));
-    // The body turns as it is asked to, and a little more, as it sways while it walks.
+    // Turn the body as reported, and a little more, because it sways while it walks.
     let turn = outcome(&app, character).body_turn + 0.3;
     app.world_mut().get_mut::<Transform>(character).expect("a place").rotate_y(turn);
     assert_eq!(told(&mut app, 240), own(&["reached"]));
-    // Gone.
+    // The target is despawned.
     app.world_mut().entity_mut(lamp).despawn();
     assert_eq!(told(&mut app, 60), own(&["lost"]));
 }

@@ -1,4 +1,4 @@
-//! Bones that are found, late or not at all, and lost again.
+//! Tests of finding bones: late, not at all, and again after a loss.
 
 use std::sync::Mutex;
 
@@ -19,7 +19,7 @@ fn bones_may_come_later() {
         app.update();
         assert_eq!(status(&app, character), AimStatus::Unbound(Unbound::Bones));
     }
-    // The scene of another one is hung below it.
+    // Insert another character's bones below the entity.
     let scene = spawn(&mut app, AimCharacter::of::<Hero>(), Transform::IDENTITY, 1.0);
     let bones = app.world_mut().entity_mut(scene).take::<Player>().expect("a player");
     app.world_mut().entity_mut(scene).remove::<AimCharacter>().insert(ChildOf(character));
@@ -56,7 +56,7 @@ fn what_is_missing_is_told() {
     assert_eq!(status(&app, wild), unbound(Unbound::RestPose));
 }
 
-/// All that is logged.
+/// A logger that collects all messages.
 struct Log(Mutex<Vec<String>>);
 
 impl log::Log for Log {
@@ -69,7 +69,7 @@ impl log::Log for Log {
     fn flush(&self) {}
 }
 
-/// A misspelt bone is told in the log, once, by its name; what may still be loaded is not.
+/// A misspelt bone name is logged, once. A missing bone of a scene that may still be loading is not.
 #[test]
 fn what_stays_missing_is_logged() {
     static LOG: Log = Log(Mutex::new(Vec::new()));
@@ -89,7 +89,7 @@ fn what_stays_missing_is_logged() {
     assert!(about("Eye-to-come").is_empty(), "{logged:?}");
 }
 
-/// Whose bones are found late, when they are animated, counts from the pose in which they appeared.
+/// For bones that are found late, when they are already animated, the bind pose is the one in which they appeared.
 #[test]
 fn the_bind_pose_is_that_in_which_bones_appear() {
     let mut app = stage::app();
@@ -112,7 +112,7 @@ fn the_bind_pose_is_that_in_which_bones_appear() {
 fn a_name_that_repeats_is_told_by_a_path() {
     let mut app = stage::app();
     let character = spawn(&mut app, hero(), Transform::IDENTITY, 1.0);
-    // Between the eye and the spine, too.
+    // The head lies between the eye and the spine, so under the name `neck` it is an equally valid candidate.
     let head = bone(&app, character, "head");
     app.world_mut().entity_mut(head).insert(Name::new("neck"));
     app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
@@ -125,7 +125,7 @@ fn a_name_that_repeats_is_told_by_a_path() {
     assert_eq!(status(&app, character), AimStatus::Reached);
 }
 
-/// Meshes are often called as the bones that move them, and hang elsewhere.
+/// Meshes often have the names of the bones that move them, and other parents.
 #[test]
 fn of_several_of_a_name_the_one_in_the_chain_is_meant() {
     let mut app = stage::app();
@@ -205,7 +205,7 @@ fn a_lost_bone_lets_go_of_the_others_until_it_is_back() {
     let rest = app.world().get::<Player>(character).expect("a player").animated.clone();
     let rest_of = |name: &str| rest[stage::skeleton().find(name).expect("a bone")];
     assert!(app.world().get::<Transform>(neck).expect("a bone").rotation != rest_of("neck").rotation);
-    // The eye pops out.
+    // Reparent the eye to the character's root.
     app.world_mut().entity_mut(eye).insert(ChildOf(character));
     app.update();
     assert!(matches!(status(&app, character), AimStatus::Unbound(_)));
@@ -220,7 +220,7 @@ fn a_lost_bone_lets_go_of_the_others_until_it_is_back() {
         app.update();
     }
     assert_eq!(status(&app, character), AimStatus::Reached);
-    // And is gone for good.
+    // Despawn the eye.
     app.world_mut().entity_mut(eye).despawn();
     for _ in 0..5 {
         app.update();
@@ -246,7 +246,7 @@ fn without_the_component_bones_are_as_animated() {
         assert!(app.world().get::<AimedBone>(bone).is_none());
     }
     assert!(app.world().get::<AimBinding>(character).is_none());
-    // And again, from what they are.
+    // Insert the component again: the character starts from its animated pose.
     app.world_mut().entity_mut(character).insert(hero());
     let mut judged = None;
     for _ in 0..120 {
@@ -297,7 +297,7 @@ fn a_measured_character_looks() {
     assert!(reached > 250, "{reached}");
     let binding = stage::binding(&app, characters[0]);
     assert_eq!(binding.joints().count(), 7);
-    // A lamp has nothing to look with.
+    // A scene without eyes, head or neck cannot be measured.
     let lamp = app.world_mut().spawn((AimCharacter::measured(), Transform::IDENTITY)).id();
     app.world_mut().spawn((Name::new("Lampshade"), Transform::IDENTITY, ChildOf(lamp)));
     app.update();
@@ -316,7 +316,7 @@ fn a_rig_may_be_loaded_and_changed() {
     std::fs::write(format!("{folder}/hero.aim.toml"), aim_character::MANNEQUIN_RIG).expect("a file");
     std::fs::write(format!("{folder}/wrong.aim.toml"), "name = 3").expect("a file");
     let mut app = App::new();
-    // The plugin may come first.
+    // The plugin may be added before the asset plugin.
     app.add_plugins((AimPlugin::default(), TaskPoolPlugin::default()));
     app.add_plugins(AssetPlugin { file_path: folder, ..AssetPlugin::default() });
     stage::add(&mut app);
@@ -339,7 +339,7 @@ fn a_rig_may_be_loaded_and_changed() {
     assert!(error_deg(&app, character, "left_eye", LAMP.as_dvec3()) < 0.1);
     assert!(error_deg(&app, character, "right_eye", LAMP.as_dvec3()) < 0.1, "the file names it");
     assert_eq!(status(&app, other), AimStatus::Unbound(Unbound::Rig));
-    // As a file that is watched does.
+    // Replace the asset, as Bevy does when a watched file changes.
     let one = aim_character::MANNEQUIN_RIG.replace("bone = \"neck\"", "bone = \"head\"");
     let changed = AimRigAsset::from_toml("hero", &one).expect("a rig");
     app.world_mut().resource_mut::<Assets<AimRigAsset>>().insert(&handle, changed).expect("a place");

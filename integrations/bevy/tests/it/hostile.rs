@@ -1,5 +1,5 @@
-//! Everything that a game may do to a character at the wrong time: nothing panics, nothing stops being finite, and the status says why
-//! nothing is aimed.
+//! Changes that a game may make to a character at an unexpected time. Nothing panics, all transforms stay finite, and
+//! the status says why nothing is aimed.
 
 use bevy_aim::aim::glam::{Quat, Vec3};
 use bevy_aim::aim::{Behind, Solver};
@@ -13,14 +13,14 @@ use crate::stage::{self, FRAME, Player, angle_deg, binding, bone, error_deg, her
 
 const LAMP: Vec3 = Vec3::new(0.9, 1.7, 1.5);
 
-/// A character that walks and is to look at the lamp.
+/// Spawns a walking character whose target is the lamp.
 fn walking(app: &mut App) -> Entity {
     let character = spawn(app, hero(), Transform::IDENTITY, 1.0);
     app.world_mut().entity_mut(character).insert(AimTarget::point(LAMP));
     character
 }
 
-/// A character that stands and looks at the lamp.
+/// Spawns a standing character, and returns it when it looks at the lamp.
 fn standing(app: &mut App) -> Entity {
     let character = walking(app);
     app.world_mut().get_mut::<Player>(character).expect("a player").plays = false;
@@ -29,7 +29,7 @@ fn standing(app: &mut App) -> Entity {
     character
 }
 
-/// Runs frames after which every transform is finite.
+/// Runs frames, and checks after each that every transform is finite.
 fn frames(app: &mut App, count: usize) {
     for _ in 0..count {
         app.update();
@@ -45,7 +45,7 @@ fn assert_looks_at_lamp(app: &App, character: Entity) {
     assert!(error_deg(app, character, "left_eye", LAMP.as_dvec3()) <= 0.1);
 }
 
-/// The next frame's victims: when, and whom.
+/// Entities to despawn in the next frame.
 #[derive(Resource, Default)]
 struct Doomed(Vec<Entity>);
 
@@ -76,7 +76,7 @@ fn bones_and_characters_are_despawned_in_mid_frame() {
         let rest = stage::to_bevy(&stage::skeleton().rest()[stage::skeleton().find("neck").expect("a bone")]);
         assert_eq!(*app.world().get::<Transform>(neck).expect("a bone"), rest, "what is left is as it was animated");
         assert!(app.world().get_entity(second).is_err());
-        // And all that is left of it.
+        // Despawn the rest of the character's bones.
         let children = app.world().get::<Children>(first).expect("an armature").iter().collect();
         app.world_mut().resource_mut::<Doomed>().0 = children;
         frames(&mut app, 3);
@@ -129,7 +129,7 @@ fn time_stands_still() {
     assert_eq!(status(&app, character), AimStatus::RateLimited);
     judge(&app, character, None, 0.0);
     assert!(binding(&app, character).angles().iter().all(|joint| joint.heading() == 0.0 && joint.pitch() == 0.0));
-    // But for a snap.
+    // Unless the character snaps.
     app.world_mut().entity_mut(character).insert(AimSnap);
     frames(&mut app, 1);
     assert_looks_at_lamp(&app, character);
@@ -171,7 +171,7 @@ fn numbers_that_are_none() {
     assert_looks_at_lamp(&app, character);
 }
 
-/// A copy is a character of its own, and the copy of a bone none of the original's.
+/// A cloned character is independent of the original. A cloned bone does not belong to the original's character.
 #[test]
 fn characters_and_bones_are_cloned() {
     let mut app = stage::app();
@@ -195,7 +195,7 @@ fn characters_and_bones_are_cloned() {
     let eye = stage::drawn(&app, own(copy)[0]);
     assert!(angle_deg(eye.matrix3.y_axis, aside.as_dvec3() - eye.translation) <= 0.1);
     assert_eq!(*app.world().get::<Transform>(head).expect("a place"), cut_off, "the original's turns are not its own");
-    // And the original may go.
+    // Despawning the original does not affect the copy.
     app.world_mut().entity_mut(character).despawn();
     frames(&mut app, 10);
     assert_eq!(status(&app, copy), AimStatus::Reached);
@@ -216,7 +216,7 @@ fn a_character_is_hung_elsewhere() {
         frames(&mut app, 60);
         assert_looks_at_lamp(&app, character);
     }
-    // Below what has no place.
+    // A parent without a `Transform`.
     let nowhere = app.world_mut().spawn_empty().id();
     app.world_mut().entity_mut(character).insert(ChildOf(nowhere));
     frames(&mut app, 2);

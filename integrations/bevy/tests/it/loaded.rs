@@ -1,4 +1,4 @@
-//! Characters as Bevy's own glTF loader spawns them, animated by Bevy's own player: without a window or a renderer.
+//! Characters spawned by Bevy's glTF loader and animated by Bevy's player, without a window or a renderer.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -24,8 +24,8 @@ use bevy_world_serialization::{WorldAsset, WorldAssetRoot, WorldSerializationPlu
 
 use crate::stage::{FRAME, angle_deg, binding, drawn, hero, outcome, status};
 
-/// Every transform as it was animated, told from what has changed since the last frame was drawn: an account of its own, beside that
-/// of the plugin.
+/// The animated value of every transform, derived from its changes since the last frame was drawn. Independent of the
+/// plugin's own record.
 #[derive(Resource, Default)]
 struct Animated {
     animated: HashMap<Entity, Transform>,
@@ -51,7 +51,7 @@ fn remember(transforms: Query<(Entity, &Transform)>, mut watched: ResMut<Animate
     watched.drawn.extend(transforms.iter().map(|(entity, now)| (entity, *now)));
 }
 
-/// An app that loads these files.
+/// Returns an app that can load these files.
 fn app(files: &[(&str, Vec<u8>)]) -> App {
     let root = Dir::default();
     for (name, bytes) in files {
@@ -67,7 +67,7 @@ fn app(files: &[(&str, Vec<u8>)]) -> App {
     app.init_resource::<Animated>().init_resource::<Kept>();
     app.add_systems(PostUpdate, watch.after(AnimationSystems).before(AimSystems));
     app.add_systems(PostUpdate, remember.after(AimSystems));
-    // What scenes consist of, as all of Bevy does it by itself.
+    // Register the component types of scenes, which Bevy's default plugins would do.
     app.world().resource::<AppTypeRegistry>().write().register_derived_types();
     app.finish();
     app.cleanup();
@@ -75,12 +75,12 @@ fn app(files: &[(&str, Vec<u8>)]) -> App {
     app
 }
 
-/// The files that are loaded, so that they stay.
+/// Handles of the loaded files, which keep them loaded.
 #[derive(Resource, Default)]
 struct Kept(HashMap<String, Handle<Gltf>>);
 
-/// Spawns a file's scene on an entity, as a game does. Bevy loads a file of which two parts are wanted twice, and then spawns the
-/// scene a second time.
+/// Spawns a file's scene on an entity, as a game does. If two assets of a file are requested, Bevy loads the file twice
+/// and then spawns the scene a second time.
 fn spawn(app: &mut App, file: &str, character: AimCharacter, place: Transform) -> Entity {
     let assets = app.world().resource::<AssetServer>().clone();
     let gltf: Handle<Gltf> = assets.load(file.to_owned());
@@ -102,7 +102,8 @@ fn spawn(app: &mut App, file: &str, character: AimCharacter, place: Transform) -
     panic!("{file} takes more than twenty seconds");
 }
 
-/// Plays a clip, to walk or to idle if there is one, where none is played yet: a scene that is loaded anew has a player that is new.
+/// Plays a clip on every player that plays none: a walk or an idle clip if the file has one, otherwise its first. A
+/// reloaded scene has a new player.
 fn play(app: &mut App, root: Entity, file: &str) {
     let gltf = &app.world().resource::<Kept>().0[file];
     let gltf = app.world().resource::<Assets<Gltf>>().get(gltf).expect("a file");
@@ -121,7 +122,7 @@ fn play(app: &mut App, root: Entity, file: &str) {
     }
 }
 
-/// All that hangs on an entity.
+/// Returns an entity and all its descendants.
 fn below(app: &App, root: Entity) -> Vec<Entity> {
     let mut found = vec![root];
     let mut next = 0;
@@ -137,7 +138,7 @@ fn affine(local: &Transform) -> DAffine3 {
     DAffine3::from_mat3_translation(turn * DMat3::from_diagonal(local.scale.as_dvec3()), local.translation.as_dvec3())
 }
 
-/// A bone in the space of one that it hangs on, as it was animated and as it is drawn.
+/// Returns a bone's transform in the space of one of its ancestors: as animated, and as drawn.
 fn in_space_of(app: &App, bone: Entity, carrier: Entity) -> [DAffine3; 2] {
     let watched = app.world().resource::<Animated>();
     let mut place = [DAffine3::IDENTITY; 2];
@@ -151,7 +152,7 @@ fn in_space_of(app: &App, bone: Entity, carrier: Entity) -> [DAffine3; 2] {
     place
 }
 
-/// The effector's place and direction, as Bevy draws it.
+/// Returns the effector's position and direction, as drawn by Bevy.
 fn gaze(app: &App, character: Entity) -> [DVec3; 2] {
     let binding = binding(app, character);
     let effector = *binding.rig().description().effector();
@@ -160,7 +161,7 @@ fn gaze(app: &App, character: Entity) -> [DVec3; 2] {
     [eye.transform_point3(origin), eye.transform_vector3(forward).normalize()]
 }
 
-/// A character that looked around, as it was judged.
+/// Summary of the checks of a character that looked around.
 #[derive(Debug, Default)]
 struct Found {
     reached: usize,
@@ -168,9 +169,9 @@ struct Found {
     held: usize,
 }
 
-/// Lets a character look at a target that goes round in front of it and then halts, and judges each frame: a gaze that is said to be
-/// on its target is, as Bevy draws it; no joint leaves its range, or turns faster than its rate; no region leaves its budget; what is
-/// held stays with its carrier.
+/// Makes a character look at a target that circles in front of it and then stops, and checks each frame: a gaze with
+/// status `Reached` is on the target as drawn by Bevy; no joint leaves its range or exceeds its rate; no region exceeds
+/// its budget; and held bones stay with their carriers.
 fn look(app: &mut App, name: &str, character: Entity, frames: u16) -> Found {
     let [eye, ahead] = gaze(app, character);
     let far = 1.2 * (eye - drawn(app, character).translation).length();
@@ -204,7 +205,7 @@ fn look(app: &mut App, name: &str, character: Entity, frames: u16) -> Found {
                 let sum = &mut sums[usize::from(info.role == Role::Chest)];
                 *sum = [sum[0] + heading, sum[1] + pitch];
             }
-            // What is drawn is the animation and the correction, and no more.
+            // The drawn rotation is the animated one times the correction.
             let animated = app.world().resource::<Animated>().animated[&joints[joint]].rotation;
             let expected = animated * binding.corrections()[joint];
             let off =
@@ -224,7 +225,7 @@ fn look(app: &mut App, name: &str, character: Entity, frames: u16) -> Found {
         if status(app, character).is_reached() {
             let [eye, looks] = gaze(app, character);
             let error = angle_deg(looks, target.as_vec3().as_dvec3() - eye);
-            // Bevy's transforms are products of rounded ones: a gaze at 0.1° by the plugin's may be a little more by these.
+            // Allowance for rounding: Bevy's world transforms are products of rounded local ones.
             const ROUNDED_DEG: f64 = 5e-4;
             assert!(error <= 0.1 + ROUNDED_DEG, "{}: {error} degrees off, said to be reached", said());
             (found.reached, found.worst_deg) = (found.reached + 1, found.worst_deg.max(error));
@@ -233,7 +234,7 @@ fn look(app: &mut App, name: &str, character: Entity, frames: u16) -> Found {
     found
 }
 
-/// Judges the bones that the rig holds; their number.
+/// Checks the rig's held bones, and returns their number.
 fn held(app: &App, character: Entity, joints: &[Entity], said: &str) -> usize {
     let binding = binding(app, character);
     let description = binding.rig().description();
@@ -282,7 +283,7 @@ fn a_loaded_mannequin_looks() {
     }
 }
 
-/// A scene that is loaded anew is another one, all of whose bones are new.
+/// A reloaded scene has new entities for all its bones.
 #[test]
 fn a_scene_that_is_loaded_anew_is_looked_at_from_where_it_was() {
     let mut app = app(&[("mannequin.glb", mannequin())]);
@@ -312,7 +313,7 @@ fn a_scene_that_is_loaded_anew_is_looked_at_from_where_it_was() {
     assert!(is_new && app.world().get_entity(eye).is_err());
 }
 
-/// A file with some of its JSON replaced.
+/// Returns a GLB file with parts of its JSON replaced.
 #[cfg(feature = "measure")]
 fn changed(glb: &[u8], changes: &[(&str, &str)]) -> Vec<u8> {
     let number = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().expect("four bytes"));
@@ -328,7 +329,7 @@ fn changed(glb: &[u8], changes: &[(&str, &str)]) -> Vec<u8> {
     [&glb[..8], &total, &length(text.len()), &glb[16..20], text.as_bytes(), &glb[end..]].concat()
 }
 
-/// A mesh has the name of the head, and the neck is bent where nothing is played.
+/// In the changed file, a mesh has the name of the head, and the neck is bent in the rest pose.
 #[cfg(feature = "measure")]
 #[test]
 fn a_skin_tells_which_are_bones_and_their_bind_pose() {
@@ -354,7 +355,7 @@ fn a_skin_tells_which_are_bones_and_their_bind_pose() {
     }
 }
 
-/// Real characters, of the folder that the variable `AIM_RIGS` names.
+/// Tests characters from the folder in the environment variable `AIM_RIGS`.
 #[cfg(feature = "measure")]
 #[test]
 fn real_files_look() {

@@ -1,4 +1,5 @@
-//! A whole app without a window, judged by Bevy's own `GlobalTransform` after propagation, in double precision.
+//! Integration tests: a whole app without a window, checked in double precision by Bevy's own `GlobalTransform` after
+//! propagation.
 
 mod by_hand;
 mod events;

@@ -1,4 +1,4 @@
-//! Code that users paste: that which `aim rig mannequin.glb --format bevy` prints compiles, and looks.
+//! The code that `aim rig mannequin.glb --format bevy` prints compiles and aims.
 
 use bevy_aim::aim::glam::Vec3;
 use bevy_aim::{AimStatus, AimTarget};
@@ -28,7 +28,7 @@ fn the_printed_character_looks() {
     assert_eq!(stage::binding(&app, character).joints().count(), 7);
 }
 
-/// The first example of the README is one of the package `examples`, which is compiled with all of Bevy.
+/// The README's first example equals `first.rs` of the package `examples`, which is compiled with all of Bevy.
 #[test]
 fn the_readmes_example_is_compiled() {
     let folder = env!("CARGO_MANIFEST_DIR");

@@ -1,4 +1,4 @@
-//! Characters side by side that walk, cross-fade and stop, while their targets move, jump and go.
+//! Characters side by side that walk, cross-fade and stop, while their targets move, jump and disappear.
 
 use bevy_aim::aim::glam::{DVec3, Quat, Vec3};
 use bevy_aim::{AimStatus, AimTarget};
@@ -11,17 +11,19 @@ use crate::stage::{self, FRAME, Judged, Player, drawn, error_deg, hero, judge, o
 struct Show {
     app: App,
     characters: Vec<Entity>,
-    /// The target of each, on something that turns.
+    /// The target of each character, parented to a turning pivot.
     lamps: Vec<Entity>,
     judged: Vec<Option<Judged>>,
-    /// The largest error of an eye while the outcome said that the target is reached, degrees, and how often it did.
+    /// Largest error of an eye in frames with status `Reached`, degrees.
     worst_deg: f64,
+    /// Number of checks with status `Reached`.
     reached: usize,
     frame: u16,
 }
 
 impl Show {
-    /// Two side by side, one in centimetres as Mixamo has them, one mirrored, one on a platform that turns.
+    /// Spawns two characters in metres, one in centimetres like those of Mixamo, one mirrored, and one on a turning
+    /// platform.
     fn new() -> Self {
         let mut app = stage::app();
         let at = |x: f32| Transform::from_xyz(x, 0.0, 0.0);
@@ -42,7 +44,7 @@ impl Show {
         Self { app, characters, lamps, judged, worst_deg: 0.0, reached: 0, frame: 0 }
     }
 
-    /// Moves what the game moves, runs a frame, and judges it.
+    /// Runs frames. In each, moves characters and targets as a game would, and checks the result.
     fn run(&mut self, frames: u16) {
         for _ in 0..frames {
             let t = f32::from(self.frame) * FRAME.as_secs_f32();
@@ -122,17 +124,17 @@ fn reached_is_reached_as_bevy_draws_it() {
     show.run(180);
     let while_walking = show.reached;
     assert!(while_walking > 5 * 90, "reached in {while_walking} frames of {}", 5 * 180);
-    // From walking to running.
+    // Cross-fade from walking to running.
     for step in 0..=20_u8 {
         show.players(|player| player.next = Some((stage::clip("run"), f32::from(step) / 20.0)));
         show.run(3);
     }
     show.run(60);
-    // Everything stops; bones stay as the clip left them.
+    // The animation stops, so bones keep the last pose of the clip.
     show.players(|player| player.plays = false);
     show.run(240);
     let reached = show.reached;
-    // A target that jumps, and stays.
+    // The target jumps once and then stays.
     for &character in &show.characters {
         let place = show.app.world().get::<bevy_transform::components::GlobalTransform>(character).expect("a place");
         let point = place.affine().transform_point3(Vec3::new(0.9, 1.9, 1.5));
@@ -140,7 +142,7 @@ fn reached_is_reached_as_bevy_draws_it() {
     }
     show.run(240);
     assert!(show.reached - reached > 5 * 120, "{} of {}", show.reached - reached, 5 * 240);
-    // Back to the lamps, which go.
+    // Return to the lamps, and despawn them.
     for (&character, &lamp) in show.characters.iter().zip(&show.lamps) {
         show.app.world_mut().entity_mut(character).insert(AimTarget::entity(lamp));
     }

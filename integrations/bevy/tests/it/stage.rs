@@ -1,4 +1,4 @@
-//! A stage: an app, mannequins that a tiny player animates, and a judge that knows nothing of the plugin's inside.
+//! Test fixture: an app, mannequins with a minimal animation player, and checks that do not use the plugin's internals.
 
 use std::sync::{Arc, LazyLock};
 use std::time::Duration;
@@ -15,8 +15,8 @@ use bevy_time::{Time, TimePlugin, TimeUpdateStrategy};
 use bevy_transform::TransformPlugin;
 use bevy_transform::components::{GlobalTransform, Transform};
 
-/// An eye, the neck and two bones of the spine of the mannequin. Its bones point +X up, +Y forward, +Z left. The collar bones hang on
-/// the upper bone of the spine and stay with the lower one.
+/// A rig of the mannequin's eye, neck and two spine bones. The bones point +X up, +Y forward, +Z left. The collar bones
+/// are children of the upper spine bone and are held by the lower one.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z), region = human)]
 pub(crate) struct Hero {
@@ -30,7 +30,7 @@ pub(crate) struct Hero {
     pub(crate) belly: Joint,
 }
 
-/// One frame of 60 a second.
+/// Duration of a frame at 60 Hz.
 pub(crate) const FRAME: Duration = Duration::from_nanos(16_666_667);
 
 pub(crate) static MANNEQUIN: LazyLock<Document> = LazyLock::new(|| {
@@ -46,7 +46,7 @@ pub(crate) fn clip(name: &str) -> Arc<Clip> {
     Arc::new(MANNEQUIN.clip(name).expect("a clip").clone())
 }
 
-/// Plays a clip, or two while one fades into the other, as Bevy's does: only what has a track is written.
+/// Plays a clip, or two during a cross-fade. Like Bevy's player, it writes only bones that have a track.
 #[derive(Component)]
 pub(crate) struct Player {
     pub(crate) clip: Arc<Clip>,
@@ -54,9 +54,9 @@ pub(crate) struct Player {
     pub(crate) plays: bool,
     pub(crate) seconds: f32,
     pub(crate) bones: Vec<Entity>,
-    /// The factor of translations.
+    /// Factor applied to translations.
     pub(crate) unit: f32,
-    /// Each bone as it was last written, or at rest.
+    /// Local transform of each bone as last written by the player; its rest transform before that.
     pub(crate) animated: Vec<Local>,
 }
 
@@ -85,7 +85,7 @@ fn play(time: Res<Time>, mut players: Query<&mut Player>, mut transforms: Query<
         for bone in tracks {
             let mut local = pose[bone];
             local.translation *= player.unit;
-            // The hips' way is the root's, which tests move themselves.
+            // The clip's motion of the hips is dropped, because tests move the root themselves.
             if skeleton().names()[bone] == "hips" {
                 local.translation = skeleton().rest()[bone].translation * player.unit;
             }
@@ -100,7 +100,7 @@ pub(crate) fn to_bevy(local: &Local) -> Transform {
     Transform { translation: local.translation, rotation: local.rotation, scale: local.scale }
 }
 
-/// An app in which a frame is [`FRAME`].
+/// Returns an app in which each frame takes [`FRAME`].
 pub(crate) fn app() -> App {
     app_with(AimPlugin::default())
 }
@@ -112,17 +112,17 @@ pub(crate) fn app_with(plugin: AimPlugin) -> App {
     app
 }
 
-/// All but threads, plugin and assets.
+/// Adds everything but the task pools, the plugin and assets.
 pub(crate) fn add(app: &mut App) {
     app.add_plugins((TimePlugin, TransformPlugin));
     app.insert_resource(TimeUpdateStrategy::ManualDuration(FRAME));
     app.add_systems(PostUpdate, play.in_set(AnimationSystems));
-    // The first frame has no length.
+    // The first frame has a duration of zero.
     app.finish();
     app.update();
 }
 
-/// The mannequin's bones below an armature below an entity, in units of which one is `scale` metres.
+/// Spawns the mannequin's bones below an armature below the character's entity, in units of `scale` metres.
 pub(crate) fn spawn(app: &mut App, character: AimCharacter, root: Transform, scale: f32) -> Entity {
     let unit = 1.0 / scale;
     let entity = app.world_mut().spawn((character, root)).id();
@@ -160,37 +160,37 @@ pub(crate) fn status(app: &App, character: Entity) -> AimStatus {
     outcome(app, character).status
 }
 
-/// The place in which Bevy draws an entity.
+/// Returns an entity's world transform, as drawn by Bevy.
 pub(crate) fn drawn(app: &App, entity: Entity) -> DAffine3 {
     app.world().get::<GlobalTransform>(entity).expect("a place").affine().as_daffine3()
 }
 
-/// The angle between where an eye looks, as Bevy draws it, and a point, degrees.
+/// Returns the angle between an eye's direction, as drawn by Bevy, and the direction to a point, degrees.
 pub(crate) fn error_deg(app: &App, character: Entity, eye: &str, target: DVec3) -> f64 {
     let eye = drawn(app, bone(app, character, eye));
     angle_deg(eye.matrix3.y_axis, target - eye.translation)
 }
 
-/// The angle between two directions of any length, degrees.
+/// Returns the angle between two vectors, degrees.
 pub(crate) fn angle_deg(a: DVec3, b: DVec3) -> f64 {
     let (a, b) = (a.normalize(), b.normalize());
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
-/// Heading and pitch of a rotation of a bone, degrees.
+/// Returns the heading and pitch of a bone's rotation, degrees.
 fn angles_deg(turn: DQuat) -> [f64; 2] {
     let ahead = turn * DVec3::Y;
     [ahead.z.atan2(ahead.y).to_degrees(), ahead.x.atan2(ahead.z.hypot(ahead.y)).to_degrees()]
 }
 
-/// The motion of a character's joints in a frame, from Bevy's transforms alone.
+/// The angles of a character's joints in a frame, computed from Bevy's transforms alone.
 #[derive(Clone)]
 pub(crate) struct Judged {
     pub(crate) angles_deg: Vec<[f64; 2]>,
 }
 
-/// Fails where a joint has left its range, or was faster than its rate, a region has left its budget, or a held bone has moved against
-/// what carries it. Ranges are those declared: relative to the animation.
+/// Panics if a joint has left its range or exceeded its rate, a region has exceeded its budget, or a held bone has
+/// moved relative to its carrier. Ranges are relative to the animation, as declared.
 pub(crate) fn judge(app: &App, character: Entity, before: Option<&Judged>, dt: f64) -> Judged {
     let player = app.world().get::<Player>(character).expect("a character");
     let local = |bone: usize| *app.world().get::<Transform>(player.bones[bone]).expect("a bone");
@@ -229,7 +229,7 @@ pub(crate) fn judge(app: &App, character: Entity, before: Option<&Judged>, dt: f
     Judged { angles_deg: angles }
 }
 
-/// The collar bones stay where they are on the lower bone of the spine in the animation.
+/// Checks that the collar bones keep their animated transform relative to the lower spine bone.
 fn held(player: &Player, local: &dyn Fn(usize) -> Transform) {
     let carrier = skeleton().find("spine1").expect("a bone");
     for name in ["left_clavicle", "right_clavicle"] {
@@ -251,7 +251,7 @@ fn held(player: &Player, local: &dyn Fn(usize) -> Transform) {
     }
 }
 
-/// The state that the plugin keeps of a character.
+/// Returns the plugin's state of a character.
 pub(crate) fn binding(app: &App, character: Entity) -> &AimBinding {
     app.world().get(character).expect("a character whose bones are found")
 }

@@ -1,4 +1,4 @@
-//! Targets: several, on each other, without a place; and at once.
+//! Tests of targets: several, characters that look at each other, entities without a transform, and snaps.
 
 use bevy_aim::aim::glam::{DVec3, Vec3};
 use bevy_aim::{AimSettings, AimSnap, AimStatus, AimTarget};
@@ -28,7 +28,7 @@ fn several_are_weighted() {
     let ahead = |app: &App| drawn(app, bone(app, who, "left_eye")).matrix3.y_axis.normalize();
     let both = ahead(&app);
     assert!(both.x > 0.05 && both.x < 0.29, "nearer to the heavier one: {both}");
-    // The heavier one goes: all is the other's.
+    // Despawn the heavier target: the other one has all the weight.
     app.world_mut().entity_mut(right).despawn();
     for _ in 0..120 {
         app.update();
@@ -59,7 +59,7 @@ fn two_look_each_other_in_the_eye() {
             }
         }
     }
-    // One of them walks, so that what a frame changes in its correction remains.
+    // One of them walks, so an error remains: the change of its correction in one frame.
     assert!(worst < 0.1, "{worst}° off");
 }
 
@@ -78,7 +78,7 @@ fn no_place_is_no_target() {
     app.world_mut().entity_mut(who).insert(AimTarget::point(Vec3::NAN));
     app.update();
     assert_eq!(status(&app, who), AimStatus::Degenerate);
-    // The character itself has no place.
+    // The character itself has no `Transform`.
     app.world_mut().entity_mut(who).remove::<Transform>();
     app.update();
     assert_eq!(status(&app, who), AimStatus::Unbound(bevy_aim::Unbound::Place));

@@ -1,4 +1,4 @@
-//! Pauses, slow motion, fixed steps, and what is left alone.
+//! Tests of pauses, slow motion, fixed steps, and unchanged transforms.
 
 use std::time::Duration;
 
@@ -55,7 +55,7 @@ fn fixed_steps_of_their_own() {
     let mut was = 0.0;
     for _ in 0..240 {
         app.update();
-        // A step of a thirtieth of a second at most, and none in every other frame.
+        // At most one step of 1/30 s per frame, and none in every other frame.
         judged = Some(judge(&app, character, judged.as_ref(), 1.0 / 30.0));
         if let Some(binding) = app.world().get::<bevy_aim::AimBinding>(character) {
             let now = binding.angles()[1].heading();

@@ -1,4 +1,4 @@
-//! [`Character`]: one that aims, frame by frame.
+//! [`Character`]: aims a character, frame by frame.
 
 use std::sync::Arc;
 
@@ -9,20 +9,21 @@ use aim::{Behind, DynAim, Rig, Settings, Status, Target, Targets};
 use crate::Found;
 use crate::bones::{LOCAL, affine, transform};
 
-/// Layout of the block that a character shares with JavaScript, in numbers from its start.
+/// Layout of the block that a character shares with JavaScript: offsets in `f32`s from its start.
 pub mod layout {
-    /// World matrix of what the root bones hang on: 16 numbers, column-major.
+    /// World matrix of the root bones' parent: 16 numbers, column-major.
     pub const PLACE: usize = 0;
     /// [`weight`](aim::Settings::weight), [`attention`](aim::Settings::attention), [`patience`](aim::Settings::patience),
     /// [`tolerance`](aim::Settings::tolerance), and [`behind`](aim::Settings::behind) as a number.
     pub const SETTINGS: usize = 16;
-    /// The status as a number, the remaining angle, the turn of the body, and the seconds for which the target is out of reach.
+    /// The status as a number; the remaining angle and the required turn of the body, radians; and the time for which
+    /// the target has been out of reach, seconds.
     pub const OUTCOME: usize = 24;
-    /// The targets: a point in the world and a weight each.
+    /// The targets: for each, a point in world space and a weight.
     pub const TARGETS: usize = 32;
-    /// Targets at most.
+    /// Greatest number of targets.
     pub const MOST_TARGETS: usize = 16;
-    /// The bones' local transforms, ten numbers each: as they are, and then as they are to be.
+    /// The bones' local transforms, ten numbers each: animated before an update, aimed after it.
     pub const BONES: usize = TARGETS + 4 * MOST_TARGETS;
 }
 
@@ -31,14 +32,14 @@ pub struct Character {
     found: Found,
     aim: DynAim<Arc<dyn Rig>>,
     frame: AimFrame,
-    /// The bones that a correction moves.
+    /// The bones that an update writes: joints, the other eye, and held bones.
     written: Vec<usize>,
-    /// The bones as animated, without corrections.
+    /// Local transforms of the bones as animated, without corrections.
     animated: Vec<Transform>,
-    /// The same with this frame's corrections.
+    /// Local transforms of the bones with this frame's corrections.
     aimed: Vec<Transform>,
     model: Vec<Affine3A>,
-    /// Each written bone before the last correction, and with it.
+    /// Local transforms of each written bone at the last update: animated and aimed.
     memory: Vec<[Transform; 2]>,
     targets: Vec<Target>,
     block: Vec<f32>,
@@ -51,7 +52,7 @@ impl std::fmt::Debug for Character {
 }
 
 impl Character {
-    /// A character at rest.
+    /// Creates a character in its rest pose.
     #[must_use]
     pub fn new(found: &Found) -> Self {
         let chain = &found.chain;
@@ -74,37 +75,38 @@ impl Character {
         }
     }
 
-    /// The numbers that go in and come out: see [`layout`]. Behind the bones are the heading and the pitch of each joint, radians.
+    /// Returns the block of inputs and outputs: see [`layout`]. The heading and pitch of each joint follow the bones,
+    /// radians.
     pub fn block(&mut self) -> &mut [f32] {
         &mut self.block
     }
 
-    /// For each bone of the block its number among those that were handed over.
+    /// Returns, for each bone of the block, its index in [`Bones`](crate::Bones).
     #[must_use]
     pub fn bones(&self) -> &[usize] {
         &self.found.bones
     }
 
-    /// The bones of the block that a frame moves.
+    /// Returns the bones of the block that an update writes.
     #[must_use]
     pub fn written(&self) -> &[usize] {
         &self.written
     }
 
-    /// The bone of the block of each joint, from the effector inward.
+    /// Returns the bone of each joint, as an index into the bones of the block, from the effector inward.
     #[must_use]
     pub fn joints(&self) -> &[usize] {
         self.found.chain.joints()
     }
 
-    /// The name of a joint.
+    /// Returns the name of a joint; empty if it does not exist.
     #[must_use]
     pub fn joint_name(&self, joint: usize) -> &str {
         self.found.rig.joint_name(joint).unwrap_or_default()
     }
 
-    /// One frame of `dt` seconds, at the first `targets` of the block; with `snap` as if it had had all the time it needs. The bones
-    /// of the block are read as they are and left as they are to be.
+    /// Aims for a frame of `dt` seconds at the first `targets` targets of the block. With `snap`, rates are ignored.
+    /// Reads the bones of the block as animated and replaces them by the aimed ones.
     pub fn update(&mut self, dt: f32, targets: usize, snap: bool) {
         self.read();
         self.targets.clear();
@@ -115,11 +117,12 @@ impl Character {
         let settings = self.settings();
         let chain = &self.found.chain;
         self.aimed.copy_from_slice(&self.animated);
-        // All are of this character's length.
+        // Cannot fail here or below: all slices have the skeleton's length.
         let _ = chain.skeleton().to_model(&self.aimed, &mut self.model);
         self.frame.place = affine(&self.block[layout::PLACE..layout::SETTINGS]).unwrap_or(Affine3A::IDENTITY);
         let _ = chain.gather(&mut self.frame, &mut self.aimed, &mut self.model);
-        // Of several those that are no place are left out; if all are, there is nothing to aim at, and the angles hold.
+        // Weighted targets that are not finite are ignored. If none is finite, pass one as a point: the solver then
+        // reports a degenerate call and keeps the angles, instead of returning to the animation.
         let targets = match self.targets.first() {
             Some(first) if !self.targets.iter().any(|target| target.point.is_finite()) => Targets::Point(first.point),
             _ => Targets::Weighted(&self.targets),
@@ -152,7 +155,8 @@ impl Character {
         }
     }
 
-    /// Takes the corrections off the bones of the block that still have them; the next frame goes on where the last one was.
+    /// Removes the corrections from those bones of the block that still have them. The angles stay, so that the next
+    /// update continues from them.
     pub fn restore(&mut self) {
         self.read();
         for (memory, &bone) in self.memory.iter_mut().zip(&self.written) {
@@ -161,8 +165,8 @@ impl Character {
         }
     }
 
-    /// Reads the bones as they are animated: what still is as it was written has been left alone since, so that corrections do not
-    /// add up.
+    /// Reads the bones as animated. A value that still equals the last written one was not animated since, so the
+    /// stored animated value is used; otherwise corrections would accumulate.
     fn read(&mut self) {
         for (bone, animated) in self.animated.iter_mut().enumerate() {
             *animated = transform(&self.block[layout::BONES + LOCAL * bone..][..LOCAL]);
@@ -195,7 +199,7 @@ impl Character {
     }
 }
 
-/// Puts a bone's translation and rotation into the block.
+/// Writes a bone's translation and rotation to the block.
 fn write(block: &mut [f32], bone: usize, Transform { translation, rotation, .. }: &Transform) {
     let at = &mut block[layout::BONES + LOCAL * bone..];
     at[..3].copy_from_slice(&translation.to_array());

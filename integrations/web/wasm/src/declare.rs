@@ -1,4 +1,4 @@
-//! Rigs that are declared in TOML.
+//! Rigs declared in TOML.
 
 use std::sync::Arc;
 
@@ -7,10 +7,10 @@ use aim_character::InterpretedRig;
 use crate::find::{Known, MOST_JOINTS, by_name};
 use crate::{Bones, Found};
 
-/// A rig of a declaration in TOML, as `aim rig` writes it; `file` is what its mistakes are told for.
+/// Fits a rig declared in TOML, as `aim rig` writes it, to the bones. `file` is the file name that error messages show.
 ///
 /// # Errors
-/// Says in a sentence what was expected; of a declaration with file, line and column.
+/// Returns a message that says what was expected. For an error in the declaration it has file, line and column.
 pub fn declared(bones: &Bones, file: &str, text: &str, both_eyes: bool) -> Result<Found, String> {
     let spec = aim_codegen::declare::from_toml(file, text).map_err(|errors| errors.render())?;
     let joints = spec.joints.len();

@@ -8,13 +8,14 @@ use crate::{Bones, Character, Found, layout};
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
 
-/// The bytes that are allocated now.
+/// Returns the number of bytes currently allocated.
 #[wasm_bindgen(js_name = liveBytes)]
 pub fn live_bytes() -> usize {
     MEMORY.current_usage()
 }
 
-/// Layout of a character's block: place, settings, outcome, targets, the number of targets at most, bones.
+/// Returns the layout of a character's block: the offsets of place, settings, outcome and targets, the greatest number
+/// of targets, and the offset of the bones.
 #[wasm_bindgen]
 pub fn layout() -> Vec<u32> {
     [layout::PLACE, layout::SETTINGS, layout::OUTCOME, layout::TARGETS, layout::MOST_TARGETS, layout::BONES]
@@ -22,14 +23,14 @@ pub fn layout() -> Vec<u32> {
         .to_vec()
 }
 
-/// The bones of a character, as they are handed over one by one.
+/// The bones of a character, added one by one.
 #[wasm_bindgen(js_name = Bones)]
 #[derive(Debug, Default)]
 pub struct JsBones(Bones);
 
 #[wasm_bindgen(js_class = Bones)]
 impl JsBones {
-    /// No bones yet.
+    /// Creates an empty list of bones.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
@@ -56,44 +57,44 @@ impl JsBones {
     }
 }
 
-/// A character that aims.
+/// A character, aimed frame by frame.
 #[wasm_bindgen(js_name = Character)]
 #[derive(Debug)]
 pub struct JsCharacter(Character);
 
 #[wasm_bindgen(js_class = Character)]
 impl JsCharacter {
-    /// With a bundled rig.
+    /// Creates a character with a bundled rig: see [`preset`](crate::preset()).
     #[cfg(feature = "presets")]
     pub fn preset(bones: &JsBones, name: &str, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::preset(&bones.0, name, both_eyes))
     }
 
-    /// With a rig of a declaration in TOML.
+    /// Creates a character with a rig declared in TOML.
     #[cfg(feature = "declare")]
     pub fn declared(bones: &JsBones, file: &str, text: &str, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::declared(&bones.0, file, text, both_eyes))
     }
 
-    /// With a rig that is measured from the bones.
+    /// Creates a character with a rig measured from the bones.
     #[cfg(feature = "measure")]
     pub fn measured(bones: &JsBones, both_eyes: bool) -> Result<Self, JsError> {
         made(crate::measured(&bones.0, both_eyes))
     }
 
-    /// With a rig that is measured from the character's file.
+    /// Creates a character with a rig measured from the character's file.
     #[cfg(feature = "measure")]
     #[wasm_bindgen(js_name = ofFile)]
     pub fn of_file(bones: &JsBones, bytes: &[u8], both_eyes: bool) -> Result<Self, JsError> {
         made(crate::of_file(&bones.0, bytes, both_eyes))
     }
 
-    /// The address of the block of numbers; it stays.
+    /// Returns the address of the block of numbers, which stays the same for the character's lifetime.
     pub fn block(&mut self) -> *const f32 {
         self.0.block().as_ptr()
     }
 
-    /// The number of numbers in the block.
+    /// Returns the length of the block, in `f32`s.
     #[wasm_bindgen(js_name = blockLength)]
     pub fn block_length(&mut self) -> usize {
         self.0.block().len()
@@ -135,7 +136,7 @@ fn made(found: Result<Found, String>) -> Result<JsCharacter, JsError> {
     found.map(|found| JsCharacter(Character::new(&found))).map_err(|told| JsError::new(&told))
 }
 
-/// As JavaScript has it; bones and numbers are far fewer.
+/// Converts to `u32`, which wasm-bindgen passes as a JavaScript number. Sizes here are far below its limit.
 fn number(size: usize) -> u32 {
     u32::try_from(size).unwrap_or(u32::MAX)
 }

@@ -1,4 +1,4 @@
-//! [`Found`]: a rig on the bones of a character.
+//! [`Found`]: a rig fitted to the bones of a character.
 
 use std::sync::Arc;
 
@@ -8,22 +8,22 @@ use aim::glam::{Affine3A, Vec3};
 
 use crate::Bones;
 
-/// A rig whose bones have been found, in a chain on as few of the character's bones as can be.
+/// A rig whose bones have been found, with a chain on a skeleton reduced to the bones that are needed.
 #[derive(Clone)]
 pub struct Found {
     pub(crate) rig: Arc<dyn Rig>,
     pub(crate) chain: AimChain,
-    /// For each bone of the chain's skeleton its number among those that were handed over.
+    /// For each bone of the chain's skeleton, its index in [`Bones`].
     pub(crate) bones: Vec<usize>,
 }
 
-/// Facts of a character beside its rig.
+/// Facts about a character that its rig does not hold.
 #[derive(Default)]
 pub(crate) struct Known {
     pub(crate) up: Option<Vec3>,
-    /// The bone that tells how it stands, as it is numbered in the skeleton.
+    /// Index in the skeleton of the bone whose lean determines the up direction.
     pub(crate) trunk: Option<usize>,
-    /// Every bone of the skeleton in the bind pose, in the space of the character; none where that is the rest pose.
+    /// Bind transform of every bone of the skeleton, in the space of the character; empty if it is the rest pose.
     pub(crate) bind: Vec<Affine3A>,
 }
 
@@ -33,7 +33,7 @@ impl std::fmt::Debug for Found {
     }
 }
 
-/// The rig on bones with the names that it declares.
+/// Fits a rig to the bones with the names that it declares.
 pub(crate) fn by_name(
     bones: &Bones,
     skeleton: &Skeleton,
@@ -62,11 +62,12 @@ pub(crate) fn by_name(
     Ok(Found { rig, chain, bones })
 }
 
-/// Joints of a rig at most: those for which the solvers have room in small programs.
+/// Greatest number of joints of a rig: the capacity of the solvers in small programs.
 #[cfg(any(feature = "declare", feature = "measure"))]
 pub(crate) const MOST_JOINTS: usize = 16;
 
-/// The bone of the right eye beside that of the left one, for rigs that know several names of the left and one of the right.
+/// Returns the bone of the right eye that corresponds to the bone of the left eye by name and parent. For rigs that
+/// declare several names for the left eye but only one for the right.
 fn beside(skeleton: &Skeleton, left: usize) -> Option<usize> {
     let name = skeleton.name(left)?;
     let sides = [("Left", "Right"), ("left", "right"), ("_L", "_R"), ("_l", "_r"), (".L", ".R"), (".l", ".r")];
@@ -77,7 +78,7 @@ fn beside(skeleton: &Skeleton, left: usize) -> Option<usize> {
     (skeleton.parents()[right] == skeleton.parents()[left]).then_some(right)
 }
 
-/// Why bones are no chain of a rig, for somebody who sees neither.
+/// Returns an error message for a reader who knows neither the rig nor the skeleton.
 fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
     let joint_name = |joint: usize| rig.joint_name(joint).unwrap_or("?").to_owned();
     match error {
@@ -111,5 +112,5 @@ fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
     }
 }
 
-/// The names of bones that a message lists at most.
+/// Greatest number of bone names in a message.
 const MOST_NAMES: usize = 80;

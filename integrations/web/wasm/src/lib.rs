@@ -1,5 +1,5 @@
-//! WebAssembly of the npm package `aim-gaze`: a character's bones, a rig for them, and one aimed frame after the other through a
-//! block of numbers that JavaScript shares.
+//! WebAssembly module of the npm package `aim-gaze`. It receives a character's bones, fits a rig to them, and aims
+//! frame by frame through a block of numbers in memory that JavaScript reads and writes directly.
 
 mod bones;
 mod character;

@@ -1,4 +1,4 @@
-//! Rigs that are measured when a character is loaded.
+//! Measures rigs when a character is loaded.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -12,12 +12,12 @@ use aim_gltf::Document;
 use crate::find::{Known, MOST_JOINTS, by_name};
 use crate::{Bones, Found};
 
-/// A rig that is measured from the bones: their names, how they stand at rest, and their bind matrices.
+/// Measures a rig from the bones: their names, rest transforms and bind matrices.
 ///
 /// # Errors
-/// Says in a sentence what was expected.
+/// Returns a message that says what was expected.
 pub fn measured(bones: &Bones, both_eyes: bool) -> Result<Found, String> {
-    // A measured rig tells its bones by their names.
+    // A measured rig refers to its bones by name, so make duplicate names unique.
     let mut bones = bones.clone();
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     for Bone { name, .. } in &mut bones.bones {
@@ -35,17 +35,17 @@ pub fn measured(bones: &Bones, both_eyes: bool) -> Result<Found, String> {
     by_name(&bones, &skeleton, rig, known, both_eyes)
 }
 
-/// A rig that is measured from the bytes of the character's file, GLB or VRM. Bones are those of the nodes with their numbers, or else
-/// with their names.
+/// Measures a rig from the bytes of the character's file, GLB or VRM. Bones are matched to the file's nodes by node
+/// index, or by name if they have none.
 ///
 /// # Errors
-/// Says in a sentence what was expected.
+/// Returns a message that says what was expected.
 pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, String> {
     let document =
         Document::without_clips(bytes).map_err(|error| format!("the character's file cannot be read: {error}"))?;
     let (rig, mut known) = proposed(&document)?;
     let of_file = document.skeleton();
-    // Bones have the names of the file's nodes: engines change them.
+    // Give the bones the names of the file's nodes, because engines rename them.
     let by_node: BTreeMap<usize, usize> =
         (0..of_file.len()).filter_map(|at| Some((of_file.source_of(at)?, at))).collect();
     let node_of = |bone: usize| match bones.nodes[bone] {
@@ -73,7 +73,8 @@ pub fn of_file(bones: &Bones, bytes: &[u8], both_eyes: bool) -> Result<Found, St
     by_name(&bones, &skeleton, rig, known, both_eyes)
 }
 
-/// The rig that is proposed for a character, with what else is measured; bones are numbered as in the document's skeleton.
+/// Proposes a rig for a character, and returns it with the other measured facts. Bones are numbered as in the
+/// document's skeleton.
 fn proposed(document: &Document) -> Result<(Arc<dyn Rig>, Known), String> {
     let measurement = Measurement::of(document);
     let told = |error| match error {
@@ -85,7 +86,7 @@ fn proposed(document: &Document) -> Result<(Arc<dyn Rig>, Known), String> {
     };
     let mut spec = propose(document, &measurement, None).map_err(told)?.spec;
     if spec.joints.len() > MOST_JOINTS {
-        // Long necks and spines: what is nearest to the eyes.
+        // With a long neck or spine, keep the joints nearest to the eyes.
         let names: Vec<String> =
             spec.joints.iter().take(MOST_JOINTS).filter_map(|joint| joint.bones.first().cloned()).collect();
         spec = propose(document, &measurement, Some(&names)).map_err(told)?.spec;

@@ -1,4 +1,4 @@
-//! The rigs that are compiled in.
+//! Bundled rigs.
 
 use std::sync::Arc;
 
@@ -9,11 +9,11 @@ use aim::{AimRig, Rig};
 use crate::find::{Known, by_name};
 use crate::{Bones, Found};
 
-/// A bundled rig on bones of the names that it declares. With `both_eyes` the other eye is aimed itself, where there is one; else it
-/// turns as the first does.
+/// Fits a bundled rig to the bones with the names that it declares. With `both_eyes`, the other eye, if any, is aimed
+/// at the target itself; otherwise it repeats the turn of the first.
 ///
 /// # Errors
-/// Says in a sentence what was expected.
+/// Returns a message that says what was expected.
 pub fn preset(bones: &Bones, name: &str, both_eyes: bool) -> Result<Found, String> {
     fn of<R: AimRig>() -> Arc<dyn Rig> {
         Arc::new(R::RIG)
@@ -39,11 +39,12 @@ pub fn preset(bones: &Bones, name: &str, both_eyes: bool) -> Result<Found, Strin
     ))
 }
 
-/// Whether the bones' declared ups are up in the rest pose, and their forwards agree, each within 60°.
+/// Returns `true` if in the rest pose each joint's declared up direction is within 60° of +Y, and its forward direction
+/// within 60° of joint 0's.
 fn stands(found: &Found) -> bool {
     let (skeleton, description) = (found.chain.skeleton(), found.rig.description());
     let mut model = vec![aim::glam::Affine3A::IDENTITY; skeleton.len()];
-    // Of equal lengths.
+    // Cannot fail: both slices have the skeleton's length.
     let _ = skeleton.to_model(skeleton.rest(), &mut model);
     let axes = |joint: usize| {
         let turn = model[found.chain.joints()[joint]].matrix3;

@@ -1,5 +1,5 @@
-//! Records characters as they are aimed natively: `record FILE.json` writes what goes in, frame by frame, and a hash of what comes
-//! out, for `tests/recorded.mjs` to play through the package.
+//! Records characters that are aimed by the native build. `record FILE.json` writes the inputs, frame by frame, and a
+//! hash of the outputs; `tests/recorded.mjs` replays them through the package.
 
 #[cfg(target_arch = "wasm32")]
 fn main() {}
@@ -26,7 +26,7 @@ mod record {
     /// Up +Y, forward +Z, left +X.
     const UPRIGHT: Axes = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
 
-    /// A character that walks: its file, and the names that its bones have in an engine.
+    /// A walking character: its file, and the names of its bones in an engine.
     struct Walker {
         file: Vec<u8>,
         document: Document,
@@ -56,7 +56,7 @@ mod record {
         }
     }
 
-    /// The cases as JSON. Floats are told by their bits.
+    /// Returns the cases as JSON. Floats are written as their bytes in hexadecimal.
     pub(crate) fn cases() -> Result<String, Box<dyn Error>> {
         let eyes = [("left_eye", "leftEye"), ("right_eye", "rightEye"), ("spine3", "upperChest")];
         let mixamo = [("left_eye", "LeftEye"), ("right_eye", "RightEye"), ("neck", "Neck"), ("spine3", "Spine2")];
@@ -84,7 +84,7 @@ mod record {
         for frame in 0..FRAMES {
             let pose = skeleton.pose(walk, frame as f32 / 60.0);
             let dt = if frame % 31 == 7 { 0.0 } else { [1.0 / 60.0, 1.0 / 144.0, 1.0 / 24.0][frame as usize / 200] };
-            // The target wanders, leaps now and then, and goes behind, overhead and away.
+            // The target wanders, jumps from time to time, and passes behind, above and far from the character.
             let step: [f32; 3] = std::array::from_fn(|_| 0.02 * random.next());
             target = std::array::from_fn(|axis| target[axis] + step[axis]);
             if frame % 97 == 0 {
@@ -100,7 +100,7 @@ mod record {
             ];
             let snap = frame % 113 == 0;
             let block = character.block();
-            // A character that turns, with a mirror in the third of its four places.
+            // The character is turned, and mirrored in the third quarter of the frames.
             let sign = if frame / 150 == 2 { -1.0 } else { 1.0 };
             block[layout::PLACE..][..16].copy_from_slice(&[
                 0.6 * sign,
@@ -165,7 +165,7 @@ mod record {
         })
     }
 
-    /// −1…1 (splitmix64).
+    /// Pseudorandom numbers in −1…1 (splitmix64).
     struct Random(u64);
 
     impl Random {
@@ -178,7 +178,7 @@ mod record {
         }
     }
 
-    /// FNV-1a.
+    /// FNV-1a hash.
     struct Fnv(u64);
 
     impl Default for Fnv {
