@@ -1,5 +1,5 @@
-//! Memory that loading and measuring take, counted by the allocator: at most four times the file. A test binary of
-//! its own, because the allocator counts for the whole process.
+//! Peak memory of loading and measuring a file, counted by the allocator: at most four times the file's size. This is a
+//! separate test binary because the allocator counts for the whole process.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -11,7 +11,7 @@ use peak_alloc::PeakAlloc;
 #[global_allocator]
 static COUNTED: PeakAlloc = PeakAlloc;
 
-/// The most bytes in use at once while a file is loaded and measured, as a share of the file.
+/// Returns the peak memory of loading and measuring a file, relative to the file's size.
 fn share(path: &Path) -> f64 {
     let before = COUNTED.current_usage();
     COUNTED.reset_peak_usage();
@@ -24,7 +24,7 @@ fn share(path: &Path) -> f64 {
     share
 }
 
-/// Serialises the tests: what other threads allocate would be counted too.
+/// Serialises the tests, since allocations of other threads would be counted, too.
 static ALONE: Mutex<()> = Mutex::new(());
 
 fn assert_at_most_four_times(files: &[PathBuf]) {

@@ -34,7 +34,7 @@ fn two_by_two() {
             let [p, q] = [a, b].map(|pose| pose[bone].rotation.as_dquat().normalize());
             let truth = match method {
                 Method::Nlerp => (p * (1.0 - w) + if p.dot(q) < 0.0 { -q } else { q } * w).normalize(),
-                // The definition: p · (p⁻¹ q)^w, the short way.
+                // The definition: p · (p⁻¹ q)^w along the shorter arc.
                 Method::Slerp => p * power(p.conjugate() * q, w),
                 Method::Log => {
                     let rest = skeleton.rest()[bone].rotation.as_dquat().normalize();
@@ -42,7 +42,7 @@ fn two_by_two() {
                     rest * DQuat::from_scaled_axis(x * (1.0 - w) + y * w)
                 }
             };
-            // Next to half a turn the short way is a matter of rounding.
+            // Near half a turn, rounding decides which arc is the shorter one.
             if p.dot(q).abs() > 1e-4 {
                 assert!(angle_between(found.rotation, truth) < 5e-6, "{method:?} {found:?} {truth}");
             }
@@ -50,7 +50,7 @@ fn two_by_two() {
     }
 }
 
-/// The rotation vector of the short way.
+/// Rotation vector of the shorter arc, radians.
 fn vector(rotation: DQuat) -> DVec3 {
     let rotation = if rotation.w < 0.0 { -rotation } else { rotation };
     rotation.to_scaled_axis()
@@ -97,7 +97,7 @@ fn differences_are_added() {
         let mut masked = a;
         blender.with_mask(&mask).add(&mut masked, &differences, 1.0).unwrap();
         assert_eq!((masked[0], masked[1], masked[2]), (a[0], a[1], sum[2]));
-        // Half of a difference, by slerp, is half its angle after the animated rotation.
+        // Half of a difference is, by slerp, half of its angle applied after the animated rotation.
         let mut half = a;
         blender.with_method(Method::Slerp).add(&mut half, &differences, 0.5).unwrap();
         let truth = a[0].rotation.as_dquat() * power(differences[0].rotation.as_dquat().normalize(), 0.5);
@@ -105,7 +105,7 @@ fn differences_are_added() {
     }
 }
 
-/// By the definition in f64, in any order.
+/// Compares weighted sums with their definition in f64, for poses in any order.
 #[test]
 fn weighted_sums() {
     let mut rng = Rng(4);
@@ -150,14 +150,14 @@ fn weighted_sums() {
         blender.sum(&inputs, &mut other).unwrap();
         for ((a, b), certainty) in sum.iter().zip(&other).zip(certain) {
             assert!(a.translation.distance(b.translation) < 1e-6 && a.scale.distance(b.scale) < 1e-6);
-            // Rotations that cancel leave little of the sum, which is then made unit.
+            // If rotations nearly cancel, normalising the short sum magnifies rounding errors.
             let apart = f64::from((a.rotation - b.rotation).length());
             assert!(apart < 1e-6 / certainty.min(1.0), "{a:?} {b:?}");
         }
     }
 }
 
-/// Both quaternions of a rotation are one, also half a turn from the rest pose.
+/// `q` and `-q` give the same sum, even half a turn away from the rest pose.
 #[test]
 fn antipodal_inputs() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
@@ -178,14 +178,14 @@ fn antipodal_inputs() {
             let mean = sum(&[(q, v), (other, w)]);
             assert!(angle_between(mean, q.as_dquat()) < 1e-6, "{q} {other} {mean}");
             assert!((mean - sum(&[(other, w), (q, v)])).length() < 1e-6);
-            // Half a turn from the rest pose the first part that is not zero is positive.
+            // Half a turn from the rest pose, the first nonzero component is positive.
             let first = mean.to_array().into_iter().find(|part| part.abs() > 1e-6).unwrap();
             assert!(case % 2 == 0 || first > 0.0, "{mean}");
         }
-        // Nothing to choose from is the rest pose.
+        // Without any weight the sum is the rest pose.
         assert_eq!(sum(&[(q, 0.0), (-q, f32::NAN)]), Quat::IDENTITY);
     }
-    // What has no weight makes no difference, whatever it is.
+    // Inputs of weight 0 have no effect, even if they are not finite.
     let nonsense = Quat::from_xyzw(f32::INFINITY, f32::NAN, 0.0, 0.0);
     assert_eq!(sum(&[(Quat::IDENTITY, 0.5), (nonsense, 0.0)]), Quat::IDENTITY);
     let nowhere = [Transform::from_translation(Vec3::splat(f32::NAN))];
@@ -205,7 +205,7 @@ fn masks() {
     let mask = mask.with_bone(1, 2.0).with_subtree(&skeleton, 2, f32::NAN).with_bone(9, 1.0);
     assert_eq!(mask.weights(), [1.0, 1.0, 0.0]);
     assert_eq!(Mask::subtree(&skeleton, 9).weights(), [0.0; 3]);
-    // A masked sum fades to the rest pose.
+    // With a mask, the sum fades to the rest pose.
     let a = pose(&mut rng);
     let mut out = a;
     Blender::new(&skeleton).with_mask(&mask).sum(&[(&a, 0.3)], &mut out).unwrap();
@@ -232,7 +232,7 @@ fn what_does_not_fit() {
     assert_eq!(a, before);
 }
 
-/// A weight that has no digits left is none.
+/// Weights too small to be normalised without losing all precision count as 0.
 #[test]
 fn weights_too_small_to_tell() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();

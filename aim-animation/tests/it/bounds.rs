@@ -1,4 +1,4 @@
-//! Boxes that no vertex leaves, and hits that are those of all triangles, by Cramer's rule in f64.
+//! Bounding boxes contain every vertex, and ray hits agree with a search over all triangles by Cramer's rule in f64.
 
 use aim_animation::glam::{Affine3A, DMat3, DVec3, Mat3, Vec3};
 use aim_animation::{Aabb, Bone, BoneBoxes, Hit, Influence, Mesh, MeshError, MeshPose, Morph, Ray, Skeleton, Skin};
@@ -17,7 +17,7 @@ fn no_vertex_is_outside_its_boxes() {
         let mesh = mesh(&mut rng, 6, 30);
         let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
         let matrices = matrices(&skeleton, &skin, &pose(&mut rng, &skeleton));
-        // Far from the origin, rounding counts.
+        // Far from the origin, rounding errors matter.
         let away = Affine3A::from_translation(rng.vector([0.0, 1e3][round % 2]));
         let matrices: Vec<Affine3A> = matrices.iter().map(|matrix| away * *matrix).collect();
         let pose = MeshPose::new(&matrices).with_morph_weights(&WEIGHTS);
@@ -108,7 +108,7 @@ fn triangles_hang_on_the_joint_that_moves_their_corners_most() {
 #[test]
 fn no_vertex_of_one_joint_or_of_a_thousand_is_outside() {
     let mut rng = Rng(7);
-    // All joints do the same, so that the box is that of a point.
+    // All joints move alike, so the box is that of a single point.
     for count in [1, 1000] {
         let bone = Bone::new("a", None).with_rest(rng.rigid());
         let skeleton = Skeleton::new(vec![bone; count]).unwrap();
@@ -134,7 +134,7 @@ fn boxes_of_one_joint_are_tight_and_lie_along_the_bone() {
     let rest = rng.rigid();
     let skeleton = Skeleton::new([Bone::new("arm", None).with_rest(rest)]).unwrap();
     let skin = Skin::new(&skeleton, [0]).unwrap();
-    // The corners of a box along the bone.
+    // Corners of a box along the bone.
     let sides = Aabb { min: Vec3::new(-0.1, 0.0, -0.05), max: Vec3::new(0.1, 0.6, 0.05) };
     let corners = sides.corners().map(|corner| rest.to_affine().transform_point3(corner));
     let mesh = Mesh::new(corners, [], &[[Influence::new(0, 1.0)]; 8]).unwrap();
@@ -156,7 +156,8 @@ fn boxes_of_one_joint_are_tight_and_lie_along_the_bone() {
     assert_eq!((boxes.oriented(1, &pose), boxes.oriented(0, &MeshPose::default())), (None, None));
 }
 
-/// The part of the way and the shares of the corners by Cramer's rule: origin + t·d = a + u·(b − a) + v·(c − a).
+/// Intersects a ray with a triangle by Cramer's rule: origin + t·d = a + u·(b − a) + v·(c − a). Returns `t` and the
+/// barycentric coordinates of the corners.
 fn by_cramer(corners: [DVec3; 3], ray: &Ray) -> Option<(f64, [f64; 3])> {
     let [a, b, c] = corners;
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
@@ -178,7 +179,7 @@ fn hits_are_those_of_all_triangles() {
     let (mut met, mut missed) = (0, 0);
     for round in 0..40 {
         let skeleton = skeleton(&mut rng, 6);
-        // In half of them, bones are several joints.
+        // In half of the rounds several joints share a bone.
         let skin = Skin::new(&skeleton, [[5, 4, 3, 2, 1, 0], [2, 4, 2, 2, 1, 4]][round % 2]).unwrap();
         let mesh = mesh(&mut rng, 6, 12);
         let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
@@ -187,14 +188,14 @@ fn hits_are_those_of_all_triangles() {
         let mut placed = vec![Vec3::ZERO; 12];
         mesh.deform(&pose, &mut placed).unwrap();
         for _ in 0..500 {
-            // Near a corner, so that half of them meet something.
+            // Aimed near a vertex, so that about half of the rays hit something.
             let (from, to) = (rng.vector(3.0), placed[rng.below(12)] + rng.vector(0.5));
             let ray = match rng.below(2) {
                 0 => Ray::new(from, (to - from) * rng.between(0.1, 3.0)),
                 _ => Ray::segment(from, to),
             };
             let hit = boxes.hit(&mesh, &pose, &ray).unwrap();
-            // The nearest that is clearly met, and whether one is met nearly.
+            // Nearest clear hit, and whether any triangle is hit or missed too narrowly to tell.
             let (mut nearest, mut is_close_call) = (f64::MAX, false);
             for corners in mesh.triangles() {
                 let corners = corners.map(|corner| placed[corner as usize].as_dvec3());
@@ -220,7 +221,7 @@ fn hits_are_those_of_all_triangles() {
     assert!(met > 5000 && missed > 2000, "{met} {missed}");
 }
 
-/// The parts of a hit by each other.
+/// Checks the fields of a hit against one another and against the blended joint matrices.
 fn judge((mesh, skin, matrices): (&Mesh, &Skin, &[Affine3A]), placed: &[Vec3], (ray, hit): (&Ray, &Hit)) {
     let indices = mesh.triangles()[hit.triangle];
     let [a, b, c] = indices.map(|corner| placed[corner as usize]);
@@ -230,7 +231,7 @@ fn judge((mesh, skin, matrices): (&Mesh, &Skin, &[Affine3A]), placed: &[Vec3], (
     assert!((a * u + b * v + c * w).abs_diff_eq(hit.point, 1e-6 * size), "{hit:?}");
     let reach = size + ray.origin.length();
     assert!(ray.at(hit.part).abs_diff_eq(hit.point, 1e-5 * reach), "{hit:?} of {ray:?}");
-    // The weight of each joint in the point, and the map that they blend to.
+    // Weight of each joint at the hit point, and the linear map that the joints blend to.
     let mut weights = vec![0.0_f64; skin.len()];
     for (corner, share) in indices.iter().zip(hit.barycentric) {
         for influence in mesh.influences(*corner as usize) {
@@ -256,7 +257,7 @@ fn judge((mesh, skin, matrices): (&Mesh, &Skin, &[Affine3A]), placed: &[Vec3], (
 
 #[test]
 fn no_ray_slips_through_a_closed_surface() {
-    // An octahedron of many facets, whose corners round as they please.
+    // A sheet of many triangles with random heights, so that deformed positions are rounded.
     let mut rng = Rng(4);
     let count = 12_u32;
     let mut positions = Vec::new();
@@ -283,7 +284,7 @@ fn no_ray_slips_through_a_closed_surface() {
     let pose = MeshPose::new(&matrices);
     let mut placed = vec![Vec3::ZERO; mesh.positions().len()];
     mesh.deform(&pose, &mut placed).unwrap();
-    // Through corners and points of edges, exactly as far as numbers go.
+    // Aim at vertices and at points on edges, as exactly as f32 can represent them.
     for row in 1..count {
         for column in 1..count {
             let at = (row * (count + 1) + column) as usize;
@@ -395,7 +396,7 @@ fn normals_of_hits_are_those_of_the_deformed_surface() {
     let skin = Skin::new(&skeleton, [0]).unwrap();
     let (mut mirrored, mut worst) = (0, 0.0_f64);
     for round in 0..300 {
-        // Every third is a needle.
+        // Every third triangle is a needle.
         let (to, aside) = (rng.vector(1.0), rng.vector([1.0, 1.0, 0.01][round % 3]));
         let at = rng.vector(1.0);
         let corners = [at, at + to, at + to * rng.between(0.5, 1.5) + aside];
@@ -403,7 +404,7 @@ fn normals_of_hits_are_those_of_the_deformed_surface() {
         let mesh = Mesh::new(corners, [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3]).unwrap();
         let mesh = mesh.with_normals([normal; 3]).unwrap();
         let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
-        // Any size: the side of a mirror does not depend on it.
+        // Any size: which side a mirrored triangle shows does not depend on its scale.
         let size = [1.0, 1e-15, 1e15][round / 3 % 3];
         let scale = [0; 3].map(|_| size * rng.between(0.5, 2.0) * if rng.below(2) == 0 { -1.0 } else { 1.0 });
         let matrix = Affine3A::from_quat(rng.rotation()) * Affine3A::from_scale(Vec3::from_array(scale));
@@ -426,7 +427,7 @@ fn normals_of_hits_are_those_of_the_deformed_surface() {
     assert!(worst < 5e-7 && mirrored > 100, "{worst} {mirrored}");
 }
 
-/// Of bones that move a point alike the lowest is told, whichever corner it is of.
+/// If several bones move a point equally, the hit reports the lowest bone, whichever corner it belongs to.
 #[test]
 fn of_equals_the_lowest_bone_is_hit() {
     let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", None)]).unwrap();
@@ -438,7 +439,7 @@ fn of_equals_the_lowest_bone_is_hit() {
         let mesh = Mesh::new(corners, [[0, 1, 2]], &influences).unwrap();
         let boxes = BoneBoxes::new(&mesh, &skin).unwrap();
         let matrices = [Affine3A::IDENTITY; 2];
-        // A quarter of the first two corners each, and half of the third.
+        // Barycentric coordinates: a quarter of each of the first two corners, half of the third.
         let ray = Ray::new(Vec3::new(1.0, 2.0, 4.0), Vec3::NEG_Z);
         let hit = boxes.hit(&mesh, &MeshPose::new(&matrices), &ray).unwrap().unwrap();
         assert_eq!((hit.barycentric, hit.bone, hit.joint), ([0.25, 0.25, 0.5], 0, 0));

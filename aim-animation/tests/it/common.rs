@@ -1,9 +1,9 @@
-//! What the tests share: a small generator of random numbers, random transforms, and their definitions in f64.
+//! Shared test helpers: a small random number generator, random transforms, and their definitions in f64.
 
 use aim_animation::Transform;
 use aim_animation::glam::{Affine3A, DAffine3, DQuat, Quat, Vec3};
 
-/// A small generator of random numbers.
+/// Small pseudorandom number generator.
 #[derive(Clone, Debug)]
 pub(crate) struct Rng(pub(crate) u64);
 
@@ -37,7 +37,7 @@ impl Rng {
         }
     }
 
-    /// Scaled uniformly, and sometimes mirrored.
+    /// Returns a transform with uniform scale, mirrored in one of four cases.
     pub(crate) fn transform(&mut self) -> Transform {
         let mut scale = Vec3::splat(self.between(0.5, 2.0));
         if self.below(4) == 0 {
@@ -51,7 +51,7 @@ impl Rng {
     }
 }
 
-/// The affine map by its definition, T·R·S.
+/// Returns the affine map T·R·S of a transform, in f64.
 pub(crate) fn exact(transform: &Transform) -> DAffine3 {
     DAffine3::from_scale_rotation_translation(
         transform.scale.as_dvec3(),
@@ -60,13 +60,13 @@ pub(crate) fn exact(transform: &Transform) -> DAffine3 {
     )
 }
 
-/// The largest difference between two maps, component by component.
+/// Returns the largest difference between two maps, component by component.
 pub(crate) fn apart(a: &Affine3A, b: &DAffine3) -> f64 {
     let b = b.to_cols_array();
     a.to_cols_array().iter().zip(b).map(|(a, b)| (f64::from(*a) - b).abs()).fold(0.0, f64::max)
 }
 
-/// The angle between two rotations, radians, by the chord of their quaternions.
+/// Returns the angle between two rotations, radians, from the chord between their quaternions.
 pub(crate) fn angle_between(a: Quat, b: DQuat) -> f64 {
     let (a, b) = (a.as_dquat().normalize(), b.normalize());
     let chord = (a - b).length().min((a + b).length());

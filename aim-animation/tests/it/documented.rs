@@ -1,4 +1,5 @@
-//! The tables of `docs/animation-coverage.md`: what they name is there, and each row is judged by a test.
+//! Checks the tables of `docs/animation-coverage.md`: every item that they name exists, and every row names an existing
+//! test.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -6,12 +7,12 @@ use std::{fs, iter};
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The words between backticks.
+/// Returns the text between each pair of backticks.
 fn quoted(text: &str) -> Vec<&str> {
     text.split('`').skip(1).step_by(2).collect()
 }
 
-/// All Rust files of a folder, one text.
+/// Returns the text of all Rust files in a folder, concatenated.
 fn sources(folder: &str) -> String {
     let mut open = vec![PathBuf::from(ROOT).join(folder)];
     let files = iter::from_fn(|| {
@@ -27,13 +28,13 @@ fn sources(folder: &str) -> String {
     files.collect()
 }
 
-/// True if `file::test` is a test of that file.
+/// Returns `true` if `file::test` is a test of that file.
 fn is_test(named: &str) -> bool {
     let (file, test) = named.rsplit_once("::").expect("`file::test`");
     let file = if file.contains('/') { file.to_owned() } else { format!("aim-animation/tests/it/{file}") };
     let Ok(text) = fs::read_to_string(Path::new(ROOT).join(file).with_extension("rs")) else { return false };
     let function = format!("fn {test}(");
-    // Other attributes may stand between.
+    // Other attributes may stand between `#[test]` and the function.
     let mut tests = text.split("#[test]").skip(1);
     tests.any(|rest| {
         let mut lines = rest.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("#["));
@@ -51,7 +52,7 @@ fn every_row_names_an_interface_and_a_test() {
             source.split(&format!("pub {kind} ")).skip(1).map(|rest| name_and_rest(rest).0).collect::<Vec<_>>()
         })
         .collect();
-    // A variant stands alone on its line.
+    // Each enum variant is on its own line.
     let variants: HashSet<&str> = source
         .lines()
         .map(|line| name_and_rest(line.trim()))
@@ -81,7 +82,7 @@ fn every_row_names_an_interface_and_a_test() {
     assert!(rows > 90, "only {rows} rows are read");
 }
 
-/// The name that a text begins with, and what follows it.
+/// Splits a text after the identifier that it begins with.
 fn name_and_rest(text: &str) -> (&str, &str) {
     text.split_at(text.find(|next: char| !next.is_alphanumeric() && next != '_').unwrap_or(text.len()))
 }

@@ -1,4 +1,4 @@
-//! Mistakes are told in words that name their place.
+//! Error messages say what is wrong and where.
 
 use aim_animation::glam::{Quat, Vec2, Vec3};
 use aim_animation::{
@@ -10,7 +10,7 @@ fn skeleton() -> Skeleton {
     Skeleton::new([Bone::new("hips", None), Bone::new("leg", Some(0)), Bone::new("foot", Some(1))]).unwrap()
 }
 
-/// Each message and the words that it must have.
+/// Each message contains the expected words.
 #[test]
 fn mistakes_are_told() {
     let skeleton = skeleton();

@@ -1,4 +1,4 @@
-//! Limbs that fade in and out: no jump in place or speed, whatever the limb and whenever it is interrupted.
+//! Limbs fade in and out without jumps in position or velocity, for every solver and however the fade is interrupted.
 
 use aim_animation::glam::{DQuat, DVec3, Quat, Vec3};
 use aim_animation::{Bone, Figure, LimbLayer, Skeleton, TipTarget, Transform};
@@ -7,7 +7,7 @@ use aim_runtime::ik::{CcdLimit, Hinge, TwoBone};
 use crate::common::{Rng, angle_between};
 use crate::layers::{LEFT, assert_consistent, body, model};
 
-/// A chain of bones at these places, along with each other.
+/// Returns a chain of bones with their origins at these points, unrotated.
 fn chain(places: &[Vec3]) -> Skeleton {
     let bones = places.iter().enumerate().map(|(bone, &place)| {
         let at = bone.checked_sub(1).map_or(place, |before| place - places[before]);
@@ -16,7 +16,8 @@ fn chain(places: &[Vec3]) -> Skeleton {
     Skeleton::new(bones).unwrap()
 }
 
-/// Limbs that a fade may make jump, and their targets: with a solver of their own, of more bones, and at the ends of their reach.
+/// Limbs whose fade is prone to jump, and their targets: two-bone limbs with their own solver, longer limbs, and limbs
+/// at the ends of their reach.
 fn limbs_to_fade() -> Vec<(&'static str, Skeleton, LimbLayer, TipTarget)> {
     let joints = [Vec3::ZERO, Vec3::new(0.3, 0.0, -0.05), Vec3::new(0.6, 0.0, 0.0)];
     let bent = chain(&joints.map(|joint| joint + Vec3::new(0.05, 0.1, -0.1)));
@@ -46,7 +47,8 @@ fn limbs_to_fade() -> Vec<(&'static str, Skeleton, LimbLayer, TipTarget)> {
     ]
 }
 
-/// From the animated pose to the whole solution, whatever the solver: each joint by its part of the turn.
+/// For every solver, a weight turns each joint by that fraction of the way from its animated to its solved rotation.
+/// The cases named "plain" move the tip along a straight line instead.
 #[test]
 fn a_weight_turns_each_joint_by_its_part() {
     for (name, skeleton, limb, target) in limbs_to_fade() {
@@ -83,12 +85,12 @@ fn a_weight_turns_each_joint_by_its_part() {
     }
 }
 
-/// The largest change of a value's speed from one frame to the next.
+/// Returns the largest change of velocity from one frame to the next.
 fn largest_kink(ways: &[DVec3], dt: f64) -> f64 {
     ways.windows(3).map(|w| (w[2] - 2.0 * w[1] + w[0]).length() / dt).fold(0.0, f64::max)
 }
 
-/// A jump in place or speed stays as large in shorter frames; all else shrinks with them.
+/// A jump in position or velocity keeps its size when frames get shorter; all smooth changes shrink with them.
 #[test]
 fn no_limb_jumps_while_it_fades() {
     for (name, skeleton, limb, target) in limbs_to_fade() {
@@ -115,10 +117,11 @@ fn no_limb_jumps_while_it_fades() {
     }
 }
 
-/// A time and the fade from then on, seconds, and whether a target is set or released.
+/// A time, the duration of the fade that starts then, both in seconds, and `true` to set a target or `false` to release
+/// it.
 type FadeEvent = (f32, f32, bool);
 
-/// What the fade of a hand applies, frame by frame.
+/// Returns the fade value of a hand, frame by frame.
 fn faded(events: &[FadeEvent], dt: f32, length_s: f32) -> Vec<f32> {
     let skeleton = body(&mut Rng(11));
     let mut figure = Figure::new(skeleton.clone());
@@ -136,17 +139,18 @@ fn faded(events: &[FadeEvent], dt: f32, length_s: f32) -> Vec<f32> {
     values
 }
 
-/// A fade that is interrupted comes to rest where it goes, in time, and nowhere else.
+/// An interrupted fade still ends at its new goal and on time, and never leaves 0..=1.
 #[test]
 fn interrupted_fades_have_no_kink() {
     let late = [(0.0, 1.0, true), (0.8, 1.0, false)];
     let slow = [(0.0, 0.1, true), (0.05, 1.0, false)];
     let slower = [(0.0, 0.2, true), (0.1, 2.0, false)];
     let quick = [(0.0, 1.0, true), (0.4, 0.1, false)];
-    // Led on to where its speed takes it far too early.
+    // Reversed to a goal that the present speed would reach far too early.
     let onward = [(0.0, 0.1, true), (0.04, 2.0, false), (0.05, 3.0, true)];
     let back = [(0.0, 0.1, true), (0.5, 0.1, false), (0.56, 2.0, true), (0.57, 3.0, false)];
-    // With the largest acceleration, 1/s²: from rest a fade needs 5.8 / time², and v² / 2x stops a speed v within a room x.
+    // Each case with its largest acceleration, 1/s²: a fade from rest needs 5.8 / time², and stopping a speed v within
+    // a distance x needs v² / 2x.
     let cases: [(&[FadeEvent], f64); 6] =
         [(&late, 13.0), (&slow, 600.0), (&slower, 150.0), (&quick, 260.0), (&onward, 900.0), (&back, 2200.0)];
     for (case, (events, most)) in cases.into_iter().enumerate() {
@@ -168,14 +172,14 @@ fn interrupted_fades_have_no_kink() {
         assert!(kinks[1] < 0.6 * kinks[0], "{case}: {kinks:?}");
         assert!(kinks[0] < 1e-3 * most, "{case}: {kinks:?}");
     }
-    // It gives way as far as there is room.
+    // The fade may overshoot up to the end of its range.
     for events in [slow, slower] {
         let most = faded(&events, 1e-3, 3.0).into_iter().fold(0.0, f32::max);
         assert!((0.98..1.0).contains(&most), "{most}");
     }
 }
 
-/// What falls when it is led to fall again, slowly, stops falling before it is at the end.
+/// If a falling fade is reversed and then set to fall again, slowly, it slows down before it reaches the end.
 #[test]
 fn a_fade_does_not_stand_at_its_end_before_it_is_over() {
     let events = [(0.0, 0.0, true), (0.5, 5.0, false), (3.0, 10.0, true), (3.02, 10.0, false)];
@@ -183,7 +187,8 @@ fn a_fade_does_not_stand_at_its_end_before_it_is_over() {
     assert!(values.iter().skip(2).all(|value| *value > 1e-3), "{values:?}");
 }
 
-/// Onto its own root a limb of uneven bones does not fold: it comes as near as it can, and says how near.
+/// A limb with bones of unequal length cannot fold onto its own root: it gets as near as it can and reports the
+/// remaining distance.
 #[test]
 fn a_hand_at_its_shoulder_is_as_near_as_it_gets() {
     let skeleton = chain(&[Vec3::ZERO, Vec3::new(0.5, 0.0, 0.0), Vec3::new(0.7, 0.0, 0.01)]);
@@ -193,7 +198,7 @@ fn a_hand_at_its_shoulder_is_as_near_as_it_gets() {
         hand.weight = weight;
         figure.run(0.1, &mut [&mut hand]).unwrap();
         assert_consistent(&figure);
-        // 0.5 and 0.2 m to within the limits of the solver.
+        // Bones of 0.5 and 0.2 m, to within the limits of the solver.
         assert!((hand.error() / weight - 0.2998).abs() < 2e-3, "{weight}: {}", hand.error());
     }
 }

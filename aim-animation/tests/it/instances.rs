@@ -1,4 +1,4 @@
-//! Characters that play several clips at once, by the definition of a weighted sum in f64 and by what each clip does alone.
+//! Characters that play several clips at once, compared with weighted sums in f64 and with each clip played alone.
 
 use aim_animation::glam::{Affine3A, DQuat, DVec3, Quat, Vec3};
 use aim_animation::{
@@ -15,7 +15,7 @@ fn skeleton() -> Skeleton {
     Skeleton::new([bone("hips", None, 0.9), bone("spine", Some(0), 0.3), bone("arm", Some(1), 0.2)]).unwrap()
 }
 
-/// Clips of which two go ahead and one stays; the arm has tracks in the last one alone.
+/// Two clips that walk ahead and one that stays in place; only the last has tracks for the arm.
 fn model(rng: &mut Rng) -> Model {
     let skeleton = skeleton();
     let clip = |number: usize, rng: &mut Rng| {
@@ -40,13 +40,13 @@ fn model(rng: &mut Rng) -> Model {
     Model::new(skeleton, clips).with_motion(0, walk).with_motion(1, run).with_mask(arm)
 }
 
-/// A clip of the model alone at a time: its pose without its way.
+/// Returns the pose of one clip at a time, without its root motion.
 fn alone(model: &Model, clip: usize, time: f32) -> Vec<Transform> {
     let mut pose = model.skeleton().rest().to_vec();
     let clips = &model.clips()[clip];
     clips.sample(time, &mut clips.cursor(), &mut pose);
     if clip < 2 {
-        // The way is along z, and straight between the samples.
+        // The root moves along z, linearly between the samples.
         pose[0].translation.z = 0.0;
     }
     pose
@@ -82,7 +82,7 @@ fn poses_are_weighted_sums() {
             let (place, turn) = if total > 0.0 {
                 let place = (0..3).map(|clip| poses[clip][bone].translation.as_dvec3() * weight(clip)).sum::<DVec3>();
                 let none = DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0);
-                // All turns here are within half a turn of the rest pose's, which has none.
+                // All rotations here are within half a turn of the rest pose's, which is the identity.
                 let turns = (0..3).fold(none, |sum, clip| {
                     let turn = poses[clip][bone].rotation.as_dquat();
                     sum + if turn.w < 0.0 { -turn } else { turn } * weight(clip)
@@ -97,7 +97,8 @@ fn poses_are_weighted_sums() {
     }
 }
 
-/// The way of a clip alone is that of its root, of several the mean by weight; a mask without the root does not move it.
+/// One clip moves the character by its root motion, several by the weighted mean; a clip whose mask excludes the root
+/// has no influence on it.
 #[test]
 fn places_move_by_the_clips() {
     let model = model(&mut Rng(2));
@@ -117,13 +118,13 @@ fn places_move_by_the_clips() {
         ahead.z
     };
     let (walk, run, wave) = (ClipControl::new(0), ClipControl::new(1), ClipControl::new(2));
-    // In seven seconds both end where a clip does.
+    // After seven seconds both clips are at their end.
     for (controls, way) in [
         (&[walk][..], 9.8),
         (&[run], 21.0),
         (&[walk.with_control(Control::new().with_speed(-2.0))], -19.6),
         (&[walk.with_weight(0.5), run.with_weight(0.25)], (2.0 * 9.8 + 21.0) / 3.0),
-        // What stays counts, but for what is not of the root.
+        // A clip without root motion counts in the mean, unless its mask excludes the root.
         (&[walk, wave], 4.9),
         (&[walk, wave.with_mask(0)], 9.8),
         (&[walk, wave.with_weight(0.0)], 9.8),
@@ -137,7 +138,7 @@ fn places_move_by_the_clips() {
     }
 }
 
-/// A clip counts in the way by its weight for the bone whose movement that is, not for the first of the skeleton.
+/// A clip counts in the root motion by its weight for the moving bone, not for the first bone of the skeleton.
 #[test]
 fn masks_of_the_moving_bone_count() {
     let bones = [Bone::new("prop", None), Bone::new("hips", None), Bone::new("arm", Some(1))];
@@ -167,11 +168,11 @@ fn events_of_all_clips() {
         told.extend(hero.events(&model).map(|(number, event)| (number, event.name.clone())));
     }
     let told: Vec<(usize, &str)> = told.iter().map(|(number, name)| (*number, &name[..])).collect();
-    // At 0.21, 0.3 and 0.39 s.
+    // Events at 0.21, 0.3 and 0.39 s.
     assert_eq!(told, [(2, "right"), (0, "left"), (1, "wave")]);
     assert_eq!(hero.steps().len(), 3);
     assert!(hero.steps().iter().all(|step| (step.to_s() - step.from_s() - 0.1).abs() < 1e-5));
-    // A clip that is stopped plays no more, and the others go on.
+    // Stopped clips no longer play; the others go on.
     hero.stop(1);
     hero.stop(2);
     assert_eq!(hero.controls().iter().map(|playing| playing.clip).collect::<Vec<_>>(), [0, 1]);
@@ -181,7 +182,7 @@ fn events_of_all_clips() {
     assert!((times[0] - 0.75).abs() < 1e-5 && (times[1] - 0.5).abs() < 1e-5, "{times:?}");
 }
 
-/// Things that are held are where the bone is, in the world.
+/// Attached objects follow their bone in world space.
 #[test]
 fn things_are_carried() {
     let mut rng = Rng(4);
@@ -199,7 +200,7 @@ fn things_are_carried() {
     let bones = [0, 1, 2].map(|bone| exact(&local[bone]));
     let [arm, hips] = [bones[0] * bones[1] * bones[2] * exact(&grips[0]), bones[0] * exact(&grips[2])];
     let things: Vec<(usize, Affine3A)> = hero.things(&posed).collect();
-    // Nobody holds the second one.
+    // The second object is not attached to anything.
     assert_eq!(things.iter().map(|(number, _)| *number).collect::<Vec<_>>(), [0, 2]);
     for ((_, thing), truth) in things.iter().zip([arm, hips]) {
         assert!(apart(thing, &(exact(&hero.place) * truth)) < 1e-5);

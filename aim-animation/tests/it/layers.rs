@@ -1,4 +1,4 @@
-//! Layers on a figure: judged by forward kinematics and definitions in f64.
+//! Layers on a figure, checked by forward kinematics and by their definitions in f64.
 
 use aim_animation::glam::{Affine3A, DAffine3, DQuat, DVec3, Quat, Vec3};
 use aim_animation::{
@@ -8,7 +8,7 @@ use aim_animation::{
 
 use crate::common::{Rng, angle_between, apart, exact};
 
-/// Hips, chest, and two arms of two bones and a hand that lie in the bones' own spaces as they come.
+/// Hips, chest, and two arms of two bones and a hand, with random bone axes.
 pub(crate) fn body(rng: &mut Rng) -> Skeleton {
     let at = |x, y, z| Vec3::new(x, y, z);
     let places = [
@@ -36,7 +36,7 @@ pub(crate) fn body(rng: &mut Rng) -> Skeleton {
 pub(crate) const LEFT: [usize; 3] = [2, 3, 4];
 const RIGHT: [usize; 3] = [5, 6, 7];
 
-/// Each bone in the space of the model by its definition.
+/// Returns each bone's transform in model space, by forward kinematics in f64.
 pub(crate) fn model(figure: &Figure) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
     for (local, parent) in figure.local().iter().zip(figure.skeleton().parents()) {
@@ -143,7 +143,7 @@ fn limbs_meet_targets_in_any_space() {
         let point = model(&figure)[2].translation.as_vec3() + rng.vector(0.28);
         let rotation = rng.rotation();
         let target_model = DAffine3::from_rotation_translation(rotation.as_dquat(), point.as_dvec3());
-        // The same target as seen from the model, the world and the other hand.
+        // The same target in the space of the model, of the world and of the other hand.
         let from = |space: DAffine3| {
             let seen = space.inverse() * target_model;
             (seen.translation.as_vec3(), DQuat::from_mat3(&seen.matrix3).as_quat())
@@ -181,7 +181,7 @@ fn limbs_fade_without_jumps_in_place_or_speed() {
     for frame in 0..400 {
         match frame {
             20 => hand.set_target(TipTarget::model(target)),
-            // In the middle of it, and back again.
+            // Interrupted half-way, then set again.
             60 => hand.release(),
             75 => hand.set_target(TipTarget::model(target)),
             250 => hand.release(),
@@ -193,13 +193,13 @@ fn limbs_fade_without_jumps_in_place_or_speed() {
     let distance = f64::from(target.distance(rest.as_vec3()));
     assert!(ways[10].distance(rest) < 1e-6 && ways[390].distance(rest) < 1e-6, "left to the animation");
     assert!(ways[240].distance(target.as_dvec3()) < 1e-5, "there in time");
-    // The polynomial of the fifth degree needs 5.8 · way / time² from rest; momentum that turns round more.
+    // From rest, the quintic needs 5.8 · distance / time²; reversing a movement needs more.
     let bound = 12.0 * distance / (0.3 * 0.3);
     for (frame, w) in ways.windows(3).enumerate() {
         let acceleration = (w[2] - 2.0 * w[1] + w[0]).length() / f64::from(dt * dt);
         assert!(acceleration < bound, "{acceleration} of {bound} in frame {frame}");
     }
-    // At once without a fade, half of the way at half of the weight.
+    // Without a fade the change is immediate; half of the weight covers half of the distance.
     hand.fade_s = 0.0;
     hand.weight = 0.5;
     hand.set_target(TipTarget::model(target));
@@ -223,7 +223,7 @@ fn limbs_of_more_bones_come_there_by_descent() {
     assert_eq!(LimbLayer::new(&flat, [0, 1]).unwrap_err(), LimbError::Length);
 }
 
-/// Poses of chest and hips in a grid of headings and pitches; the hips sink as it aims down.
+/// Poses of chest and hips on a grid of headings and pitches; the hips sink when aiming down.
 fn aiming(skeleton: &Skeleton) -> (Clip, Vec<f32>) {
     let (mut times, mut turns, mut sinks) = (Vec::new(), Vec::new(), Vec::new());
     for (row, pitch) in [-0.6_f32, 0.0, 0.5].into_iter().enumerate() {
@@ -237,7 +237,7 @@ fn aiming(skeleton: &Skeleton) -> (Clip, Vec<f32>) {
     (clip.with_translation(0, Track::linear(times.clone(), sinks).unwrap()), times)
 }
 
-/// The angle by which a line misses a point.
+/// Returns the angle by which an aim line misses a point, radians.
 fn missed(figure: &Figure, line: &AimLine, target: Vec3) -> f64 {
     let bone = world(figure, line.bone);
     let to_target = target.as_dvec3() - bone.transform_point3(line.origin.as_dvec3());
@@ -270,7 +270,7 @@ fn aim_poses_of_a_clip_meet_targets_with_their_translations() {
         let off = missed(&figure, &line, layer.target);
         assert!(off < 2e-3, "{off} rad aside, {:?}", layer.outcome());
     }
-    // On the line of a pose it is that pose, sunken hips and all.
+    // A target on the aim line of one pose gives exactly that pose, including the sunken hips.
     let (pose, mut local) = (6, skeleton.rest().to_vec());
     clip.sample(times[pose], &mut clip.cursor(), &mut local);
     figure.place = Transform::IDENTITY;
@@ -286,7 +286,7 @@ fn aim_poses_of_a_clip_meet_targets_with_their_translations() {
     figure.run(0.01, &mut [&mut layer]).unwrap();
     assert!(figure.local()[0].translation.distance(local[0].translation) < 2e-3, "{:?}", figure.local()[0]);
     assert!(figure.local()[0].translation.y < 0.9, "the hips sink");
-    // A mask leaves the hips alone, and the line still meets the target; at weight 0 nothing is changed.
+    // A masked set does not move the hips, and the line still meets the target; at weight 0 nothing changes.
     let mask = Mask::new(&skeleton, 1.0).with_bone(0, 0.0);
     let mut masked = AimPosesLayer::new(set.with_mask(&mask));
     masked.target = layer.target;
@@ -327,14 +327,14 @@ fn recoil_is_critically_damped_at_any_frame_rate() {
             )
         };
         let held = gun(&figure);
-        // Two shots at once; what is not finite is none.
+        // Two shots at once; kicks that are not finite are ignored.
         recoil.kick(push * 0.25, climb * 0.75);
         recoil.kick(Vec3::NAN, Vec3::INFINITY);
         recoil.kick(push * 0.75, climb * 0.25);
         for _ in 0..frames {
             figure.run(0.08 / f32::from(frames), &mut [&mut recoil]).unwrap();
         }
-        // x = v·t·e^(−ωt), in the gun's own space as it was held.
+        // x = v·t·e^(−ωt), in the gun's own space before the recoil.
         let (t, rate) = (0.08_f64, 15.0_f64);
         let factor = t * (-rate * t).exp();
         let [offset, turn] = [push, climb].map(|v| v.as_dvec3() * factor);

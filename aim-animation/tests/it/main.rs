@@ -1,4 +1,4 @@
-//! The animation runtime through its public interface, judged by definitions in f64 (`common`).
+//! Tests of the animation runtime through its public interface, against definitions in f64 (`common`).
 
 mod blending;
 mod bounds;

@@ -1,4 +1,4 @@
-//! Joint matrices, positions and normals of meshes by their definitions in f64: under scale, mirrors and skew.
+//! Joint matrices, positions and normals of meshes against their definitions in f64: under scale, mirroring and skew.
 
 use aim_animation::glam::{Affine3A, DAffine3, DMat3, DVec3, Mat3, Vec3, Vec3A};
 use aim_animation::{
@@ -7,10 +7,10 @@ use aim_animation::{
 
 use crate::common::{Rng, apart, exact};
 
-/// What a figure of bones some 2 m around the origin may be off by: 1e-5 of its size.
+/// Tolerance for a figure whose bones are about 2 m around the origin: 1e-5 of its size.
 const NEAR: f64 = 4e-5;
 
-/// A chain of bones with branches; scales along the axes differ, some are negative: their children are skewed.
+/// Returns a chain of bones with branches. Scales differ along the axes and some are negative, so children are skewed.
 pub(crate) fn skeleton(rng: &mut Rng, count: usize) -> Skeleton {
     let bone = |bone: usize, rng: &mut Rng| {
         let parent = (bone > 0).then(|| bone - 1 - rng.below(bone.min(2)));
@@ -29,7 +29,7 @@ pub(crate) fn pose(rng: &mut Rng, skeleton: &Skeleton) -> Vec<Transform> {
     (0..skeleton.len()).map(|_| transform(rng)).collect()
 }
 
-/// A soup of vertices with 1 to 7 joints each, and triangles among them.
+/// Returns a mesh of random vertices with 1 to 7 joints each, and random triangles between them.
 pub(crate) fn mesh(rng: &mut Rng, joints: u32, vertices: u32) -> Mesh {
     let count = vertices as usize;
     let positions: Vec<Vec3> = (0..count).map(|_| rng.vector(1.0)).collect();
@@ -52,7 +52,7 @@ pub(crate) fn mesh(rng: &mut Rng, joints: u32, vertices: u32) -> Mesh {
     mesh.with_normals(normals).unwrap().with_morphs(morphs).unwrap()
 }
 
-/// Forward kinematics.
+/// Forward kinematics: returns each bone's transform in model space.
 fn model_f64(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
     for (local, parent) in local.iter().zip(skeleton.parents()) {
@@ -70,7 +70,7 @@ pub(crate) fn matrices(skeleton: &Skeleton, skin: &Skin, local: &[Transform]) ->
     matrices
 }
 
-/// Σ w · M, of the heaviest joints.
+/// Returns Σ w · M over the heaviest joints of a vertex.
 fn blended(mesh: &Mesh, vertex: usize, most: usize, exact: &[DAffine3]) -> DAffine3 {
     let heaviest = || mesh.influences(vertex).iter().take(most);
     let total: f64 = heaviest().map(|influence| f64::from(influence.weight)).sum();
@@ -119,7 +119,8 @@ fn matrices_positions_and_normals_are_those_of_their_definitions() {
             mesh.deform_normals(&pose, most, &mut normals).unwrap();
             for (vertex, normal) in normals.iter().enumerate() {
                 let matrix = blended(&mesh, vertex, most, &exact).matrix3;
-                // Where mixed mirrors leave it nearly flat, rounding decides.
+                // If joints of opposite mirroring blend to a nearly flat matrix, rounding decides: skip ill-conditioned
+                // ones.
                 let condition = matrix.to_cols_array().iter().map(|x| x * x).sum::<f64>().sqrt().powi(3)
                     / matrix.determinant().abs();
                 let moved = matrix.inverse().transpose()
@@ -136,7 +137,7 @@ fn matrices_positions_and_normals_are_those_of_their_definitions() {
     assert!(worst_normal < NEAR && judged > 4000, "{worst_normal} of {judged}");
 }
 
-/// The largest number in a matrix, 1 at least.
+/// Returns the largest magnitude in a matrix, at least 1.
 fn size(matrix: &DAffine3) -> f64 {
     matrix.to_cols_array().iter().fold(1.0, |most, number| most.max(number.abs()))
 }
@@ -196,7 +197,7 @@ fn normals_of_any_scale_and_of_flat_matrices() {
         assert!(of(Affine3A::from_scale(Vec3::splat(scale))).abs_diff_eq(normal, 1e-6), "{scale}");
         assert!(of(Affine3A::from_scale(Vec3::splat(-scale))).abs_diff_eq(-normal, 1e-6), "{scale}, mirrored");
     }
-    // Flat along z, all that is left faces along z.
+    // Flattened along z, everything left faces along z.
     assert!(of(Affine3A::from_scale(Vec3::new(1.0, 1.0, 0.0))).abs_diff_eq(Vec3::Z, 1e-6));
     assert_eq!(of(Affine3A::from_scale(Vec3::X)), Vec3::ZERO, "a line has none");
     assert_eq!(of(Affine3A::from_scale(Vec3::splat(f32::NAN))), Vec3::ZERO);
@@ -206,7 +207,7 @@ fn normals_of_any_scale_and_of_flat_matrices() {
 #[test]
 fn normals_stay_exact_under_uneven_scales() {
     let mut rng = Rng(5);
-    // By normal matrices and deformed: any normal, and that which the matrix shortens most.
+    // Errors by normal matrix and by deformation: for random normals, and for the normal that the matrix shortens most.
     let mut worst = [[0.0_f64; 2]; 2];
     for round in 0..6000 {
         let ratio = [3.0, 30.0, 300.0, 1000.0][round % 4];
@@ -295,7 +296,8 @@ fn what_is_wrong_is_said() {
     }
 }
 
-/// A target counts by its number, whatever it moves: a normal alone as well, and nothing.
+/// The number of morph targets follows from the highest target index, even if that target moves only normals or
+/// nothing.
 #[test]
 fn targets_are_counted_and_may_move_normals_alone() {
     let mesh = Mesh::new([Vec3::X], [], &[[Influence::new(0, 1.0)]]).unwrap().with_normals([Vec3::X]).unwrap();
@@ -310,14 +312,14 @@ fn targets_are_counted_and_may_move_normals_alone() {
     assert!(normals[0].distance(Vec3::new(1.0, 1.0, 0.0).normalize()) < 1e-6, "{normals:?}");
 }
 
-/// What has no share in single precision needs no matrix.
+/// Joints whose share rounds to 0 in f32 need no matrix.
 #[test]
 fn shares_below_all_numbers_are_none() {
     let influences = [[Influence::new(0, 1e30), Influence::new(7, 1e-30)]];
     assert_eq!(Mesh::new([Vec3::X], [], &influences).unwrap().joints(), 1);
 }
 
-/// The cofactors of large and of tiny scales are beyond single precision; where normals turn is not.
+/// The cofactors of very large and very small scales exceed the range of f32; the directions of normals do not.
 #[test]
 fn normals_have_matrices_at_any_scale() {
     for scale in [1e15, 1e-15] {

@@ -1,4 +1,4 @@
-//! Root motion against the source: definitions in f64, characters of about the height of 1.7.
+//! Root motion extracted from clips and applied again, against definitions in f64, for characters about 1.7 tall.
 
 use aim_animation::glam::{Affine3A, DAffine3, DQuat, DVec3, Quat, Vec3};
 use aim_animation::{
@@ -8,10 +8,10 @@ use aim_animation::{
 
 use crate::common::{Rng, angle_between, apart, exact};
 
-/// What the numbers of a motion may be off, of a height of 1.7.
+/// Tolerance of a motion's positions and rotations, for a character 1.7 tall.
 const MOST: f64 = 1.7e-5;
 
-/// A root above the pelvis with a scale, as exporters write, and a prop beside it.
+/// Returns a skeleton with a scaled root above the pelvis, as exporters write it, and a prop beside it.
 fn skeleton() -> Skeleton {
     let armature = Transform { scale: Vec3::splat(0.5), ..Transform::from_rotation(Quat::from_rotation_x(-1.2)) };
     let bones = [
@@ -26,8 +26,8 @@ fn skeleton() -> Skeleton {
 const PELVIS: usize = 1;
 const LENGTH: f32 = 1.3;
 
-/// A clip on the bone `PELVIS` so that in the model it is where `place` says, by keys so dense that lines between them do not
-/// matter.
+/// Returns a clip that places `PELVIS` in model space as `place` says. The keys are so dense that linear interpolation
+/// between them does not matter.
 fn clip_by(skeleton: &Skeleton, keys: u32, place: impl Fn(f64) -> DAffine3) -> Clip {
     let parent = exact(&skeleton.rest()[0]);
     #[expect(clippy::cast_possible_truncation, reason = "rounding is meant")]
@@ -55,21 +55,21 @@ fn rigid(transform: &Transform) -> DAffine3 {
     exact(transform)
 }
 
-/// The screw by its definition: about a line, and along it.
+/// Returns a screw motion by its definition: a rotation about a line and a translation along it.
 fn screw(axis: DVec3, point: DVec3, rates: [f64; 2], time: f64) -> DAffine3 {
     let turn = DAffine3::from_quat(DQuat::from_axis_angle(axis, rates[0] * time));
     let to_line = DAffine3::from_translation(point);
     DAffine3::from_translation(axis * rates[1] * time) * to_line * turn * to_line.inverse()
 }
 
-/// A motion along a screw is found as it is, and leaves the root where it began.
+/// A composite motion recovers a screw exactly; with the motion removed, the root stays where it began.
 #[test]
 fn composite_on_screws() {
     let (mut rng, skeleton) = (Rng(1), skeleton());
     for case in 0..300 {
         let axis = rng.vector(1.0).normalize().as_dvec3();
         let point = rng.vector(1.5).as_dvec3();
-        // Up to one and a half turns in the clip, and nearly straight.
+        // Up to one and a half turns in the clip, and nearly straight motions.
         let turn = [rng.between(-7.0, 7.0), rng.between(-1e-3, 1e-3), rng.between(-2.0, 2.0)][case % 3];
         let rates = [f64::from(turn), f64::from(rng.between(-2.0, 2.0))];
         let angle = rates[0].abs() * f64::from(LENGTH);
@@ -80,7 +80,7 @@ fn composite_on_screws() {
         let clip = clip_by(&skeleton, 3000, |time| screw(axis, point, rates, time) * start);
         let path = RootPath::new(&clip, &skeleton, Root::Bone(PELVIS), 60.0).unwrap();
         let motion = Motion::composite(&path);
-        // After almost a whole turn little is known of the radius.
+        // After nearly a whole turn, the radius is ill-conditioned.
         let certainty = if angle > 1.0 { (0.5 * angle).sin().abs() } else { 1.0 };
         let most = 0.5 * MOST / certainty;
         for _ in 0..20 {
@@ -103,7 +103,7 @@ fn composite_on_screws() {
             assert!(off < 1e-3 / certainty, "{off}");
         }
         let arc = radius * rates[0].abs();
-        // A turn too small to be told from none is a shift.
+        // A turn that cannot be told from none is treated as a translation.
         if rates[0].abs() > 0.1 {
             assert!((f64::from(found.arc_s) - arc).abs() < 1e-4 / certainty, "{} {arc}", found.arc_s);
         }
@@ -117,8 +117,8 @@ fn composite_on_screws() {
     }
 }
 
-/// A curve that is hardly one is followed all the same, and so is one that is nearly a whole turn. After a whole turn nothing is
-/// known of the radius: then it is the straight motion.
+/// A very slight curve is still recovered, and so is one of nearly a whole turn. After a whole turn the radius cannot
+/// be determined, so the motion is straight.
 #[test]
 fn gentle_curves_and_whole_turns() {
     let (skeleton, start) = (skeleton(), DAffine3::from_translation(DVec3::new(0.1, 0.9, 0.2)));
@@ -149,7 +149,8 @@ fn gentle_curves_and_whole_turns() {
     }
 }
 
-/// However it turns between, by more than half a circle and about no common axis, the end is where the root ends.
+/// At the end of the clip every motion is where the root is, even if the root turned by more than half a circle and
+/// about no fixed axis.
 #[test]
 fn ends_of_windings() {
     let (skeleton, length) = (skeleton(), f64::from(LENGTH));
@@ -170,7 +171,7 @@ fn ends_of_windings() {
     }
 }
 
-/// A straight way is a screw without a turn, along its own direction.
+/// A straight movement is a screw without rotation, along its own direction.
 #[test]
 fn straight_screws() {
     let skeleton = skeleton();
@@ -186,14 +187,14 @@ fn straight_screws() {
     assert_eq!((still.axis, still.speed_s()), (Vec3::ZERO, 0.0));
 }
 
-/// A root that goes straight and turns evenly is found as it is.
+/// A linear motion recovers a root that moves in a straight line and turns at a constant rate.
 #[test]
 fn linear_on_lines() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
     for case in 0..200 {
         let velocity = rng.vector(2.0).as_dvec3();
         let axis = rng.vector(1.0).normalize().as_dvec3();
-        // Whole turns, too.
+        // Includes whole turns.
         let whole = std::f64::consts::TAU / f64::from(LENGTH);
         let rate = [0.0, f64::from(rng.between(-7.0, 7.0)), whole, -whole][case % 4];
         let start = rng.rigid();
@@ -205,7 +206,8 @@ fn linear_on_lines() {
         let path = RootPath::new(&clip, &skeleton, Root::Bone(PELVIS), 60.0).unwrap();
         let motion = Motion::linear(&path);
         if case % 4 != 1 {
-            // Without a turn, and where whole turns leave no radius, the composite motion is the same.
+            // Without a turn, and for whole turns, which leave the radius undetermined, the composite motion is the
+            // same.
             assert!(Motion::composite(&path).at(0.8).to_affine().abs_diff_eq(motion.at(0.8).to_affine(), 1e-5));
         }
         let truth = |time: f64| place(time) * place(0.0).inverse();
@@ -225,7 +227,7 @@ fn walk(time: f64) -> DAffine3 {
     let phase = std::f64::consts::TAU * time / f64::from(LENGTH);
     let heading = 0.4 + 0.9 * time + 0.1 * (phase.cos() - 1.0);
     let place = DVec3::new(0.3 + 1.2 * time + 0.05 * phase.sin(), 0.95 + 0.03 * (2.0 * phase).cos(), 1.1 * time * time);
-    // Leans about a level axis after its heading.
+    // Lean about a level axis, applied before the heading.
     let lean = DQuat::from_axis_angle(DVec3::new(0.8, 0.0, 0.6), 0.2 * phase.sin());
     DAffine3::from_rotation_translation(DQuat::from_rotation_y(heading) * lean, place)
 }
@@ -234,7 +236,8 @@ fn kinds(path: &RootPath) -> [Motion; 3] {
     [Motion::linear(path), Motion::composite(path), Motion::variable(path)]
 }
 
-/// However the clip is played, place and pose together are the source: over loops, backwards, at any speed, interrupted.
+/// Placement and remaining pose together reproduce the source clip: over loops, backwards, at any speed, with
+/// interruptions.
 #[test]
 fn extracted_and_applied_again() {
     let (mut rng, skeleton) = (Rng(3), skeleton());
@@ -246,7 +249,7 @@ fn extracted_and_applied_again() {
             for looping in [Looping::Once, Looping::Repeat, Looping::PingPong] {
                 let mut control = Control::new().with_looping(looping).at(rng.between(0.0, LENGTH));
                 let mut place = rigid(&motion.at(control.time_s()));
-                // Rounds of the clip before this one, for what the source is at.
+                // Number of rounds completed so far, to place the source clip.
                 let mut rounds = 0_i32;
                 for frame in 0..120 {
                     control.speed = rng.between(-3.0, 4.0);
@@ -263,7 +266,7 @@ fn extracted_and_applied_again() {
                         .fold(DAffine3::IDENTITY, |at, _| if rounds < 0 { at * whole.inverse() } else { at * whole });
                     for (found, source) in model(&skeleton, &pose).iter().zip(&source) {
                         let (found, truth) = (place * *found, before * *source);
-                        // Each of the frames before adds rounding of its own, far from the origin, too.
+                        // Rounding errors accumulate per frame and grow with the distance from the origin.
                         let most = MOST * (1.0 + f64::from(frame) * 0.1) * (1.0 + truth.translation.length());
                         assert!(found.abs_diff_eq(truth, most), "{root:?} {kind} {looping:?} {frame}: {found} {truth}");
                     }
@@ -273,7 +276,7 @@ fn extracted_and_applied_again() {
     }
 }
 
-/// One frame, whatever it passes, is as exact as one that passes nothing.
+/// A single frame is equally exact, no matter how many ends of the clip it passes.
 #[test]
 fn single_steps() {
     let (mut rng, skeleton) = (Rng(4), skeleton());
@@ -293,7 +296,7 @@ fn single_steps() {
     }
 }
 
-/// The shadow has the heading and the place on the ground; what leans and bobs stays.
+/// A shadow root takes heading and position on the ground; leaning and bobbing remain in the pose.
 #[test]
 fn the_shadow_on_the_ground() {
     let skeleton = skeleton();
@@ -305,13 +308,14 @@ fn the_shadow_on_the_ground() {
         let (found, source) = (path.at(time), walk(f64::from(time)));
         let place = source.translation * DVec3::new(1.0, 0.0, 1.0);
         assert!(found.translation.as_dvec3().distance(place) < 3e-5, "{time}");
-        // Of the turn from the rest pose, the part about the vertical leaves a turn about a level axis.
+        // Swing-twist decomposition: without the twist about the vertical, the turn from the rest pose is about a level
+        // axis.
         let twist = found.rotation.as_dquat().normalize();
         assert!(twist.x.abs() < 1e-7 && twist.z.abs() < 1e-7);
         let left = twist.conjugate() * DQuat::from_mat3(&source.matrix3) * rest.conjugate();
         assert!(left.y.abs() < 1e-4, "{left}");
     }
-    // Upside down there is no heading; it stays as it was.
+    // Upside down the heading is undefined; the last one is kept.
     let angle = |time: f64| (time * 4.0).min(std::f64::consts::PI);
     let flip =
         |time: f64| DAffine3::from_quat(DQuat::from_rotation_y(0.5) * DQuat::from_rotation_x(angle(time)) * rest);
@@ -322,14 +326,14 @@ fn the_shadow_on_the_ground() {
     }
 }
 
-/// A clip that is played without its motion is the clip whose motion is removed at every time.
+/// Sampling the clip with its motion removed equals removing the motion from each sample.
 #[test]
 fn removed_from_the_clip() {
     let skeleton = skeleton();
     let clip = clip_by(&skeleton, 60, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y }, 120.0).unwrap();
     for motion in kinds(&path) {
-        // No less often than is asked for: 13.65 samples are 14.
+        // At least the requested rate: 13.65 intervals are rounded up to 14.
         let coarse = motion.removed_from(&clip, &skeleton, 10.5);
         assert_eq!(coarse.bone(0).unwrap().translation.as_ref().unwrap().times().len(), 15);
         let whole = motion.removed_from(&clip, &skeleton, 10.0);
@@ -347,7 +351,7 @@ fn removed_from_the_clip() {
     }
 }
 
-/// Walk and run in step, blended by weight: the character moves by the mean of their speeds, whatever the frame rate.
+/// Walk and run in step, blended by weight: the character moves at the weighted mean, whatever the frame rate.
 #[test]
 fn blended_by_shares() {
     let skeleton = Skeleton::new([Bone::new("root", None)]).unwrap();
@@ -371,7 +375,7 @@ fn blended_by_shares() {
         phase.advance(dt, &[(&marks[0], shares[0]), (&marks[1], shares[1])]);
         let deltas = [0, 1].map(|k| (motions[k].delta(&phase.step(&marks[k])), shares[k]));
         place = place.rigid_product(&Motion::blend(deltas));
-        // A cycle of the blend takes the mean of the times and covers the mean of the ways.
+        // A cycle of the blend lasts the weighted mean of the durations and covers the weighted mean of the distances.
         let (run, dt) = (f64::from(run), f64::from(dt));
         truth += dt * (1.5 * (1.0 - run) + 2.25 * run) / (1.0 - run + 0.5 * run);
     }
@@ -406,7 +410,7 @@ fn what_does_not_move() {
     assert!(motion.remove(0.0, &skeleton, &mut [Transform::IDENTITY]).is_err());
     assert_eq!(motion.at(f32::NAN), motion.at(0.0));
     assert_eq!((motion.at(9.0), motion.length_s()), (motion.at(LENGTH), LENGTH));
-    // What stands has a screw without an axis.
+    // A clip without movement has a screw without an axis.
     let still = Clip::new("still").with_length(1.0);
     let screw = Motion::composite(&RootPath::new(&still, &skeleton, bone, 30.0).unwrap()).screw();
     assert_eq!((screw.axis, screw.point, screw.speed_s()), (Vec3::ZERO, None, 0.0));

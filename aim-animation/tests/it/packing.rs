@@ -1,4 +1,5 @@
-//! Packed clips: the same samples as their floats, the tolerance of the reduction, and bytes of all kinds.
+//! Packed clips: they sample like their unpacked clips, keep the tolerance of the reduction, and survive arbitrary
+//! bytes.
 
 use aim_animation::glam::{Quat, Vec3};
 use aim_animation::{
@@ -75,7 +76,7 @@ fn samples_are_those_of_the_floats_whatever_the_cursor() {
     }
 }
 
-/// What a cursor keeps of one clip is not taken for another's, even of one that takes its place in memory.
+/// A cursor's cached keys of one clip are never used for another, even if that clip reuses the same memory.
 #[test]
 fn a_cursor_goes_from_clip_to_clip() {
     let mut rng = Rng(26);
@@ -93,7 +94,7 @@ fn a_cursor_goes_from_clip_to_clip() {
     }
 }
 
-/// Neighbours half a turn apart are as near by either sign; the way between them is that of the packed clip nevertheless.
+/// If neighbouring keys are half a turn apart, both signs are equally near; the unpacked clip still takes the same arc.
 #[test]
 fn half_turns_unpack_the_way_they_go() {
     let still = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
@@ -115,7 +116,7 @@ fn half_turns_unpack_the_way_they_go() {
     }
 }
 
-/// A model plays packed clips as it does those of floats, numbered behind them.
+/// A model plays packed clips like unpacked ones; they are numbered after these.
 #[test]
 fn instances_play_packed_clips() {
     let mut rng = Rng(25);
@@ -201,7 +202,7 @@ fn each_damage_has_its_error() {
     assert_eq!(with(0, b'X'), PackedError::Magic);
     assert_eq!(with(4, 9), PackedError::Version(9));
     assert_eq!(with(12, 0xff), PackedError::Name);
-    // The length's sign, the event's exponent, a huge name.
+    // Corrupt the length's sign, the event's exponent, and the length of a name.
     assert_eq!(with(17, 0xc0), PackedError::Time);
     assert_eq!(with(25, 0x7f), PackedError::Time);
     assert_eq!(with(11, 0xff), PackedError::End);
@@ -209,13 +210,13 @@ fn each_damage_has_its_error() {
         let at = bytes.windows(old.len()).position(|window| window == old).unwrap();
         PackedClip::from_bytes(&[&bytes[..at], new, &bytes[at + old.len()..]].concat()).unwrap_err()
     };
-    // Two keys, at 0 and at 1 s: one past the length, one before the other, and a clip without an end.
+    // Two keys at 0 and 1 s: with a time past the end, out of order, negative; and a clip of infinite length.
     let times = |from: f32, to: f32| [&2_u32.to_le_bytes()[..], &from.to_le_bytes(), &to.to_le_bytes()].concat();
     assert_eq!(replaced(&times(0.0, 1.0), &times(0.0, 2.5)), PackedError::Time);
     assert_eq!(replaced(&times(0.0, 1.0), &times(1.0, 0.5)), PackedError::Time);
     assert_eq!(replaced(&times(0.0, 1.0), &times(-1.0, 1.0)), PackedError::Time);
     assert_eq!(replaced(&2.0_f32.to_le_bytes(), &f32::INFINITY.to_le_bytes()), PackedError::Time);
-    // Bytes between the last track and the end of the data.
+    // Extra bytes after the last track.
     let size = u32::try_from(bytes.len() - bytes.windows(8).position(|w| w == [1, 0, 0, 0, 1, 0, 0, 0]).unwrap() - 12)
         .unwrap();
     let at = bytes.len() - size as usize;
@@ -246,13 +247,13 @@ fn a_packed_clip_is_small() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
     let packed = Reduction::new(1e-3).pack(&clip, &skeleton).unwrap();
     assert!(packed.clip.bytes() * 10 < clip.bytes(), "{} of {}", packed.clip.bytes(), clip.bytes());
-    // The curve of a weight is packed like one of a bone.
+    // A scalar curve is packed like a bone's.
     let weights: Vec<f32> = (0..=90_u8).map(|k| 0.5 + 0.5 * (f32::from(k) / 15.0).sin()).collect();
     let frames: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
     let smile = Clip::new("c").with_scalar(2, Track::linear(frames, weights).unwrap());
     let smile_packed = Reduction::new(1e-3).pack(&smile, &skeleton).unwrap().clip;
     assert!(smile_packed.bytes() * 4 < smile.bytes(), "{} of {}", smile_packed.bytes(), smile.bytes());
-    // Files and memory are alike.
+    // The serialised form is about as large as the one in memory.
     assert!(packed.clip.to_bytes().len() < packed.clip.bytes() + 48);
 }
 
@@ -266,11 +267,11 @@ fn version_one_stays_as_it_is() {
     let expected = "41494d5001000000010000006e0000803f010000000000003f010000006502000000000000000000803f010000000100000009\
         000000210060780000000080";
     assert_eq!(hex, expected);
-    // Two times, where the track begins, and 9 bytes with 8 behind them.
+    // Two times, the offset of the track, and 9 bytes of data with 8 bytes of padding.
     assert_eq!(packed.bytes(), 4 * (2 + 1) + 9 + 8);
 }
 
-/// A swing about three axes around an attitude, sampled at 30 Hz for three seconds.
+/// A swing about three axes around an orientation, sampled at 30 Hz for three seconds.
 fn swinging(about: Quat) -> Track<Quat> {
     let times: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
     let turn = |t: &f32| Quat::from_scaled_axis(0.4 * Vec3::new(t.sin(), (1.7 * t).cos(), (2.3 * t).sin())) * about;
@@ -278,7 +279,8 @@ fn swinging(about: Quat) -> Track<Quat> {
     Track::linear(times, turns).unwrap()
 }
 
-/// Whichever component of a rotation is largest, whole turns, and each kind of track take few bits: nothing falls back to floats unseen.
+/// Every kind of track is packed in few bits, with any component of a rotation the largest and over whole turns: none
+/// falls back to floats unnoticed.
 #[test]
 fn every_kind_of_track_packs() {
     let times: Vec<f32> = (0..=90_u8).map(|k| f32::from(k) / 30.0).collect();
@@ -293,7 +295,7 @@ fn every_kind_of_track_packs() {
     let clip = || Clip::new("c");
     let turned = |x, y, z, w| clip().with_rotation(0, swinging(Quat::from_xyzw(x, y, z, w)));
     let linear = |values: Vec<Vec3>| clip().with_translation(0, Track::linear(times.clone(), values).unwrap());
-    // Beside each the bytes that it may take: 2 % more than it does.
+    // Each case with its limit in bytes: 2 % above the present size.
     let cases = [
         ("x", turned(1.0, 0.0, 0.0, 0.0), 127_usize),
         ("y", turned(0.0, 1.0, 0.0, 0.0), 126),
@@ -313,7 +315,7 @@ fn every_kind_of_track_packs() {
     }
 }
 
-/// Over many clips of all kinds the sums of bytes are at most half a percent more than they were.
+/// Regression limits on the total size of many random clips: half a percent above the sizes when they were set.
 #[test]
 fn clips_of_all_kinds_stay_as_small() {
     let mut rng = Rng(27);

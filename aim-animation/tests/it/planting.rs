@@ -1,4 +1,4 @@
-//! Planted feet of a leg made in code, judged by forward kinematics in f64.
+//! Foot planting on a leg built in code, checked by forward kinematics in f64.
 
 use aim_animation::glam::{DAffine3, DMat3, DVec3, Quat, Vec3};
 use aim_animation::{Bone, Figure, Ground, LimbError, Plant, PoseError, Skeleton, Stance, Transform};
@@ -6,10 +6,10 @@ use aim_animation::{Bone, Figure, Ground, LimbError, Plant, PoseError, Skeleton,
 use crate::common::exact;
 
 const DT: f32 = 1.0 / 60.0;
-/// The ball of the foot.
+/// Ball of the foot in the rest pose, in model space.
 const BALL: Vec3 = Vec3::new(0.1, 0.0, 0.1);
 
-/// A pelvis and a leg that is bent a little.
+/// A pelvis and a slightly bent leg.
 fn skeleton() -> Skeleton {
     let at = |x, y, z| Transform::from_translation(Vec3::new(x, y, z));
     Skeleton::new([
@@ -29,7 +29,7 @@ fn stance() -> Stance {
     Stance::new(&skeleton(), 0, [foot()]).unwrap()
 }
 
-/// Each bone in the world.
+/// Returns each bone's transform in world space.
 fn world(figure: &Figure) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
     for (local, parent) in figure.local().iter().zip(figure.skeleton().parents()) {
@@ -38,7 +38,7 @@ fn world(figure: &Figure) -> Vec<DAffine3> {
     model.iter().map(|bone| exact(&figure.place) * *bone).collect()
 }
 
-/// The ball in the world, by its place in the ankle's space at rest.
+/// Returns the position of the ball of the foot in world space, from its position relative to the ankle at rest.
 fn ball(figure: &Figure) -> DVec3 {
     let in_ankle = BALL.as_dvec3() - DVec3::new(0.1, 0.08, 0.0);
     world(figure)[3].transform_point3(in_ankle)
@@ -48,7 +48,7 @@ fn level(at: Vec3) -> Ground {
     Ground::new(at.with_y(0.0), Vec3::Y)
 }
 
-/// The largest second difference, a second squared.
+/// Returns the largest acceleration along a path with one point per frame, by second differences.
 fn acceleration(ways: &[DVec3]) -> f64 {
     let second = |w: &[DVec3]| (w[2] - 2.0 * w[1] + w[0]).length() / f64::from(DT * DT);
     ways.windows(3).map(second).fold(0.0, f64::max)
@@ -122,7 +122,7 @@ fn planting_and_releasing_does_not_jump() {
     let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
     let (mut shown, mut animated) = (Vec::new(), Vec::new());
     for frame in 0..150_u8 {
-        // Sliding at 0.6 m/s; planted, released, and planted again while it still leaves.
+        // Slides at 0.6 m/s; is planted, released, and planted again while still fading out.
         match frame {
             20 | 48 => stance.on_event("down"),
             45 | 70 => stance.on_event("up"),
@@ -137,11 +137,12 @@ fn planting_and_releasing_does_not_jump() {
     for frame in [19, 149] {
         assert!(shown[frame].distance(animated[frame]) < 1e-5, "as animated again");
     }
-    // It stops within 0.15 s, and catches up with what went on for 0.25 s: 5.8 · way / time², and what the speed takes.
+    // The foot stops within 0.15 s and catches up with the 0.25 s it missed: 5.8 · distance / time², plus a term for
+    // the speed.
     let bound = 5.8 * 0.3 / (0.15 * 0.15) + 6.0 * 0.6 / 0.15;
     let found = acceleration(&shown);
     assert!(found < bound, "{found} m/s² of {bound}");
-    // It comes to rest without going back.
+    // It comes to rest without moving backwards.
     assert!(shown[20..32].windows(2).all(|w| w[1].z >= w[0].z - 1e-6), "{:?}", &shown[20..32]);
 }
 
@@ -178,13 +179,13 @@ fn the_pelvis_is_lowered_for_the_foot_that_is_lowest() {
         assert!((ball(&figure).y + f64::from(depth)).abs() < 1e-5, "the foot reaches the ground");
         let dropped = 0.9 - bones[0].translation.y;
         assert!((dropped - f64::from(stance.drop())).abs() < 1e-6);
-        // The leg is 0.816 long; at rest its hip is 0.8 over the ankle.
+        // The leg is 0.816 long; at rest the hip is 0.8 above the ankle.
         let needed = 0.8 + f64::from(depth) - 0.998 * 2.0 * (0.4_f64 * 0.4 + 0.08 * 0.08).sqrt();
         assert!(dropped >= needed && dropped < needed.max(0.0) + 0.012, "{dropped} for {needed}");
     }
 }
 
-/// Over the edge of a stair, 0.15 m high, a foot in the air rises within its time.
+/// Over the edge of a stair 0.15 m high, a foot in the air rises within its fade time.
 fn assert_climbs(stair: impl Fn(Vec3) -> Ground) {
     let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
     let mut ways = Vec::new();
@@ -213,14 +214,14 @@ fn what_cannot_stand_is_refused() {
     let mut other = Figure::new(Skeleton::new([Bone::new("one", None)]).unwrap());
     let mut stance = stance();
     assert_eq!(other.run(DT, &mut [&mut stance.on(level)]), Err(PoseError::Length { bones: 4, found: 1 }));
-    // Ground that is nowhere is as good as level ground.
+    // Non-finite ground is treated as level ground.
     let mut figure = Figure::new(skeleton);
     stance.on_event("down");
     figure.run(DT, &mut [&mut stance.on(|_| Ground::new(Vec3::NAN, Vec3::NAN))]).unwrap();
     assert!(ball(&figure).is_finite());
 }
 
-/// Normals as rays find them at risers and at the undersides of things.
+/// Normals as ray casts return them at risers and on undersides.
 const STEEP: [[f32; 2]; 6] = [[0.34, -0.94], [0.1, -1.0], [0.01, -1.0], [1e-4, -1.0], [0.001, 1.0], [-0.2, 1.0]];
 
 #[test]
@@ -245,7 +246,7 @@ fn one_steep_normal_does_not_move_a_foot_off_flat_ground() {
 fn the_edge_of_a_stair_is_taken_in_time_whatever_the_normal_of_its_riser() {
     for [ny, nz] in STEEP {
         println!("({ny}, {nz})");
-        // The riser is seen from just before the edge.
+        // Just before the edge, the ray hits the riser.
         assert_climbs(|at| {
             let normal = if (0.495..0.505).contains(&at.z) { Vec3::new(0.0, ny, nz) } else { Vec3::Y };
             Ground::new(at.with_y(if at.z > 0.505 { 0.15 } else { 0.0 }), normal)
@@ -311,7 +312,7 @@ fn a_foot_that_is_out_of_reach_does_not_count_as_planted() {
         assert!(still > 20 && last_planted < 299, "{speed} m/s: planted in {still} frames");
         let left = usize::from(last_planted);
         assert!(ways[left + 1].distance(BALL.as_dvec3()) > 1e-4, "it is planted for as long as it reaches");
-        // It is dragged on at no more than the pelvis' speed, and goes on from there without another jump.
+        // The stretched leg drags the foot on at no more than the pelvis' speed; after that there is no further jump.
         let kink = acceleration(&ways[left - 1..left + 2]);
         assert!(kink < f64::from(1.05 * speed / DT), "{speed} m/s: {kink} m/s²");
         let found = acceleration(&ways[left..]);
@@ -323,7 +324,7 @@ fn a_foot_that_is_out_of_reach_does_not_count_as_planted() {
 
 #[test]
 fn a_leg_of_many_joints_stands_for_as_long_as_it_reaches() {
-    // From a mouse to a giant, whose place stands far from the origin.
+    // From the size of a mouse to a giant's, with the figure placed far from the origin.
     for scale in [0.02_f32, 1.0, 30.0] {
         let at = |x, y, z| Transform::from_translation(Vec3::new(x, y, z) * scale);
         let skeleton = Skeleton::new([
@@ -346,7 +347,7 @@ fn a_leg_of_many_joints_stands_for_as_long_as_it_reaches() {
             most = most.max(stance.feet()[0].slip(&figure) / scale);
             released = released.or(stance.feet()[0].anchor().is_none().then_some(f32::from(frame) * 0.005));
         }
-        // The leg is 0.86 long, and its hip sinks to 0.67.
+        // The leg is 0.86 long; its hip sinks to 0.67.
         assert!(released.is_some_and(|way| (0.5..0.66).contains(&way)), "of size {scale}: {released:?}");
         assert!(most < 0.0086, "of size {scale}: {most}");
     }
@@ -374,10 +375,10 @@ fn a_sole_on_a_slope_stays_as_it_is_while_the_figure_turns() {
         let turned = sole.z_axis.angle_between(frames[0].z_axis).max(sole.x_axis.angle_between(frames[0].x_axis));
         assert!(off < 1e-3 && turned < 1e-3, "frame {frame}: {off} rad off the normal, turned by {turned} rad");
     }
-    // Tilted by the slope as before, and turned with the figure.
+    // Still tilted with the slope, and turned with the figure.
     let last = frames[199].x_axis.dot(DVec3::Z);
     assert!(frames[199].y_axis.angle_between(up.as_dvec3()) < 1e-3 && last < -0.9, "{last}");
-    // 90 degrees within half a second: tangential and centripetal.
+    // 90 degrees within half a second: tangential plus centripetal acceleration.
     for axis in [0, 1, 2] {
         let ways: Vec<DVec3> = frames.iter().map(|sole| sole.col(axis)).collect();
         let found = acceleration(&ways);
@@ -389,7 +390,8 @@ fn a_sole_on_a_slope_stays_as_it_is_while_the_figure_turns() {
 
 #[test]
 fn a_frame_without_time_does_not_stop_a_foot() {
-    // At 1 m/s; what the speed changes by in a frame, with and without a frame without time when it comes down and goes up.
+    // At 1 m/s: largest change of speed per frame, with and without a frame of zero or invalid duration at touch-down
+    // and lift-off.
     let changes = [None, Some(0.0_f32), Some(1e-40), Some(-1.0), Some(f32::NAN)].map(|pause| {
         let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
         let mut ways = Vec::new();
@@ -443,7 +445,7 @@ fn an_edge_within_the_time_of_another_keeps_place_and_speed() {
     let mut stance = Stance::new(&skeleton(), 0, [foot().with_fade(0.5)]).unwrap();
     let mut figure = Figure::new(skeleton());
     stance.most_drop = 0.4;
-    // What is left at a time of an offset of this value and velocity: the polynomial of the fifth degree to nothing at rest.
+    // What remains of an offset with this value and velocity after `s` seconds: a quintic that ends at rest at 0.
     let left = |[value, velocity]: [f64; 2], s: f64| {
         let u = (s / FADE_S).min(1.0);
         let of_value = 1.0 - 10.0 * u.powi(3) + 15.0 * u.powi(4) - 6.0 * u.powi(5);
@@ -451,7 +453,7 @@ fn an_edge_within_the_time_of_another_keeps_place_and_speed() {
     };
     let (mut from, mut elapsed) = ([0.0; 2], 0.0);
     for frame in 0..110_i32 {
-        // The place goes with the ground, which is a lift.
+        // The figure's placement follows the ground, which is a lift.
         figure.place.translation.y = floor(frame);
         figure.run(DT, &mut [&mut stance.on(|at: Vec3| Ground::new(at.with_y(floor(frame)), Vec3::Y))]).unwrap();
         elapsed += f64::from(DT);
@@ -464,12 +466,12 @@ fn an_edge_within_the_time_of_another_keeps_place_and_speed() {
     }
 }
 
-/// A foot and its figure, whose fades take 0.3 s.
+/// Returns a foot and its figure with fades of 0.3 s.
 fn slowly() -> (Stance, Figure) {
     (Stance::new(&skeleton(), 0, [foot().with_fade(0.3)]).unwrap(), Figure::new(skeleton()))
 }
 
-/// It runs out by 0.4 of its speed × its time, over the ground, and stands on what is there.
+/// A planted foot runs out by 0.4 · speed · fade time over the ground, and stands on the ground found there.
 #[test]
 fn a_foot_comes_to_rest_where_its_way_leads() {
     let slope = |at: Vec3| Ground::new(at.with_y(0.15 * at.z - 0.1 * at.x), Vec3::new(0.1, 1.0, -0.15));
@@ -488,7 +490,8 @@ fn a_foot_comes_to_rest_where_its_way_leads() {
     let anchor = stance.feet()[0].anchor().unwrap().as_dvec3();
     assert!((anchor - expected).with_y(0.0).length() < 1e-5, "{anchor} {expected}");
     assert!((anchor.y - 0.15 * anchor.z + 0.1 * anchor.x).abs() < 1e-6, "{anchor}");
-    // Let go, it goes on as it is animated, without a jump in speed: 5.8 · way / time², and 6 · speed / time.
+    // Once released, it returns to the animation without a jump in speed: at most 5.8 · distance / time² + 6 · speed /
+    // time.
     for frame in 21..=90_u8 {
         if frame == 45 {
             stance.feet_mut()[0].release();
@@ -502,7 +505,7 @@ fn a_foot_comes_to_rest_where_its_way_leads() {
     assert!(found < 5.8 * way / 0.09 + 6.0 * 0.68 / 0.3, "{found} m/s²");
 }
 
-/// What falls fast is stopped by the ground, what falls slowly goes on at first as it fell.
+/// A fast fall is stopped by the ground; a slow one continues at its speed at first.
 #[test]
 fn a_foot_that_falls_comes_down_on_the_ground() {
     for fall in [2.0_f32, 0.1] {
@@ -523,12 +526,12 @@ fn a_foot_that_falls_comes_down_on_the_ground() {
         assert!(heights.iter().all(|height| *height > -1e-5), "{fall}: {heights:?}");
         assert!(heights[40].abs() < 1e-5, "{fall}: it is down");
         let speeds: Vec<f64> = heights.windows(2).map(|w| (w[1] - w[0]) / f64::from(DT)).collect();
-        // At 0.2 m/s its fall would be over at the ground, in 0.4 of the time: so it is not slowed where it falls at 0.1.
+        // The fall is limited to height / (0.4 · fade time), here about 0.5 m/s: a fall at 0.1 m/s is not slowed down.
         assert!(fall > 1.0 || (speeds[11] - speeds[10]).abs() < 0.04, "{speeds:?}");
     }
 }
 
-/// A foot that comes down while its figure turns comes to rest in its turn.
+/// A foot planted while its figure turns comes to rest in orientation, too, without a jump.
 #[test]
 fn a_foot_that_turns_comes_to_rest_without_a_jump() {
     let (mut stance, mut figure) = slowly();
@@ -547,7 +550,7 @@ fn a_foot_that_turns_comes_to_rest_without_a_jump() {
     assert!(found < 6.0 * 2.0 / 0.3 + 5.0, "{found} rad/s²");
 }
 
-/// On its way along a slope a foot in the air needs no time to follow the ground.
+/// Moving along a slope, a foot in the air follows the ground immediately.
 #[test]
 fn a_foot_in_the_air_follows_a_slope_at_once() {
     for rise in [0.3_f32, -0.3] {

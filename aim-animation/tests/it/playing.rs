@@ -79,12 +79,12 @@ fn clips_are_edited() {
     }
 }
 
-/// Steps of any size and sign tell the events of a walk through the same times, one by one.
+/// Steps of any size and sign report the same events, in the same order, as many small steps over the same times.
 #[test]
 fn events_in_order_whatever_the_speed() {
     let mut rng = Rng(1);
     for case in 0..600 {
-        // Quarters: exact, so that ends and events are hit, too.
+        // Multiples of a quarter are exact, so steps land on ends and events, too.
         let quarters = |rng: &mut Rng, below: usize| f32::from(u16::try_from(rng.below(below)).unwrap()) * 0.25;
         let length = 1.0 + quarters(&mut rng, 4);
         let events: Vec<f32> = (0..1 + rng.below(5)).map(|_| quarters(&mut rng, 4)).collect();
@@ -97,7 +97,7 @@ fn events_in_order_whatever_the_speed() {
             (control.speed, fine.speed) = (speed, speed);
             let dt = quarters(&mut rng, 12);
             let step = control.advance(dt, length);
-            // An eighth of a second at a time, no end is passed twice.
+            // Steps of 1/64 s, so that no step passes an end twice.
             let mut truth = Vec::new();
             let slices = (dt * 64.0).round();
             let mut done = 0.0;
@@ -114,7 +114,7 @@ fn events_in_order_whatever_the_speed() {
     }
 }
 
-/// A repeated clip's events are in order and none is lost where the times of rounds are rounded.
+/// A repeated clip reports its events in order and loses none, although the times of its rounds are rounded.
 #[test]
 fn repeated_events_are_told() {
     for (period, rounds) in [(0.017, 30_u16), (0.1, 100), (1.0 / 3.0, 77), (0.7, 1000)] {
@@ -128,13 +128,13 @@ fn repeated_events_are_told() {
         }
         assert_eq!(names, ["s", "e"].repeat(usize::from(rounds)), "{period}");
     }
-    // 2²⁰ events at most.
+    // At most 2²⁰ events.
     let busy = (0..64_u8).fold(Clip::new("b"), |clip, k| clip.with_event(f32::from(k) / 63.0, "").unwrap());
     let long = busy.repeated(1e30);
     assert_eq!((long.length_s(), long.events().len()), (16_384.0, 1 << 20));
 }
 
-/// By hand, where an independent count is easy.
+/// Cases whose events are easily counted by hand.
 #[test]
 fn events_by_hand() {
     let clip = clip_with(&[0.0, 0.5, 1.0], 1.0);
@@ -154,12 +154,12 @@ fn events_by_hand() {
     let mut bouncing = Control::new().with_looping(Looping::PingPong);
     assert_eq!(told(&clip, &bouncing.advance(2.25, 1.0)), ["0", "1", "2", "1", "0"]);
     assert_eq!(bouncing.time_s(), 0.25);
-    // A huge step ends, and tells no more than it can.
+    // A huge step terminates and reports a bounded number of ends.
     assert!(Control::new().advance(1e30, 1.0).ends_passed() <= 65_536);
     assert!(Control::new().with_speed(1e38).advance(1e38, 1.0).ends_passed() <= 65_536);
 }
 
-/// Local time follows the integral of the speed, in f64, wrapped or folded.
+/// Local time is the integral of the speed in f64, wrapped or reflected at the ends.
 #[test]
 fn local_time() {
     let mut rng = Rng(2);
@@ -182,7 +182,7 @@ fn local_time() {
             };
             let apart = (f64::from(control.time_s()) - folded).abs();
             assert!(apart.min(l - apart) < 1e-6, "{folded} {}", control.time_s());
-            // The pieces are the way.
+            // The lengths of the pieces add up to the step.
             let way: f64 = step.pieces().map(|piece| (piece.to_s - piece.from_s).abs()).sum();
             assert!((way - (f64::from(dt) * f64::from(control.speed)).abs()).abs() < 1e-9);
         }
@@ -207,7 +207,7 @@ fn degenerate_controls() {
         let step = control.advance(0.25, length);
         assert_eq!((control.time_s(), step.ends_passed()), (0.0, 0));
     }
-    // At its end it is done, whether it would go on or not; backwards at its beginning.
+    // At the end playback is done, even at speed 0; backwards it is done at the beginning.
     let mut once = Control::new().with_looping(Looping::Once).at(1.0);
     for (speed, is_done) in [(1.0, true), (0.0, true), (-1.0, false)] {
         once.speed = speed;
@@ -215,11 +215,11 @@ fn degenerate_controls() {
     }
     once.advance(2.0, 1.0);
     assert!(once.is_done(1.0) && once.time_s() == 0.0);
-    // Less before the beginning than can be told from the end: no end is passed.
+    // A step back from 0 that is too small to be represented near the end passes no end.
     let mut control = Control::new().with_speed(-1.0);
     assert_eq!(control.advance(1e-20, 1.0).ends_passed(), 0);
     assert_eq!(control.time_s(), 0.0);
-    // Of a huge step no more ends are told than anybody hears, and its direction is right all the same.
+    // A huge step reports a capped number of ends, but its direction afterwards is still right.
     for (rounds, then) in [(70_000.25, 0.5), (70_001.25, 0.5)] {
         let mut control = Control::new().with_looping(Looping::PingPong);
         let step = control.advance(rounds, 1.0);
@@ -229,7 +229,7 @@ fn degenerate_controls() {
         control.advance(0.25, 1.0);
         assert_eq!(control.time_s(), then);
     }
-    // To stop on an end is not to pass it; to leave it, turned round, is.
+    // Stopping on an end does not pass it; leaving it in the other direction does.
     let mut control = Control::new().with_looping(Looping::PingPong);
     let ends = [1.0, 0.25, 0.75, 0.5].map(|dt| (control.advance(dt, 1.0).ends_passed(), control.time_s()));
     assert_eq!(ends, [(0, 1.0), (1, 0.75), (0, 0.0), (1, 0.5)]);
@@ -260,7 +260,7 @@ fn marks_meet() {
     assert_eq!(Marks::new(1.0, [0.2, 0.2]), Err(MarksError::Mark(1)));
     assert_eq!(Marks::new(1.0, [1.0]), Err(MarksError::Mark(0)));
     assert_eq!(Marks::new(1.0, [0.0, f32::NAN]), Err(MarksError::Mark(1)));
-    // Times outside are those of the loop.
+    // Times outside the clip are wrapped.
     let marks = Marks::new(1.6, [0.5, 0.9, 1.2]).unwrap();
     assert_eq!(marks.length_s(), 1.6);
     for (round, time) in [(-3.0, 0.7), (2.0, 1.5), (7.0, 0.2)] {
@@ -271,7 +271,7 @@ fn marks_meet() {
     assert_eq!((marks.phase_at(f32::NAN), marks.time_at(f32::INFINITY)), (marks.phase_at(0.0), 0.5));
 }
 
-/// Whatever the weights, marks of all clips are passed at once; the way through each clip has no gap.
+/// For any weights, the marks of all clips are passed together, and each clip is traversed without a gap.
 #[test]
 fn clips_in_step() {
     let mut rng = Rng(4);
@@ -295,7 +295,7 @@ fn clips_in_step() {
         assert!((walk.phase_at(ends[0]) - phase.phase()).abs().min(1.0) < 1e-4 || phase.phase() > 0.999);
     }
     assert!(count > 500);
-    // A cycle takes the mean of the lengths, (1·3 + 0.65·1)/4, at this speed.
+    // A cycle lasts the weighted mean of the lengths, (1·3 + 0.65·1)/4, at this speed.
     for speed in [0.5, 2.0, -1.0_f32] {
         let mut phase = Phase::new().at(7.25);
         assert_eq!(phase.phase(), 0.25);
@@ -313,7 +313,7 @@ fn clips_in_step() {
     assert_eq!(phase.phase(), before.phase());
 }
 
-/// A clip that is paused on its end shows its end, and a way that has no digits leads nowhere, least of all once round.
+/// A clip paused on its end stays there, and a step too small to be represented does not wrap around.
 #[test]
 fn what_does_not_move_stays_on_the_end() {
     let clip = clip_with(&[0.0, 0.3, 0.7, 1.0], 1.0);
@@ -323,7 +323,7 @@ fn what_does_not_move_stays_on_the_end() {
             for round in 0..2 {
                 let step = control.advance(dt, 1.0);
                 assert_eq!((control.time_s(), step.to_s()), (1.0, 1.0), "{looping:?} at {speed}");
-                // What lies on the place that was sought, and only once.
+                // The event at the time that was sought is reported once.
                 let expected: &[&str] = if round == 0 { &["3"] } else { &[] };
                 assert_eq!(told(&clip, &step), expected, "{looping:?} at {speed}");
             }

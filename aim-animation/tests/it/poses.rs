@@ -3,13 +3,13 @@ use aim_animation::{Bone, PoseError, Skeleton, Transform, attached, root_for};
 
 use crate::common::{Rng, apart, exact};
 
-/// Two trees, given children first.
+/// Returns two trees whose bones are given children first.
 pub(crate) fn skeleton() -> Skeleton {
     let parents = [Some(1), Some(3), Some(3), None, None, Some(2)];
     Skeleton::new(parents.into_iter().enumerate().map(|(i, parent)| Bone::new(format!("b{i}"), parent))).unwrap()
 }
 
-/// Each bone in the space of the model by its definition: the product of the transforms from the root outward.
+/// Returns each bone's transform in model space by its definition: the product of the transforms from the root outward.
 fn model_exact(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     let product = |bone| skeleton.ancestry(bone).fold(DAffine3::IDENTITY, |below, at| exact(&local[at]) * below);
     (0..skeleton.len()).map(product).collect()
@@ -49,14 +49,14 @@ fn below_a_bone_alone() {
     skeleton.to_model_below(99, &local, &mut model).unwrap();
 }
 
-/// Turned under parents that are scaled and mirrored, a bone's axes are those turned in the space of the model.
+/// `turn_in_model` turns a bone's axes in model space, even under scaled and mirrored parents.
 #[test]
 fn turned_in_the_space_of_the_model() {
     let (mut rng, skeleton) = (Rng(3), skeleton());
     for case in 0..3000 {
         let mut local: Vec<Transform> = (0..6).map(|_| rng.transform()).collect();
         let bone = case % 6;
-        // Its own scale may be as uneven as it likes.
+        // The bone's own scale may be non-uniform.
         local[bone].scale *= Vec3::new(1.0, 0.2, -4.0);
         let mut model = [Affine3A::IDENTITY; 6];
         skeleton.to_model(&local, &mut model).unwrap();
@@ -70,7 +70,7 @@ fn turned_in_the_space_of_the_model() {
     }
 }
 
-/// Under a parent of uneven scale no rotation will do; of those around, none comes nearer than the one found.
+/// Under a parent of non-uniform scale no rotation is exact; the result is better than all nearby rotations.
 #[test]
 fn turned_under_a_parent_of_uneven_scale() {
     let mut rng = Rng(4);
@@ -82,7 +82,7 @@ fn turned_under_a_parent_of_uneven_scale() {
         let rotation = rng.rotation();
         let parent = model[0].matrix3;
         let wanted = parent.inverse() * Mat3A::from_quat(rotation) * parent * Mat3A::from_quat(local[1].rotation);
-        // Columns count by their direction alone.
+        // Only the directions of the columns count.
         let wanted = [wanted.x_axis, wanted.y_axis, wanted.z_axis].map(|column| column.normalize());
         let agreement = |turn: Quat| {
             let turn = Mat3A::from_quat(turn);
@@ -114,7 +114,7 @@ fn what_does_not_fit() {
     assert_eq!(local, before);
     skeleton.turn_in_model(1, Quat::from_rotation_x(1.0), &[flat, flat], &mut local).unwrap();
     assert_eq!(local, before, "nothing to turn in");
-    // A leaf may be hidden.
+    // A leaf may have scale 0.
     skeleton.to_local(&[Affine3A::IDENTITY, flat], &mut local).unwrap();
     assert_eq!(local[1].scale, Vec3::ZERO);
     assert!(PoseError::Flat(3).to_string().contains("bone 3") && length.to_string().contains("2 bones"));

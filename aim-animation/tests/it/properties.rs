@@ -1,4 +1,4 @@
-//! No panic, and unit rotations and finite numbers where they are promised, whatever the bits.
+//! No input, whatever its bits, causes a panic; rotations are unit and numbers finite wherever that is promised.
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
 use aim_animation::{
@@ -12,7 +12,7 @@ use proptest::prelude::*;
 use crate::common::Rng;
 use crate::reducing::{any_clip, any_skeleton, error};
 
-// On the heap: what proptest makes of many of these does not fit on a thread's stack, and takes long to compile.
+// Boxed: the types that proptest builds from these overflow a thread's stack and are slow to compile.
 fn any_float() -> BoxedStrategy<f32> {
     prop_oneof![any::<u32>().prop_map(f32::from_bits), -2.0_f32..2.0, Just(0.0), Just(f32::NAN), Just(f32::INFINITY)]
         .boxed()
@@ -167,7 +167,7 @@ proptest! {
     }
 }
 
-/// Trees of every kind of node; weights and places are inputs 0 to 5.
+/// Trees of every kind of node; weights and positions are inputs 0 to 5.
 fn any_tree() -> BoxedStrategy<Node> {
     let leaf = (0_usize..4).prop_map(Node::source);
     leaf.prop_recursive(5, 40, 4, |inner| {
@@ -219,7 +219,7 @@ proptest! {
         let tree = Tree::new(&skeleton, root).unwrap().with_method(method);
         let (mut scratch, mut pose, mut shares) = (tree.scratch(), [Transform::IDENTITY], [0.0; 4]);
         tree.evaluate(&inputs, &mut scratch, &mut pose, |source, pose| pose[0] = sources[source]).unwrap();
-        // Of sound poses of a usual size the pose is sound, whatever the inputs.
+        // If the source poses are valid and of moderate size, so is the result, whatever the inputs.
         let tamed = |numbers: Vec3| Vec3::from_array(numbers.to_array().map(|n| if n.abs() < 1e3 { n } else { 1.0 }));
         let sound = sources.map(|of| Transform {
             translation: tamed(of.translation),
@@ -357,7 +357,7 @@ proptest! {
         n in prop::array::uniform12(any_float()),
         joints in 2_usize..5,
     ) {
-        // Sound enough to begin with, or not.
+        // Valid rest poses in about half of the cases.
         let bone = |k: usize| Bone::new("b", k.checked_sub(1)).with_rest(if n[11] < 0.5 {
             Transform::from_translation(Vec3::new(0.3, 0.1, -0.2))
         } else {
@@ -448,7 +448,7 @@ proptest! {
 
     #[test]
     fn packed_bytes(bytes in prop::collection::vec(any::<u8>(), 0..200), is_begun in any::<bool>(), at in any_float()) {
-        // The beginning of a clip without name, events and length, or any.
+        // Random bytes, with or without the header of a clip that has no name and no events before them.
         let begin = b"AIMP\x01\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0";
         let bytes = if is_begun { [&begin[..], &bytes].concat() } else { bytes };
         if let Ok(packed) = PackedClip::from_bytes(&bytes) {
@@ -546,7 +546,7 @@ proptest! {
                 prop_assert!(is_left || is_unit(now.rotation), "{now:?}");
             }
         }
-        // And it goes on when all is sound again.
+        // Once all inputs are valid again, so is the pose.
         figure.place = Transform::IDENTITY;
         if sound {
             stance.feet_mut()[0].reset();

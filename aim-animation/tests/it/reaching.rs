@@ -1,5 +1,5 @@
-//! A limb that is led through points: judged by forward kinematics in f64, and by the trajectory that its tip is to take,
-//! solved apart.
+//! A limb led through points in space, checked by forward kinematics in f64 and against a separate solution of its
+//! tip's trajectory.
 
 use aim_animation::glam::{Affine3A, DAffine3, DQuat, DVec3, Quat, Vec3};
 use aim_animation::{Bone, Clip, Reach, ReachError, ReachGoal, Skeleton, Track, Transform};
@@ -11,7 +11,8 @@ use crate::common::{Rng, exact};
 const RATE: f32 = 60.0;
 const LENGTH: f32 = 1.1;
 
-/// Clavicle, upper arm, a twist bone that nobody turns, forearm, hand, finger, on a chest that moves.
+/// Bone indices of the limbs. The arm is: clavicle, upper arm, a twist bone that is never turned, forearm, hand,
+/// finger; it hangs on a chest that moves.
 const ARM: [usize; 3] = [3, 5, 6];
 const WITH_CLAVICLE: [usize; 4] = [2, 3, 5, 6];
 const FROM_CHEST: [usize; 5] = [1, 2, 3, 5, 6];
@@ -32,7 +33,7 @@ fn skeleton(armature: Transform) -> Skeleton {
     .unwrap()
 }
 
-/// A swing of the arm on a chest that turns.
+/// Returns a clip that swings the arm while the chest turns.
 fn swing() -> Clip {
     let track = |angles: [f32; 5], turn: fn(f32) -> Quat| {
         Track::catmull_rom([0.0, 0.25, 0.5, 0.8, LENGTH], angles.map(turn)).unwrap()
@@ -45,7 +46,7 @@ fn swing() -> Clip {
         .with_rotation(7, track([0.0, 0.5, 0.1, 0.2, 0.0], Quat::from_rotation_z))
 }
 
-/// The kinds of parents that keep lengths: as they are, elsewhere, in centimetres, mirrored.
+/// Root transforms that preserve relative lengths: identity, rigid, in centimetres, mirrored.
 fn armatures() -> [(&'static str, Transform); 4] {
     let turned = Transform::new(Vec3::new(3.0, -1.0, 2.0), Quat::from_rotation_y(0.8) * Quat::from_rotation_x(-1.5));
     [
@@ -72,7 +73,7 @@ fn sampled(skeleton: &Skeleton, clip: &Clip, time: f32) -> (Vec<Transform>, Vec<
     (local, in_model)
 }
 
-/// Points, lengths and orientations by their definitions.
+/// Returns the position of the hand in model space at a time, by forward kinematics in f64.
 fn tip(skeleton: &Skeleton, clip: &Clip, time: f32) -> DVec3 {
     model(skeleton, &sampled(skeleton, clip, time).0)[6].translation
 }
@@ -82,14 +83,14 @@ fn orientation(at: &DAffine3) -> DQuat {
     DQuat::from_mat3(&aim_animation::glam::DMat3::from_cols(x, y, if x.cross(y).dot(z) < 0.0 { -z } else { z }))
 }
 
-/// The limb's length in the model, metres where the armature is.
+/// Returns the limb's length at rest, in units of the model.
 fn length(skeleton: &Skeleton, limb: &[usize]) -> f64 {
     let at = model(skeleton, skeleton.rest());
     limb.windows(2).map(|pair| at[pair[1]].translation.distance(at[pair[0]].translation)).sum()
 }
 
-/// At any time of a clip, between its samples too, the tip is on the goal, with the hand oriented as animated, no bone
-/// longer, and nothing else moved.
+/// At any time of a clip, also between its samples, the tip is on the goal, the hand keeps its animated orientation,
+/// bones keep their lengths, and nothing else moves.
 #[test]
 fn goals_are_met_between_samples() {
     let mut rng = Rng(1);
@@ -102,7 +103,7 @@ fn goals_are_met_between_samples() {
                 let time = rng.between(0.1, 1.0);
                 let (mut local, mut in_model) = sampled(&skeleton, &clip, time);
                 let (before, animated) = (local.clone(), model(&skeleton, &local));
-                // Towards the first joint, so that it is in reach.
+                // Towards the first joint, so that the goal is within reach.
                 let inward = (animated[limb[0]].translation - animated[6].translation) * 0.3;
                 let aside = rng.vector(0.2).as_dvec3() * inward.length();
                 let goal = ReachGoal::new(time, (animated[6].translation + inward + aside).as_vec3());
@@ -129,8 +130,8 @@ fn goals_are_met_between_samples() {
     }
 }
 
-/// The way that is shown is that of the trajectory's solver, whatever its settings, sample by sample; and between them it is
-/// the parabolas' cubic, in f64.
+/// At samples, the tip follows the trajectory solver for all of its settings; between them, the cubic whose velocities
+/// come from parabolas through three samples.
 #[test]
 fn the_way_is_the_trajectory() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -145,7 +146,7 @@ fn the_way_is_the_trajectory() {
             ReachGoal::new(goal_time, (tip(&skeleton, &clip, goal_time) + DVec3::new(-0.07, 0.06, -0.04)).as_vec3());
         reach.aim(&mut state, &[goal.with_weight(weight)], 0.0).unwrap();
 
-        // The same by hand: samples at even times, the nearest one at the goal's.
+        // The same computed directly: uniform sample times, with the one nearest to the goal moved onto it.
         let count = reach.trajectory().points.len();
         let mut times: Vec<f32> = (0..count).map(|k| LENGTH * k as f32 / (count - 1) as f32).collect();
         let near =
@@ -174,7 +175,7 @@ fn the_way_is_the_trajectory() {
         let velocity = |k: usize| match k {
             0 => DVec3::ZERO,
             k if k + 1 == count => DVec3::ZERO,
-            // The derivative at the middle of Lagrange's parabola through three points.
+            // Derivative, at the middle point, of the parabola through three points.
             k => {
                 let [before, after] = [times[k] - times[k - 1], times[k + 1] - times[k]].map(f64::from);
                 slope(k - 1, k) + (slope(k, k + 1) - slope(k - 1, k)) * before / (before + after)
@@ -194,7 +195,7 @@ fn the_way_is_the_trajectory() {
     }
 }
 
-/// New goals come in, and go, without a jump; half of the weight is half of the way; no weight changes no bit.
+/// Goals fade in and out without a jump, half of the weight covers half of the distance, and weight 0 changes no bit.
 #[test]
 fn goals_fade() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -213,12 +214,12 @@ fn goals_fade() {
 
     let dt = 1.0 / 240.0;
     let mut last = animated;
-    // In; to another goal before it is there, and back, twice; and out.
+    // Fade in; change the goal midway and back, twice; fade out.
     for (goals, frames) in [(&first[..], 30), (&second[..], 30), (&first[..], 20), (&second[..], 80), (&[][..], 80)] {
         reach.aim(&mut state, goals, 0.25).unwrap();
         for _ in 0..frames {
             let now = shown(&state);
-            // The fastest of a smooth step is 1.5 times its mean.
+            // The largest speed of a smoothstep is 1.5 times its mean.
             assert!(now.distance(last) <= 1.6 * 0.25 * f64::from(dt) / 0.25, "jumps by {}", now.distance(last));
             last = now;
             state.advance(dt);
@@ -240,7 +241,7 @@ fn goals_fade() {
     }
 }
 
-/// What is out of reach is gone to as near as the limb gets, and told.
+/// If a goal is out of reach, the limb gets as near as it can and the remaining distance is reported.
 #[test]
 fn out_of_reach() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -258,7 +259,8 @@ fn out_of_reach() {
     assert!(off < 2e-3 * size, "{off} from where the stretched arm ends");
 }
 
-/// The trajectory tells its numbers in units of the model: the same in centimetres, a hundred times as far; its distortion is a square.
+/// Outcomes are in units of the model: in centimetres, distances are 100 times as large and the distortion, which is a
+/// squared length, 100² times.
 #[test]
 fn outcomes_are_in_units_of_the_model() {
     let outcomes = [1.0, 100.0].map(|scale: f32| {
@@ -272,12 +274,12 @@ fn outcomes_are_in_units_of_the_model() {
     assert!(metres.missed > 1e-3 && metres.distortion > 1e-9, "{metres:?}");
     let ratio = [centimetres.missed / metres.missed, (centimetres.distortion / metres.distortion).sqrt()];
     assert!(ratio.iter().all(|ratio| (ratio - 100.0).abs() < 1.0), "{ratio:?} {metres:?}");
-    // No further off than the goal is from the animation, and bent by no more than that squared.
+    // The error is at most the goal's distance from the animation, and the distortion at most its square.
     assert!(metres.missed < 0.062 && metres.distortion < 0.0039, "{metres:?}");
 }
 
-/// Next to an end it is the sample beside that moves: the clip begins and ends as it is animated. With nothing between the ends
-/// nothing can be met.
+/// Near an end of the clip, the neighbouring sample moves instead of the end itself. Without any sample between the
+/// ends, no goal can be met.
 #[test]
 fn ends_stay() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -299,8 +301,8 @@ fn ends_stay() {
     assert_eq!(coarse.aim(&mut coarse.state(), &[goal], 0.0), Err(ReachError::Time(0)));
 }
 
-/// A goal beyond reach, or nearer to the first joint than the folded limb comes, counts as the nearest point that it does reach: the
-/// way is the same at all times.
+/// A goal beyond reach, or nearer to the first joint than the folded limb can come, is replaced by the nearest
+/// reachable point: the movement is the same at all times.
 #[test]
 fn goals_beyond_reach_count_as_the_nearest_point() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -330,7 +332,8 @@ fn goals_beyond_reach_count_as_the_nearest_point() {
     }
 }
 
-/// Under an uneven scale turns shear, and lengths depend on where a limb points: it is solved until it is where it says.
+/// Under a non-uniform scale, rotations shear and lengths depend on the limb's direction. The solver iterates until the
+/// tip is where it reports it.
 #[test]
 fn uneven_scales() {
     let mut rng = Rng(7);
@@ -357,7 +360,7 @@ fn uneven_scales() {
     assert!(offs[59] < 1e-5, "{offs:?}");
 }
 
-/// A hinge of a longer limb bends no further than it may, about its bone's own axis.
+/// In a longer limb, a hinge stays within its limits and turns about its bone's own axis.
 #[test]
 fn limits_of_longer_limbs() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
@@ -396,7 +399,7 @@ fn what_is_no_limb_or_goal() {
     let flat = Bone::new("a", None);
     let flat = Skeleton::new([flat, Bone::new("b", Some(0))]).unwrap();
     assert_eq!(Reach::new(&clip, &flat, [0, 1], RATE).err(), Some(ReachError::Place));
-    // One of its bones has a length.
+    // Only one of the bones has a length.
     let long = |length: f32| Transform::from_translation(Vec3::X * length);
     let limb = |lengths: [f32; 2]| {
         let bones = [("a", None, 0.0), ("b", Some(0), lengths[0]), ("c", Some(1), lengths[1])];

@@ -1,11 +1,11 @@
-//! Clips reduced: errors by forward kinematics in f64, keys by what each kind of track needs at least.
+//! Reduced clips: errors by forward kinematics in f64, and key counts near what each kind of track needs.
 
 use aim_animation::glam::{DAffine3, DVec3, Quat, Vec3};
 use aim_animation::{Bone, Clip, Curve, HermiteKey, Reduction, ReductionError, Skeleton, Track, Transform};
 
 use crate::common::{Rng, exact};
 
-/// Bones in the space of the model.
+/// Returns each bone's transform in model space.
 fn world(skeleton: &Skeleton, pose: &[Transform]) -> Vec<DAffine3> {
     let mut world: Vec<DAffine3> = Vec::new();
     for (bone, parent) in skeleton.parents().iter().enumerate() {
@@ -15,7 +15,8 @@ fn world(skeleton: &Skeleton, pose: &[Transform]) -> Vec<DAffine3> {
     world
 }
 
-/// The points of each bone, in its space: its origin, its children's at rest, and its length away along its axes, both ways.
+/// Returns the sample points of each bone, in its space: its origin, its children's origins at rest, and points at the
+/// bone's length along its axes in both directions.
 fn points(skeleton: &Skeleton) -> Vec<Vec<DVec3>> {
     let rest = world(skeleton, skeleton.rest());
     let origin = |bone: usize| rest[bone].translation;
@@ -39,7 +40,7 @@ fn points(skeleton: &Skeleton) -> Vec<Vec<DVec3>> {
         .collect()
 }
 
-/// The times of all keys and of eight points between neighbouring ones, and just before each key.
+/// Returns the times of all keys, eight times between neighbouring keys, and the time just before each key.
 pub(crate) fn times(clip: &Clip) -> Vec<f32> {
     let mut keys: Vec<f32> = vec![0.0];
     for tracks in clip.tracks() {
@@ -58,7 +59,7 @@ pub(crate) fn times(clip: &Clip) -> Vec<f32> {
     times
 }
 
-/// The largest distance of a bone's points from where the clip has them.
+/// Returns the largest distance between a bone's sample points in the clip and in another sampling of it.
 pub(crate) fn error(skeleton: &Skeleton, clip: &Clip, mut sample: impl FnMut(f32, &mut [Transform])) -> f64 {
     let points = points(skeleton);
     let mut worst = 0.0_f64;
@@ -78,7 +79,7 @@ pub(crate) fn error(skeleton: &Skeleton, clip: &Clip, mut sample: impl FnMut(f32
     worst
 }
 
-/// A tree or a chain of bones, some of them scaled or mirrored.
+/// Returns a tree or a chain of bones, some of them scaled or mirrored.
 pub(crate) fn any_skeleton(rng: &mut Rng, bones: usize) -> Skeleton {
     let is_chain = rng.below(2) == 0;
     let bones = (0..bones).map(|bone| {
@@ -91,7 +92,7 @@ pub(crate) fn any_skeleton(rng: &mut Rng, bones: usize) -> Skeleton {
     Skeleton::new(bones.collect::<Vec<_>>()).unwrap()
 }
 
-/// Times that are even, or not, and of which some are the same.
+/// Returns key times with equal or random steps, some of them repeated.
 fn any_times(rng: &mut Rng, keys: usize) -> Vec<f32> {
     let is_even = rng.below(2) == 0;
     let mut time = if rng.below(4) == 0 { 0.3 } else { 0.0 };
@@ -108,7 +109,7 @@ fn any_times(rng: &mut Rng, keys: usize) -> Vec<f32> {
     times
 }
 
-/// A smooth or a noisy path through values.
+/// Returns a track of any kind through the values that `value` gives at its key times.
 fn any_track<T: aim_animation::Value>(rng: &mut Rng, mut value: impl FnMut(&mut Rng, f32) -> T) -> Track<T> {
     let keys = [1, 2, 3, 20, 60][rng.below(5)];
     let times = any_times(rng, keys);
@@ -121,7 +122,7 @@ fn any_track<T: aim_animation::Value>(rng: &mut Rng, mut value: impl FnMut(&mut 
     .unwrap()
 }
 
-/// A clip of all kinds of tracks.
+/// Returns a clip with all kinds of tracks.
 pub(crate) fn any_clip(rng: &mut Rng, bones: usize) -> Clip {
     let mut clip = Clip::new("any").with_event(0.25, "step").unwrap();
     for bone in 0..bones {
@@ -148,7 +149,7 @@ pub(crate) fn any_clip(rng: &mut Rng, bones: usize) -> Clip {
     clip.with_scalar(7, any_track(rng, |_, time| (time * speed).sin())).with_length(5.0)
 }
 
-/// The largest difference of scalar 7.
+/// Returns the largest difference of scalar 7.
 pub(crate) fn scalar_error(clip: &Clip, mut sample: impl FnMut(f32, &mut [f32])) -> f64 {
     let off = |time: f32| {
         let [mut a, mut b] = [[0.0; 8]; 2];
@@ -172,7 +173,7 @@ fn no_end_of_a_bone_is_farther_off_than_the_tolerance() {
         let mut cursor = reduced.clip.cursor();
         let found = error(&skeleton, &clip, |time, pose| reduced.clip.sample(time, &mut cursor, pose));
         assert!(found <= f64::from(tolerance), "{case}: {found} of {tolerance}");
-        // What is told is what is found, at one time or another.
+        // The reported error is attained at some time.
         assert!((found - f64::from(reduced.error)).abs() < 0.02 * f64::from(tolerance), "{case}: {found} {reduced:?}");
         assert_eq!(reduced.at.is_some(), reduced.error > 0.0, "{case}");
         let mut cursor = reduced.clip.cursor();
@@ -186,7 +187,7 @@ fn no_end_of_a_bone_is_farther_off_than_the_tolerance() {
     assert!(smaller > 10, "{smaller}");
 }
 
-/// A rod of two bones along x, a metre each.
+/// Returns a rod of two bones along x, one metre each.
 fn rod() -> Skeleton {
     let next = |parent| Bone::new("b", parent).with_rest(Transform::from_translation(Vec3::X));
     Skeleton::new([Bone::new("a", None), next(Some(0)), next(Some(1))]).unwrap()
@@ -207,7 +208,7 @@ fn turning(angle: impl Fn(f32) -> f32) -> Track<Quat> {
     Track::linear(times, turns).unwrap()
 }
 
-/// A clip of so many random bones, packed, holds its tolerance.
+/// Asserts that a random clip with this many bones stays within its tolerance when packed.
 fn assert_packed_holds(seed: u64, bones: usize, exponent: f32) {
     let mut rng = Rng(seed);
     let (skeleton, clip) = (any_skeleton(&mut rng, bones), any_clip(&mut rng, bones));
@@ -217,13 +218,13 @@ fn assert_packed_holds(seed: u64, bones: usize, exponent: f32) {
     assert!(found <= f64::from(tolerance), "{found} of {tolerance}");
 }
 
-/// A pin parts the way between two keys, whose own points are judged all the same.
+/// A pin splits the interval between two keys, but the interval's own check points are still checked.
 #[test]
 fn a_pin_takes_no_point_between_keys_from_the_judge() {
     assert_packed_holds(725_979_205_523_519_347, 4, -2.325_768_7);
 }
 
-/// All before a clip's first key has its value, also where that jumps at its own time.
+/// Before its first key a track holds that key's value, even if the track jumps at that key.
 #[test]
 fn what_is_held_before_a_jump_at_the_first_key_is_judged() {
     assert_packed_holds(5_658_204_085_348_885_501, 1, -5.895_981);
@@ -245,7 +246,7 @@ fn what_does_not_move_is_one_key_and_what_is_at_rest_none() {
     assert_eq!(only.translation.as_ref().unwrap().values(), [Vec3::Y]);
     assert_eq!(reduced.clip.scalars()[0].1.values(), [0.5]);
     assert_eq!((reduced.error, reduced.at), (0.0, None));
-    // One value of each, and one time that they share.
+    // One value each, sharing a single key time.
     assert_eq!(reduced.clip.bytes(), 4 * (3 + 1 + 1));
 }
 
@@ -261,14 +262,14 @@ fn straight_movements_have_two_keys_and_curved_ones_few() {
     let reduced = Reduction::new(1e-3).reduce(&swing, &skeleton).unwrap();
     let track = rotation_of(&reduced.clip, 0).unwrap();
     assert!(track.curve() == Curve::Cubic && track.times().len() < 10, "{track:?}");
-    // A greater tolerance takes less.
+    // A larger tolerance needs fewer bytes.
     let rough = Reduction::new(1e-2).reduce(&swing, &skeleton).unwrap();
     assert!(rough.clip.bytes() < reduced.clip.bytes());
 }
 
 #[test]
 fn a_turn_counts_by_what_hangs_on_it() {
-    // 1.5 mm at the rod's ends, 0.5 mm at the tip of a third of its length.
+    // 1.5 mm at the ends of the rod, 0.5 mm at a tip bone of a third of its length.
     let wave = |_: usize| turning(|time| 7e-4 * (time * 9.0).sin());
     let skeleton = rod();
     let at_root = Reduction::new(1e-3).reduce(&Clip::new("c").with_rotation(0, wave(0)), &skeleton).unwrap();
@@ -316,7 +317,7 @@ fn pins_and_ends_have_the_very_values() {
         }
     }
     assert!(kept > 100, "{kept}");
-    // A golden pose in the middle of a hold: the value of the clip, not one near to it.
+    // A pinned pose during a hold keeps the clip's exact value, not a nearby one.
     let almost: Vec<Vec3> = frames(61).iter().map(|time| Vec3::Y + Vec3::X * 1e-4 * (time * 3.0).sin()).collect();
     let clip = Clip::new("c").with_translation(0, Track::linear(frames(61), almost.clone()).unwrap());
     let reduced = Reduction::new(1e-3).with_pins([0.5]).reduce(&clip, &rod()).unwrap();
@@ -371,7 +372,7 @@ fn tolerances_and_pins_that_are_none() {
     }
 }
 
-/// A turn counts by the child that it moves most, if that lies between the axes.
+/// A turn is measured at the child it moves most, even if that child lies between the axes.
 #[test]
 fn a_turn_is_measured_at_children_between_the_axes() {
     let child = Bone::new("child", Some(0)).with_rest(Transform::from_translation(Vec3::new(0.6, 0.8, 0.0)));
@@ -416,7 +417,7 @@ fn quaternions_of_either_sign_are_one_rotation() {
     assert!(rotation_of(&reduced.clip, 0).unwrap().times().len() < 10, "{reduced:?}");
 }
 
-/// Where quaternions pass near zero a cubic turns by half a circle within a thousandth of its interval.
+/// If the quaternions of a cubic pass near zero, it turns by half a circle within a thousandth of its interval.
 #[test]
 fn a_turn_between_the_points_that_are_judged_is_seen() {
     let key = |value: [f32; 4], tangent: [f32; 4]| {
@@ -445,12 +446,12 @@ fn cubic_keys_that_are_needed_stay() {
     let cubic = Track::hermite([0.0, 0.7, 2.0], &[key(0.0, 3.0), key(1.0, -2.0), key(0.2, 1.0)]).unwrap();
     let clip = Clip::new("c").with_translation(0, cubic);
     assert_eq!(Reduction::new(1e-4).reduce(&clip, &rod()).unwrap().clip, clip);
-    // Divided, it is put together again.
+    // A cubic split into pieces is merged again.
     let whole = Track::hermite([0.0, 2.0], &[key(0.0, 3.0), key(0.2, 1.0)]).unwrap();
     let divided: Vec<f32> = (0..=8_u8).map(|k| f32::from(k) / 4.0).collect();
     let at = |time: f32| {
         let (u, [d0, d1]) = (time / 2.0, [6.0, 2.0]);
-        // The derivative of the cubic from 0 to 0.2 with these tangents.
+        // Derivative of the Hermite cubic from 0 to 0.2 with these tangents.
         6.0 * u * (1.0 - u) * 0.2 + (1.0 - u) * (1.0 - 3.0 * u) * d0 + u * (3.0 * u - 2.0) * d1
     };
     let keys: Vec<_> = divided.iter().map(|time| key(whole.sample(*time).y, 0.5 * at(*time))).collect();

@@ -5,17 +5,17 @@ use crate::common::{Rng, angle_between};
 
 const LENGTH: f32 = 1.2;
 
-/// Every kind of track, none of which closes.
+/// Returns a clip with every kind of track, none of which closes.
 fn clip(rng: &mut Rng, case: usize) -> Clip {
     let inner = [0.0, 0.13, 0.4, 0.55, 0.9, LENGTH];
-    // Keys that do not reach the ends, too.
+    // In a third of the cases the keys do not reach the ends.
     let times: Vec<f32> = if case % 3 == 0 { inner[1..5].to_vec() } else { inner.to_vec() };
     let count = times.len();
     let start = rng.rotation();
     let mut turn = start;
     let turns: Vec<Quat> = (0..count)
         .map(|k| {
-            // Some go round by so much that the end is in the other hemisphere.
+            // Some rotate so far that the last quaternion is in the other hemisphere.
             let step = if case % 5 == 0 { Vec3::X + rng.vector(0.1) } else { rng.vector(0.4) };
             turn = Quat::from_scaled_axis(step) * turn;
             // Either quaternion of a rotation.
@@ -46,7 +46,7 @@ fn sample(clip: &Clip, time: f32) -> Sample {
     Sample(pose[0], scalar[0])
 }
 
-/// Differences of translation, rotation, scale and scalar.
+/// Returns the differences of translation, rotation, scale and scalar.
 fn apart(a: Sample, b: Sample) -> [f64; 4] {
     [
         f64::from(a.0.translation.distance(b.0.translation)),
@@ -56,12 +56,12 @@ fn apart(a: Sample, b: Sample) -> [f64; 4] {
     ]
 }
 
-/// One-sided velocities at the ends by differences of samples, quadratic in the step.
+/// Returns the one-sided velocities at both ends by finite differences of second order.
 fn velocities(clip: &Clip) -> [[DVec3; 4]; 2] {
     let h = 2e-3_f32;
     let velocity = |at: [f32; 3], sign: f64| {
         let [a, b, c] = at.map(|time| sample(clip, time));
-        // −3a + 4b − c over 2h.
+        // (−3a + 4b − c) / 2h.
         let of = |part: fn(&Sample) -> Vec3| {
             let [a, b, c] = [&a, &b, &c].map(|at| part(at).as_dvec3());
             (b * 4.0 - a * 3.0 - c) * (sign / (2.0 * f64::from(h)))
@@ -76,7 +76,7 @@ fn velocities(clip: &Clip) -> [[DVec3; 4]; 2] {
     [velocity([0.0, h, 2.0 * h], 1.0), velocity([LENGTH, LENGTH - h, LENGTH - 2.0 * h], -1.0)]
 }
 
-/// The seam that is told is that of the samples.
+/// The reported seam agrees with the one measured from samples.
 #[test]
 fn seams_are_measured() {
     let mut rng = Rng(1);
@@ -97,7 +97,8 @@ fn seams_are_measured() {
     }
 }
 
-/// After mending the ends meet, in place and in speed; the clip has moved by no more than it may, and not at all outside the window.
+/// After mending, the ends meet in position and, if asked for, in velocity. Inside the window the clip moves by no more
+/// than the bound, outside it not at all.
 #[test]
 fn seams_are_mended() {
     let mut rng = Rng(2);
@@ -159,7 +160,7 @@ fn seams_are_mended() {
     }
 }
 
-/// Breaks within a clip stay where they are, and what jumps there is the same on both sides.
+/// Jumps inside a clip are preserved: both sides of a jump keep their values.
 #[test]
 fn breaks_stay() {
     let times = [0.0, 0.6, 0.6, LENGTH];
@@ -175,12 +176,12 @@ fn breaks_stay() {
     assert!(apart(sample(&mended, 0.0), sample(&mended, LENGTH)).iter().all(|gap| *gap < 1e-5));
 }
 
-/// True if no more than two keys share a time.
+/// Returns `true` if the times are sorted and no more than two keys share a time.
 fn is_in_order(times: &[f32]) -> bool {
     times.windows(2).all(|pair| pair[0] <= pair[1]) && times.windows(3).all(|keys| keys[0] < keys[2])
 }
 
-/// Keys so close that rounding brings what is made of them to one time.
+/// Keys so close together that keys added between them would be rounded to the same time.
 #[test]
 fn crowded_keys() {
     let late = [3.9, 4.0, 4.0_f32.next_up(), 4.5];
@@ -212,7 +213,8 @@ fn crowded_keys() {
     }
 }
 
-/// Of two keys at an end those count that a loop shows: the later one at 0, the earlier one at the length.
+/// If two keys share an end time, the seam uses the one visible in a loop: the later key at 0, the earlier key at the
+/// end.
 #[test]
 fn seams_at_jumps() {
     let linear = |times: &[f32], values: &[f32]| Track::linear(times, values).unwrap();
@@ -225,7 +227,7 @@ fn seams_at_jumps() {
         (&[0.0, 1.0, 1.0], &[0.0, 5.0, 0.0], 1.0, 5.0),
         (&[0.0, 1.0, 1.0], &[0.0, 0.0, 5.0], 1.0, 0.0),
         (&[0.0, 0.0, 1.0, 1.0], &[7.0, 1.0, 3.0, 9.0], 1.0, 2.0),
-        // Before the length a jump has been seen.
+        // A jump before the end of the clip is played in full.
         (&[0.0, 1.0, 1.0], &[0.0, 5.0, 3.0], 2.0, 3.0),
         (&[1.0, 1.0], &[2.0, 5.0], 1.0, 0.0),
         (&[0.0, 0.0], &[2.0, 5.0], 0.0, 0.0),
@@ -243,7 +245,7 @@ fn seams_at_jumps() {
             assert!((at(0.5 * length) - track.sample(0.5 * length)).abs() < 1e-6, "{mended:?}");
         }
     }
-    // Rotations, and the speed on leaving and arriving.
+    // Rotations, with the velocities at both ends.
     let turns = [0.9, 0.1, 0.3, 0.8].map(Quat::from_rotation_x);
     let clip = Clip::new("").with_rotation(0, Track::linear([0.0, 0.0, 1.0, 1.0], turns).unwrap());
     let seam = clip.seam();
@@ -257,7 +259,7 @@ fn what_is_not_mended() {
         assert_eq!(clip.mended(Continuity::Speed, window), clip);
     }
     assert_eq!(Clip::new("").seam(), Clip::new("").mended(Continuity::Speed, 1.0).seam());
-    // What closes already is left as it is, as a cubic.
+    // A clip that already closes is unchanged, here a cubic.
     let round = Track::hermite([0.0, 1.0], &[HermiteKey { into: 1.0, value: 0.5, out: 1.0 }; 2]).unwrap();
     let round = Clip::new("").with_scalar(0, round);
     let mended = round.mended(Continuity::Speed, 0.5);
@@ -267,10 +269,10 @@ fn what_is_not_mended() {
     }
 }
 
-/// What would be too large over the interval before the last key is left alone, too.
+/// A velocity that would be too large over the interval before the last key is left alone, too.
 #[test]
 fn a_velocity_on_arriving_that_is_too_large_is_left_alone() {
-    // It leaves the first key at 10²⁵ a second, half of which the last one would arrive with, after 10¹⁶ seconds.
+    // It leaves the first key at 10²⁵ per second. The last key would arrive with half of that, after 10¹⁶ seconds.
     let track = Track::linear([0.0, 7e-28, 1.5e16], [0.0, 0.0088, 0.0]).unwrap();
     let clip = Clip::new("c").with_scalar(0, track);
     let mended = clip.mended(Continuity::Speed, 1.8e-19);

@@ -3,7 +3,7 @@ use aim_animation::{Bone, Skeleton, SkeletonError, Transform};
 
 use crate::common::Rng;
 
-/// A random forest, its bones shuffled.
+/// Returns a random forest with its bones in shuffled order.
 fn forest(rng: &mut Rng, len: usize) -> Vec<Bone> {
     let mut order: Vec<usize> = (0..len).collect();
     for i in (1..len).rev() {
@@ -33,7 +33,7 @@ fn any_order_of_parents() {
             let parent = skeleton.parents()[bone];
             assert_eq!(parent, given.parent.map(|parent| skeleton.bone_of(parent).unwrap()));
             assert!(parent.is_none_or(|parent| parent < bone));
-            // By the definition: those of whose ancestors the bone is one.
+            // By definition: all bones that have this one among their ancestors.
             let below = |&other: &usize| skeleton.ancestry(other).any(|at| at == bone);
             let subtree: Vec<usize> = (0..len).filter(below).collect();
             assert_eq!(skeleton.subtree(bone).collect::<Vec<_>>(), subtree);
@@ -41,7 +41,7 @@ fn any_order_of_parents() {
             assert_eq!(skeleton.children(bone).collect::<Vec<_>>(), children);
             assert_eq!(skeleton.names()[bone], given.name);
         }
-        // What is sorted stays as it is.
+        // Sorting a sorted skeleton changes nothing.
         let again = (0..len).map(|bone| {
             Bone::new(skeleton.name(bone).unwrap(), skeleton.parents()[bone]).with_rest(skeleton.rest()[bone])
         });
@@ -55,7 +55,7 @@ fn what_is_no_skeleton() {
     let bone = |parent| Bone::new("b", parent);
     assert_eq!(Skeleton::new([bone(None), bone(Some(2))]), Err(SkeletonError::Parent { bone: 1, parent: 2 }));
     assert_eq!(Skeleton::new([bone(Some(0))]), Err(SkeletonError::Cycle(0)));
-    // Bone 1 hangs on a cycle of 2 and 3, but is not part of it.
+    // Bone 1 hangs on the cycle of 2 and 3, but is not part of it.
     let cycle = Skeleton::new([bone(None), bone(Some(2)), bone(Some(3)), bone(Some(2))]);
     assert!(matches!(cycle, Err(SkeletonError::Cycle(2 | 3))), "{cycle:?}");
     let bad = [
@@ -78,7 +78,7 @@ fn names_that_repeat() {
     assert!(skeleton.subtree(3).is_empty() && skeleton.ancestry(3).next().is_none());
 }
 
-/// As deep as a linked list, without recursion.
+/// A skeleton as deep as a linked list needs no recursion.
 #[test]
 fn very_deep() {
     let len = 200_000;

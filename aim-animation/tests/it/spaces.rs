@@ -14,7 +14,7 @@ fn a_line_by_its_definition() {
         let at = rng.between(-7.0, 7.0);
         let mut weights = vec![9.0; count + 1];
         line.weights(at, &mut weights);
-        // Hat functions: 1 at a place, 0 at its neighbours, level beyond the ends.
+        // Hat functions: 1 at their own place, 0 at its neighbours, constant beyond the ends.
         for (k, place) in places.iter().map(|place| f64::from(*place)).enumerate() {
             let x = f64::from(at).clamp(f64::from(places[0]), f64::from(places[count - 1]));
             let toward = if x < place { k.checked_sub(1) } else { Some(k + 1).filter(|next| *next < count) };
@@ -44,7 +44,7 @@ fn cross(a: DVec2, b: DVec2) -> f64 {
     a.perp_dot(b)
 }
 
-/// The hull by gift wrapping, counterclockwise.
+/// Returns the convex hull by gift wrapping, counterclockwise.
 fn hull(points: &[DVec2]) -> Vec<DVec2> {
     let start = *points.iter().min_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))).unwrap();
     let mut hull = vec![start];
@@ -75,7 +75,7 @@ fn nearest_within(hull: &[DVec2], at: DVec2) -> DVec2 {
     on_edges.min_by(|p, q| p.distance(at).total_cmp(&q.distance(at))).unwrap()
 }
 
-/// Random points, and points of a grid, of which many lie on common lines and circles.
+/// Returns random points, or points of a grid, many of which are collinear or concyclic.
 fn points(rng: &mut Rng, case: usize) -> Vec<Vec2> {
     let count = 3 + rng.below(10);
     let mut points: Vec<Vec2> = Vec::new();
@@ -98,7 +98,7 @@ fn a_plane_by_what_defines_it() {
     let mut judged = 0;
     for case in 0..1500 {
         let points = points(&mut rng, case);
-        // Without negative zeros, which would be sorted apart.
+        // Without negative zeros, which would sort separately.
         let exact: Vec<DVec2> = points.iter().map(|point| point.as_dvec2() + DVec2::ZERO).collect();
         let Ok(plane) = BlendPlane::new(points.clone()) else {
             let mut products = exact.iter().flat_map(|p| exact.iter().map(move |q| (*p, *q)));
@@ -107,7 +107,7 @@ fn a_plane_by_what_defines_it() {
         };
         judged += 1;
         let hull = hull(&exact);
-        // The triangles cover the hull and nothing twice.
+        // The triangles cover the hull without overlaps.
         let area = |corners: &[usize; 3]| {
             let [a, b, c] = corners.map(|corner| exact[corner]);
             0.5 * cross(b - a, c - a)
@@ -116,7 +116,7 @@ fn a_plane_by_what_defines_it() {
         let covered: f64 = plane.triangles().iter().map(area).sum();
         let whole: f64 = (0..hull.len()).map(|k| 0.5 * cross(hull[k], hull[(k + 1) % hull.len()])).sum();
         assert!((covered - whole).abs() < 1e-9, "{points:?}: {covered} of {whole}");
-        // No point lies within the circle of a triangle.
+        // Delaunay condition: no point lies inside a triangle's circumcircle.
         for triangle in plane.triangles() {
             let [a, b, c] = triangle.map(|corner| exact[corner]);
             let (u, v) = (b - a, c - a);
@@ -133,7 +133,8 @@ fn a_plane_by_what_defines_it() {
             assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)), "{weights:?}");
             assert!(weights.iter().filter(|weight| **weight > 0.0).count() <= 3);
             assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6);
-            // Weights are exact for what is linear: they give the place back, or the nearest one of the hull.
+            // Weights are linearly exact: the weighted mean of the points is the query, or the nearest point of the
+            // hull.
             let place = exact.iter().zip(&weights).map(|(point, weight)| *point * f64::from(*weight)).sum::<DVec2>();
             let truth = nearest_within(&hull, at.as_dvec2());
             assert!(place.distance(truth) < 1e-5, "{points:?} at {at}: {place} {truth}");
@@ -146,7 +147,7 @@ fn a_plane_by_what_defines_it() {
     assert!(judged > 1000);
 }
 
-/// A small way changes weights by little, over edges and over the rim.
+/// A small step changes the weights by little, also across edges and the rim.
 #[test]
 fn a_plane_is_continuous() {
     let mut rng = Rng(3);

@@ -3,7 +3,7 @@ use aim_animation::{BezierKey, Clip, Cursor, Curve, HermiteKey, Track, TrackErro
 
 use crate::common::{Rng, angle_between};
 
-/// Times that increase, with unequal steps.
+/// Returns increasing times with unequal steps.
 fn times(rng: &mut Rng, count: usize) -> Vec<f32> {
     let mut time = rng.between(0.0, 0.5);
     let step = |_| {
@@ -13,7 +13,7 @@ fn times(rng: &mut Rng, count: usize) -> Vec<f32> {
     (0..count).map(step).collect()
 }
 
-/// The segment of a time, by a walk through all keys: the key before it and the part of the way to the next.
+/// Finds the segment of a time by linear search: the key before it, and the fraction of the interval to the next.
 fn segment(times: &[f32], time: f32) -> Option<(usize, f64)> {
     let k = (0..times.len() - 1).rfind(|&k| times[k] <= time && time < times[k + 1])?;
     let [from, to, at] = [times[k], times[k + 1], time].map(f64::from);
@@ -54,7 +54,7 @@ fn scalars_step_by_step_and_straight() {
     }
 }
 
-/// Great circles in f64, near keys and far apart.
+/// Rotations follow great circles in f64, for neighbouring keys near together and far apart.
 #[test]
 fn rotations_turn_at_constant_speed() {
     let mut rng = Rng(2);
@@ -72,7 +72,7 @@ fn rotations_turn_at_constant_speed() {
     }
 }
 
-/// A cubic through its own f64 Bernstein form; Hermite keys of the same curve give the same.
+/// A Bézier track equals its Bernstein form in f64, and so does a Hermite track of the same curve.
 #[test]
 fn bezier_and_hermite() {
     let mut rng = Rng(3);
@@ -103,13 +103,13 @@ fn bezier_and_hermite() {
             assert!(hermite.sample(time).as_dvec3().distance(truth) < 5e-6);
         }
     }
-    // A mirrored control point: the curve goes straight through at one speed.
+    // A mirrored control point: the curve passes straight through the key with one velocity.
     let key = BezierKey::mirrored(1.0_f32, 1.5);
     let track = Track::bezier([0.0, 1.0, 2.0], &[BezierKey { before: 0.0, value: 0.0, after: 0.0 }, key, key]).unwrap();
     assert_eq!((key.before, track.tangents()[1]), (0.5, [1.5, 1.5]));
 }
 
-/// The pyramid of Barry and Goldman in f64, with the times as knots.
+/// Barry–Goldman pyramid in f64, with the key times as knots.
 #[test]
 fn catmull_rom() {
     let mut rng = Rng(4);
@@ -133,12 +133,12 @@ fn catmull_rom() {
             assert_eq!(track.sample(*time), *value, "it passes its keys");
         }
     }
-    // A jump is kept, and nothing is smoothed across it.
+    // Two keys at one time are a jump, which is kept and not smoothed.
     let jump = Track::catmull_rom([0.0, 1.0, 1.0, 2.0], [0.0, 1.0, 5.0, 6.0]).unwrap();
     assert_eq!([0.5, 1.0, 1.5].map(|time| jump.sample(time)), [0.5, 5.0, 5.5]);
 }
 
-/// Rotations about one axis at even angles are passed at constant speed, whichever quaternions they are given by.
+/// Evenly spaced rotations about one axis are passed at constant speed, whichever of their two quaternions are given.
 #[test]
 fn cubic_rotations() {
     let rotations = [0.0, 0.2, 0.4, 0.6].map(Quat::from_rotation_y);
@@ -150,7 +150,7 @@ fn cubic_rotations() {
         assert!(angle_between(track.sample(time), truth) < 2e-4, "{time}");
         assert!((track.sample(time).length() - 1.0).abs() < 1e-6);
     }
-    // By components, as glTF has it, made unit at the end.
+    // Component-wise cubic, then normalised, as glTF defines it.
     let mut rng = Rng(5);
     for _ in 0..500 {
         let keys =
@@ -177,14 +177,14 @@ fn breaks() {
     assert_eq!([0.5, 0.75, 1.0, 1.5].map(|time| track.sample(time)), [0.5, 0.75, -3.0, -3.5]);
     let at_end = Track::step([0.0, 2.0, 2.0], [1.0, 2.0, 3.0]).unwrap();
     assert_eq!([1.9, 2.0, 2.1].map(|time| at_end.sample(time)), [1.0, 3.0, 3.0]);
-    // Where keys share a time no tangent plays a part, whatever it is.
+    // Between keys that share a time, tangents have no effect, whatever their values.
     let key = |into, value, out| HermiteKey { into, value, out };
     let keys = [key(1e38, 0.0, 1.0), key(1.0, 1.0, 1e38), key(1e38, 5.0, 0.0), key(0.0, 5.0, 1e38)];
     let track = Track::hermite([0.0, 1.0, 1.0, 2.0], &keys).unwrap();
     assert_eq!([0.0, 0.5, 1.0, 1.5].map(|time| track.sample(time)), [0.0, 0.5, 5.0, 5.0]);
 }
 
-/// Keys close together, which are interpolated by series: the same arc, to rounding.
+/// Keys close together are interpolated by a series: the same arc, up to rounding.
 #[test]
 fn rotations_close_together() {
     let mut rng = Rng(12);
@@ -194,7 +194,7 @@ fn rotations_close_together() {
         let end = Quat::from_axis_angle(axis, angle) * start;
         let track = Track::linear([0.0, 1.0], [start, if case % 2 == 0 { end } else { -end }]).unwrap();
         let part = rng.between(0.0, 1.0);
-        // The definition, between the keys as they are.
+        // The definition in f64, between the keys as rounded to f32.
         let [from, to] = [start, end].map(|key| key.as_dquat().normalize());
         let turn = (to * from.conjugate()).to_scaled_axis();
         let truth = DQuat::from_scaled_axis(turn * f64::from(part)) * from;
@@ -202,7 +202,8 @@ fn rotations_close_together() {
     }
 }
 
-/// Rotations that are not unit, with their tangents, are the same curve; tangents that are too large are told.
+/// Rotations that are not unit give the same curve if their tangents are scaled with them; tangents that become too
+/// large are reported.
 #[test]
 fn rotations_of_any_length() {
     let mut rng = Rng(11);
@@ -223,7 +224,7 @@ fn rotations_of_any_length() {
     assert_eq!(Track::constant(Quat::from_xyzw(1e38, 0.0, 0.0, 1.0)), Err(TrackError::Value(0)));
 }
 
-/// Any cursor, and any order of times, gives what a search gives.
+/// For any cursor and any order of times, sampling equals a fresh search.
 #[test]
 fn cursors_change_nothing() {
     let mut rng = Rng(6);
@@ -261,14 +262,14 @@ fn what_is_no_track() {
     let bezier = BezierKey { before: 0.0, value: 0.0, after: f32::NAN };
     assert_eq!(Track::bezier([0.0, 1.0], &[bezier, bezier]), Err(E::Tangent(0)));
     assert_eq!(Track::bezier([0.0], &[bezier, bezier]), Err(E::Lengths { times: 1, values: 2 }));
-    // Nearly unit is made unit; what plays no part is not looked at.
+    // Nearly unit rotations are normalised; unused tangents are not checked.
     let loose = Track::constant(Quat::from_xyzw(0.0, 3.0, 0.0, 4.0)).unwrap();
     assert!((loose.sample(0.0) - Quat::from_xyzw(0.0, 0.6, 0.0, 0.8)).length() < 1e-6);
     assert!(Track::bezier([0.0], &[bezier]).is_ok());
     assert!(E::Order(3).to_string().contains("key 3") && E::Value(4).to_string().contains("key 4"));
 }
 
-/// Resampled often enough it is the same; the last sample is at the end.
+/// A track resampled densely enough is the same, and its last sample is at the end.
 #[test]
 fn resampled() {
     let mut rng = Rng(7);
@@ -283,7 +284,7 @@ fn resampled() {
         assert!(angle_between(dense.sample(time), track.sample(time).as_dquat()) < 1e-4);
     }
     assert_eq!(track.resampled(10.0, 0.35).times(), [0.0, 0.0875, 0.175, 0.2625, 0.35]);
-    // A whole number of samples is no more.
+    // A whole number of samples gets no extra one.
     assert_eq!(track.resampled(4.0, 0.5).times(), [0.0, 0.25, 0.5]);
     for (rate, length) in [(0.0, 1.0), (f32::NAN, 1.0), (30.0, -1.0), (30.0, f32::INFINITY), (30.0, f32::NAN)] {
         assert_eq!(track.resampled(rate, length).times(), [0.0]);
@@ -291,7 +292,7 @@ fn resampled() {
     assert!(track.resampled(f32::INFINITY, 1.0).times().len() > 1_000_000);
 }
 
-/// A cubic of rotations has numbers that are not unit where it is cut; its samples are.
+/// A rotation cubic has values that are not unit where it is cut; its samples are unit.
 #[test]
 fn pieces_are_unit() {
     let turns = [0.0, 2.4, 0.3].map(Quat::from_rotation_x);
@@ -303,8 +304,8 @@ fn pieces_are_unit() {
     }
 }
 
-/// A piece is the same curve from its beginning on, reversed tracks are the same from behind.
-/// Made unit key by key, a cut curve would turn elsewhere between its keys: by degrees where it swings wide.
+/// `with_unit_keys` keeps the curve of a piece. Normalising each key alone would bend the curve between keys, by
+/// degrees on wide swings.
 #[test]
 fn unit_keys_keep_the_curve() {
     let mut rng = Rng(17);
@@ -318,7 +319,7 @@ fn unit_keys_keep_the_curve() {
         assert_eq!(track.with_unit_keys(), track);
         let (from, to) = (times[0] + 0.03, track.end_s() - 0.01);
         let piece = track.cut(from, to);
-        // Through the middle of a turn by half a circle a cubic is as good as zero, and turns as fast as it likes.
+        // Near half a turn between keys, a cubic passes near zero, where it may turn arbitrarily fast.
         if (0..1000_u16).any(|k| point(&track, from + f32::from(k) * 0.001 * (to - from)).length() < 0.3) {
             continue;
         }
@@ -332,11 +333,11 @@ fn unit_keys_keep_the_curve() {
         }
     }
     assert!(largest < 2e-5, "{largest}");
-    // As few as halving finds.
+    // Bisection adds as few keys as this.
     assert!(added <= 7_700, "{added} keys");
 }
 
-/// The point of a cubic before it is made unit, by the definition.
+/// Returns the point of a cubic before normalisation, by the definition.
 fn point(track: &Track<Quat>, time: f32) -> DQuat {
     let Some((k, u)) = segment(track.times(), time) else { return DQuat::IDENTITY };
     let interval = f64::from(track.times()[k + 1] - track.times()[k]);
@@ -369,7 +370,7 @@ fn cut_and_reversed() {
         let (back, turned_back) = (scalar.reversed(length), rotation.reversed(length));
         for _ in 0..40 {
             let time = rng.between(0.0, to - from);
-            // A step may come an ulp earlier or later.
+            // A step may be rounded one ulp earlier or later.
             let is_near_key = |time: f32| times.iter().any(|key| (key - time).abs() < 1e-5);
             if !is_near_key(from + time) {
                 assert!((piece.sample(time) - scalar.sample(from + time)).abs() < 2e-5, "case {case}");
@@ -387,12 +388,12 @@ fn cut_and_reversed() {
         let piece = track.cut(from, to);
         assert_eq!((piece.times(), piece.sample(3.0)), (&[0.0][..], value));
     }
-    // A jump that lies where the piece ends belongs to what comes after it.
+    // A jump exactly at the end of a piece belongs to what follows.
     let jump = Track::linear([0.0, 1.0, 1.0], [0.0, 1.0, 9.0]).unwrap();
     assert_eq!(jump.cut(0.0, 1.0).values(), [0.0, 1.0]);
 }
 
-/// A jump at a track's last key stays in a piece that ends later, and inner jumps stay jumps in every round.
+/// A jump at a track's last key is kept in a piece that ends later, and inner jumps remain in every repetition.
 #[test]
 fn final_jumps_are_kept() {
     let flat = |value| HermiteKey::smooth(value, 0.0);
@@ -411,7 +412,7 @@ fn final_jumps_are_kept() {
             let truth = track.sample(time);
             assert_eq!(at(&clip.cut(0.0, 2.0), time), truth, "{track:?} at {time}");
             assert!((at(&clip.cut(0.25, 1.75), time - 0.25) - truth).abs() < 1e-6 || time < 0.25 || time == 1.5);
-            // A later round begins a hair after the seam.
+            // The second repetition begins just after the seam.
             for start in [0.0, 2.0].into_iter().filter(|start| start + time != 2.0) {
                 assert!((at(&clip.repeated(4.0), start + time) - truth).abs() < 1e-6, "{track:?} at {start} + {time}");
             }
@@ -423,7 +424,7 @@ fn final_jumps_are_kept() {
     assert_eq!(jump.cut(0.0, f32::INFINITY), jump);
 }
 
-/// A piece whose velocity is larger than any number has none, and stays finite.
+/// If a velocity exceeds the range of f32, a piece is cut without it and stays finite.
 #[test]
 fn pieces_are_finite() {
     for interval in [1e-25_f32, 1e-20, 1e-40] {
@@ -440,7 +441,7 @@ fn pieces_are_finite() {
     }
 }
 
-/// A clip that is repeated is itself at every time modulo its length, however its tracks begin and end.
+/// A repeated clip equals the clip at each time modulo its length, however its tracks begin and end.
 #[test]
 fn a_repeated_clip_equals_itself_modulo_its_length() {
     let times = [0.25, 0.5, 1.0];
@@ -471,22 +472,22 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
             assert!((a.1[3] - b.1[3]).abs() < 1e-5, "{seconds} s at {t}");
         }
     }
-    // A seam is the end of its round, and the next one begins right after it.
+    // A seam shows the end of its round; the next round begins right after it.
     let long = clip.repeated(6.0);
     let at = |t: f32| long.scalars()[0].1.sample(t);
     assert_eq!((at(2.0), at(4.0), at(6.0)), (1.0, 1.0, 1.0));
     assert!(at(2.0_f32.next_up()) == 0.0 && at(4.0_f32.next_up()) == 0.0);
-    // No length to repeat, none asked for.
+    // An infinite request, or a clip without length, changes nothing.
     assert_eq!(clip.repeated(f32::INFINITY), clip);
     assert_eq!(Clip::new("still").repeated(3.0), Clip::new("still"));
     for seconds in [0.0, -1.0, f32::NAN] {
         assert_eq!(clip.repeated(seconds), clip);
     }
     assert_eq!(Clip::new("still").repeated(0.0), Clip::new("still"));
-    // What happens at the beginning of a round after the last one does not happen.
+    // An event at the beginning of a round does not fire after the last round.
     let first = Clip::new("c").with_length(2.0).with_event(0.0, "first").unwrap();
     assert_eq!(first.repeated(4.0).events().len(), 2);
-    // More rounds than memory has place for: 65 535, or 2²³ keys, two more a round than there are.
+    // The number of repetitions is limited: to 65 535, and to 2²³ keys with two extra keys per round.
     assert_eq!(first.repeated(1e30).length_s(), 2.0 * 65_535.0);
     let dense = |keys: u16| {
         let times: Vec<f32> = (0..keys).map(f32::from).collect();
@@ -496,7 +497,7 @@ fn a_repeated_clip_equals_itself_modulo_its_length() {
     assert_eq!(dense(32_767).repeated(1e30).length_s(), 32_766.0 * 255.0);
 }
 
-/// Cursors are the same where the same keys were found last.
+/// Cursors are equal if they last found the same keys.
 #[test]
 fn cursors_compare_by_their_keys() {
     let clip =

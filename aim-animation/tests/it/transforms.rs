@@ -18,7 +18,7 @@ fn composed_and_taken_apart() {
     }
 }
 
-/// A skewed map has the scale of its columns' lengths and the rotation of its polar decomposition.
+/// Decomposing a skewed map gives the lengths of its columns as scale and the rotation of its polar decomposition.
 #[test]
 fn skew_is_dropped_evenly() {
     let mut rng = Rng(2);
@@ -51,7 +51,7 @@ fn skew_is_kept_apart() {
         let parts = SkewedTransform::from_affine(&affine).unwrap();
         assert!(apart(&parts.to_affine(), &exact) < 1e-5, "case {case}: {parts:?}");
         assert_eq!(parts.transform.scale.x < 0.0, exact.matrix3.determinant() < 0.0);
-        // Leaning angles from the definition: how far y is from square to x.
+        // Skew by its definition: the tangent of the angle by which y deviates from perpendicular to x.
         let DMat3 { x_axis, y_axis, .. } = exact.matrix3;
         let lean = DVec3::dot(x_axis.normalize(), y_axis.normalize()).asin().tan();
         let xy = f64::from(parts.skew.xy) * f64::from(parts.transform.scale.x.signum());
@@ -92,7 +92,7 @@ fn rigid_motions() {
     }
 }
 
-/// A turned bone is its map times the rotation, whatever its scale mirrors.
+/// `Transform::turn` multiplies the map by the rotation from the right, even if the scale mirrors.
 #[test]
 fn turned_in_their_own_space() {
     let mut rng = Rng(5);

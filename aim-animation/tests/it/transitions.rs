@@ -3,7 +3,7 @@ use aim_animation::{Bone, Inertia, PoseError, Skeleton, Transform, Transition};
 
 use crate::common::{Rng, angle_between};
 
-/// A smooth movement, by random waves: a pose of one bone at any time.
+/// Smooth random animation of one bone, made of sine waves.
 struct Waves {
     place: [Vec3; 3],
     turn: [Vec3; 3],
@@ -30,15 +30,15 @@ fn skeleton() -> Skeleton {
     Skeleton::new([Bone::new("b", None)]).unwrap()
 }
 
-/// The speeds between two poses: of translation and scale, and of the turn.
+/// Returns the velocities between two poses: of translation, rotation and scale.
 fn speeds(a: &Transform, b: &Transform, dt: f64) -> [DVec3; 3] {
     let turn = b.rotation.as_dquat().normalize() * a.rotation.as_dquat().normalize().conjugate();
     let turn = if turn.w < 0.0 { -turn } else { turn };
     [(b.translation - a.translation).as_dvec3(), turn.to_scaled_axis(), (b.scale - a.scale).as_dvec3()].map(|v| v / dt)
 }
 
-/// Through a transition, one that interrupts it, and the end of that, places and speeds have no jump; before it is the old animation,
-/// after it the new one.
+/// Positions and velocities have no jump during a transition, one that interrupts it, and the end of that. Before, the
+/// pose is that of the old animation; after, that of the new one.
 #[test]
 fn places_and_speeds_are_continuous() {
     let mut rng = Rng(1);
@@ -66,7 +66,7 @@ fn places_and_speeds_are_continuous() {
         for (frame, three) in shown.windows(3).enumerate() {
             let [before, after] = [0, 1].map(|k| speeds(&three[k][0], &three[k + 1][0], dt));
             for (a, b) in before.iter().zip(after) {
-                // Speeds of some units a second, told to 3e-4 by the rounding of places; accelerations of up to 500.
+                // Speeds are a few units per second, with rounding errors of 3e-4; accelerations go up to 500.
                 assert!(a.distance(b) < 0.7, "case {case} frame {frame}: {a} {b}");
             }
         }
@@ -77,7 +77,7 @@ fn places_and_speeds_are_continuous() {
     }
 }
 
-/// The difference follows its definition: from value and velocity, without acceleration, to nothing at rest.
+/// The offset follows its definition: from a value and velocity without acceleration to rest at 0.
 #[test]
 fn the_difference_by_its_definition() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
@@ -95,12 +95,12 @@ fn the_difference_by_its_definition() {
         inertia.advance(elapsed);
         let mut pose = next;
         inertia.apply(&mut pose).unwrap();
-        // x(t) = x₀ + v₀t + c₃t³ + c₄t⁴ + c₅t⁵, of which value, velocity and acceleration vanish at the end: solved here by
+        // x(t) = x₀ + v₀t + c₃t³ + c₄t⁴ + c₅t⁵, whose value, velocity and acceleration are 0 at the end; solved here by
         // elimination.
         let (t, end) = (f64::from(elapsed), f64::from(length_s));
         let left = |value: DVec3, velocity: DVec3| {
             let (a, b, c) = (-(value + velocity * end), -velocity * end, DVec3::ZERO);
-            // c₃ + c₄ + c₅ = a, 3c₃ + 4c₄ + 5c₅ = b, 6c₃ + 12c₄ + 20c₅ = c, in units of the end.
+            // c₃ + c₄ + c₅ = a, 3c₃ + 4c₄ + 5c₅ = b, 6c₃ + 12c₄ + 20c₅ = c, with time in units of the duration.
             let c5 = (c - a * 6.0 - (b - a * 3.0) * 6.0) / 2.0;
             let c4 = b - a * 3.0 - c5 * 2.0;
             let c3 = a - c4 - c5;
@@ -125,7 +125,7 @@ fn the_difference_by_its_definition() {
     }
 }
 
-/// A difference of half a turn, whose rotation vector jumps from one side to the other, goes on the way it went.
+/// An offset that passes half a turn, where its rotation vector changes sides, keeps its direction.
 #[test]
 fn over_half_a_turn() {
     let skeleton = skeleton();
@@ -157,7 +157,7 @@ fn what_is_no_transition() {
         assert!(inertia.is_done() && found == next);
     }
     for dt in [0.0, -1.0, f32::NAN] {
-        // Moving, too: there is no velocity without a time.
+        // In motion, too: without a time step there is no velocity.
         let shown = [&next[..], &pose[..]];
         inertia.begin(&Transition { shown, next: [&next, &next], dt_s: dt, length_s: 1.0 }).unwrap();
         inertia.advance(0.25);
@@ -180,7 +180,7 @@ fn what_is_no_transition() {
     assert_eq!(inertia.begin(&transition), Err(length));
 }
 
-/// The pose of a transition between resting animations at a time, from the scales that were shown and the one that begins.
+/// Returns the pose at a time of a transition between animations at rest, from the scales shown to the next one.
 fn scale_at(shown: [Vec3; 2], next: Vec3, dt_s: f32, length_s: f32, time_s: f32) -> Transform {
     let scaled = |scale| [Transform { scale, ..Transform::IDENTITY }];
     let (shown, next) = (shown.map(scaled), scaled(next));
@@ -192,7 +192,8 @@ fn scale_at(shown: [Vec3; 2], next: Vec3, dt_s: f32, length_s: f32, time_s: f32)
     pose[0]
 }
 
-/// Momentum mirrors no bone: a scale keeps the sign that both animations have, and has no jump in place or speed.
+/// Momentum mirrors no bone: if both animations have a scale of the same sign, it keeps that sign, without a jump in
+/// value or speed.
 #[test]
 fn a_scale_keeps_its_sign() {
     for sign in [1.0, -1.0] {
@@ -204,16 +205,17 @@ fn a_scale_keeps_its_sign() {
         assert!(scales.iter().all(|scale| scale.min_element() > 0.0), "{:?}", scales[2000]);
         let speeds: Vec<Vec3> = scales.windows(2).map(|pair| (pair[1] - pair[0]) / h).collect();
         assert!((speeds[0].x + 5.0).abs() < 0.1 && speeds[9999].length() < 0.05, "{} {}", speeds[0], speeds[9999]);
-        // Accelerations of some thousands, where a scale turns away from 0; stopped at 0 its speed would jump by 4.
+        // Accelerations reach some thousands when a scale turns back before 0; stopping at 0 would change its speed by
+        // 4 at once.
         let jump = speeds.windows(2).map(|pair| pair[0].distance(pair[1])).fold(0.0_f32, f32::max);
         assert!(jump < 1.0, "the speed jumps by {jump}");
     }
-    // A bone that is to be mirrored goes through 0.
+    // A bone that is to be mirrored passes 0.
     let mirrored = [0.0, 1.0].map(|time| scale_at([Vec3::ONE; 2], -Vec3::ONE, 0.1, 1.0, time).scale);
     assert_eq!(mirrored, [Vec3::ONE, -Vec3::ONE]);
 }
 
-/// However long a transition is and however fast what was shown, the pose is finite.
+/// However long the transition and however fast the shown movement, the pose stays finite.
 #[test]
 fn a_long_transition_is_finite() {
     let skeleton = skeleton();

@@ -15,7 +15,7 @@ fn skeleton() -> Skeleton {
     Skeleton::new([bone(0, None), bone(1, Some(0)), bone(2, Some(1))]).unwrap()
 }
 
-/// Poses within half a turn of the rest pose, so that no sum of quaternions comes near zero.
+/// Returns poses within half a turn of the rest pose, so that no sum of quaternions comes near zero.
 fn poses(rng: &mut Rng, skeleton: &Skeleton) -> Vec<[Transform; BONES]> {
     let transform = |rng: &mut Rng, rest: &Transform| Transform {
         translation: rng.vector(1.0),
@@ -25,7 +25,7 @@ fn poses(rng: &mut Rng, skeleton: &Skeleton) -> Vec<[Transform; BONES]> {
     (0..6).map(|_| [0, 1, 2].map(|bone| transform(rng, &skeleton.rest()[bone]))).collect()
 }
 
-/// A pose by the definitions, in f64: translation, rotation, scale of each bone.
+/// Pose in f64: translation, rotation and scale of each bone.
 type Exact = [(DVec3, DQuat, DVec3); BONES];
 
 fn exact(pose: &[Transform]) -> Exact {
@@ -36,7 +36,7 @@ fn near(q: DQuat, like: DQuat) -> DQuat {
     if q.dot(like) < 0.0 { -q } else { q }
 }
 
-/// What is judged beside the pose: which sources have a weight, and the share of each in the root.
+/// Expected result of a node: its pose, and the share of each source in the root bone.
 struct Truth {
     pose: Exact,
     shares: [f64; 6],
@@ -47,7 +47,7 @@ struct Random<'a> {
     skeleton: &'a Skeleton,
     poses: &'a [[Transform; BONES]],
     inputs: &'a [f32],
-    /// The sources that have a weight, in the order of evaluation.
+    /// Sources with a weight, in the order of evaluation.
     asked: Vec<usize>,
     has_layers: bool,
 }
@@ -61,7 +61,7 @@ impl Random<'_> {
         (parameter, f64::from(if number.is_nan() { 0.0 } else { number.clamp(0.0, 1.0) }))
     }
 
-    /// A node and its definition. `counts` tells whether it has a weight.
+    /// Returns a random node and its expected result. `counts` is `true` if the node has a weight.
     fn node(&mut self, depth: usize, counts: bool) -> (Node, Truth) {
         let kind = if depth == 0 { 0 } else { self.rng.below(7) };
         match kind {
@@ -179,7 +179,8 @@ fn layered(a: &Exact, b: &Exact, reference: &Exact, weights: [f64; BONES]) -> Ex
     })
 }
 
-/// Any tree gives the pose of its definition in f64, asks only for what has a weight, and tells the shares in the root.
+/// Random trees give the pose of their definition in f64, evaluate only sources with a weight, and report their shares
+/// in the root bone.
 #[test]
 fn trees_by_their_definition() {
     let (mut rng, skeleton) = (Rng(1), skeleton());
@@ -211,7 +212,7 @@ fn trees_by_their_definition() {
             assert!(found.scale.as_dvec3().distance(*scale) < 2e-5, "case {case}: {tree:?}");
             assert!(angle_between(found.rotation, *rotation) < 1e-4, "case {case}: {tree:?}");
         }
-        // The same again, whatever the scratch holds.
+        // A second evaluation gives the same, whatever is left in the scratch memory.
         let first = pose;
         tree.evaluate(&inputs, &mut scratch, &mut pose, |source, pose| pose.copy_from_slice(&poses[source])).unwrap();
         assert_eq!(pose, first);
@@ -273,13 +274,13 @@ fn what_is_no_tree() {
     assert!(tree.shares(0, &[], &mut foreign, &mut []).is_err());
     let short = Err(PoseError::Length { bones: 3, found: 2 });
     assert_eq!(tree.evaluate(&[], &mut tree.scratch(), &mut pose[..2], |_, _| ()), short);
-    // Nothing at all is the rest pose.
+    // An empty tree gives the rest pose.
     let tree = Tree::new(&skeleton, Node::sum::<f32>([])).unwrap();
     tree.evaluate(&[], &mut tree.scratch(), &mut pose, |_, _| ()).unwrap();
     assert_eq!(pose, skeleton.rest());
 }
 
-/// A tree of any depth is refused, and can be copied, compared and dropped, on the stack of a test's thread.
+/// A tree that is too deep is rejected, but can still be cloned, compared and dropped on a test thread's stack.
 #[test]
 fn trees_of_any_depth_are_refused_and_dropped() {
     let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
@@ -293,7 +294,7 @@ fn trees_of_any_depth_are_refused_and_dropped() {
         let deep = (0..100_000).fold(source(0), |node, _| outer(node));
         assert_eq!(deep, deep.clone());
         assert_eq!(Tree::new(&skeleton, deep.clone()).unwrap_err(), TreeError::Deep);
-        // No mask makes another error of it.
+        // A mask does not change the error.
         assert_eq!(Tree::new(&skeleton, deep.with_mask(Mask::new(&skeleton, 1.0))).unwrap_err(), TreeError::Deep);
         let deepest = (1..64).fold(source(0), |node, _| outer(node));
         assert!(Tree::new(&skeleton, deepest.clone()).is_ok());

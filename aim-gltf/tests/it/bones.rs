@@ -1,11 +1,12 @@
-//! Bones that no file has.
+//! Documents built from bones alone, without a file.
 
 use aim_animation::glam::{Affine3A, DAffine3, Quat, Vec3};
 use aim_animation::{Bone, Skeleton, Transform};
 use aim_character::{Measurement, PAPER_AXES, Role, mannequin, propose};
 use aim_gltf::{Document, Error};
 
-/// What an engine knows of a character: its bones, and where they were when its mesh was bound; at rest it looks aside.
+/// Returns an engine's knowledge of a character: its bones, with the head turned aside at rest, and their transforms
+/// when its mesh was bound.
 fn known_of(document: &Document) -> (Skeleton, Vec<Option<Affine3A>>) {
     let of_file = document.skeleton();
     let neck = of_file.find("neck").unwrap();
@@ -42,7 +43,7 @@ fn the_same_axes_and_rig_as_of_the_file() {
     }
 }
 
-/// Bones that nobody bound a mesh to are measured where they rest, and clips are written for them.
+/// Bones without a bound mesh are measured in their rest pose, and clips are written for them.
 #[test]
 fn without_binds_in_any_order() {
     let at = |y| Transform::from_translation(Vec3::Y * y);

@@ -1,4 +1,4 @@
-//! Written files without what replaced clips alone used, judged by a reader of the tests' own.
+//! Compacted files drop the data that only replaced clips used. Checked with the tests' own reader.
 
 use crate::support::{put_together, take_apart};
 use aim_animation::glam::Quat;
@@ -11,7 +11,7 @@ fn index(value: &Value) -> usize {
     usize::try_from(value.as_u64().unwrap_or(0)).unwrap()
 }
 
-/// The elements of an accessor, one after the other, and what else it says.
+/// Returns an accessor's properties with its elements, tightly packed, in place of its buffer view.
 fn resolved_accessor(json: &Value, bin: &[u8], at: &Value) -> Value {
     let mut accessor = json["accessors"][index(at)].clone();
     let width = match accessor["type"].as_str().unwrap() {
@@ -42,7 +42,7 @@ fn resolved_accessor(json: &Value, bin: &[u8], at: &Value) -> Value {
     accessor
 }
 
-/// The document with what it refers to in the place of references, clips by name.
+/// Returns the document with references replaced by what they refer to, and clips by name.
 fn resolved(glb: &[u8]) -> Value {
     let (json, bin) = take_apart(glb);
     let accessor = |at: &mut Value| *at = resolved_accessor(&json, &bin, at);
@@ -77,7 +77,7 @@ fn resolved(glb: &[u8]) -> Value {
     all
 }
 
-/// A character with two clips, and an image of an odd length between the others' bytes.
+/// Returns a character with two clips, and with an image of odd length between other data.
 fn character() -> Vec<u8> {
     let glb = Mannequin::new().with_moves().glb(|_| aim_character::PAPER_AXES).unwrap();
     let (mut json, bin) = take_apart(&glb);
@@ -106,7 +106,7 @@ fn nod(document: &Document, name: &str) -> Clip {
     Clip::new(name).with_rotation(head, Track::linear([0.0, 1.0], turns).unwrap())
 }
 
-/// Replaces a clip, and checks that everything else is as it was; returns the new file.
+/// Replaces a clip and asserts that everything else is unchanged; returns the new file.
 fn check(glb: &[u8], name: &str) -> Vec<u8> {
     let document = Document::from_bytes(glb).unwrap();
     let new = document.with_clips_compacted(&[nod(&document, name)]).unwrap();
@@ -120,7 +120,7 @@ fn check(glb: &[u8], name: &str) -> Vec<u8> {
     let at = |document: &Document| document.clips().iter().position(|clip| clip.name() == name).unwrap();
     let [old, left] = [&document, &written].map(|document| document.clip_sizes()[at(document)].clone());
     assert_eq!(left.keys, 2 * 4 + 2 * 16);
-    // What shares its keys with other clips saves their text alone.
+    // If a clip shares its keys with others, replacing it saves only its JSON.
     let chunk = |glb: &[u8]| take_apart(glb).1.len();
     assert!(chunk(&new) <= chunk(glb) + left.keys, "{name}");
     assert!(old.text > left.text && new.len() < glb.len(), "{} bytes of {}", new.len(), glb.len());
@@ -137,7 +137,7 @@ fn what_replaced_clips_alone_used_is_gone_and_nothing_else() {
         check(&glb, clip.name());
         shrunk = check(&shrunk, clip.name());
     }
-    // Nothing that anything used is left of the old clips.
+    // No data remains that only the old clips used.
     let keys = |glb: &[u8]| Document::from_bytes(glb).unwrap().clip_sizes().iter().map(|size| size.keys).sum::<usize>();
     let chunk = |glb: &[u8]| take_apart(glb).1.len();
     assert!(chunk(&glb) - chunk(&shrunk) >= keys(&glb) / 2, "{} of {}", chunk(&shrunk), chunk(&glb));
@@ -153,7 +153,7 @@ fn what_replaced_clips_alone_used_is_gone_and_nothing_else() {
 #[test]
 fn what_shares_a_view_with_replaced_keys_stays_aligned() {
     let (mut json, bin) = take_apart(&character());
-    // One view over all of the chunk.
+    // A single buffer view over the whole chunk.
     let views = json["bufferViews"].clone();
     let accessors = json["accessors"].as_array_mut().unwrap();
     for accessor in

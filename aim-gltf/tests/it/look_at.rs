@@ -1,4 +1,4 @@
-//! The look-at settings of VRM files: how far their eyes turn.
+//! Look-at settings of VRM files: the ranges of their eyes.
 
 use aim_gltf::{Document, LookAt, LookAtKind, RangeMap};
 

@@ -6,7 +6,7 @@ use aim_character::{Measurement, PAPER_AXES, mannequin};
 use aim_gltf::{Document, Error};
 use serde_json::{Value, json};
 
-/// Uses everything a document offers, so that nothing malformed can hide behind a successful load.
+/// Uses all accessors of a document, so that malformed data cannot go unnoticed after a successful load.
 fn exercise(bytes: &[u8]) -> Result<(), Error> {
     let document = Document::from_bytes(bytes)?;
     let measured = Measurement::of(&document);
@@ -19,7 +19,7 @@ fn exercise(bytes: &[u8]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The mannequin's JSON changed, as a GLB again.
+/// Returns the mannequin as a GLB with its JSON changed.
 fn changed(change: impl FnOnce(&mut Value)) -> Vec<u8> {
     let (mut json, bin) = take_apart(&mannequin(|_| PAPER_AXES).unwrap());
     change(&mut json);
@@ -43,7 +43,7 @@ fn truncated_anywhere() {
     says(&glb[..0], &["empty"]);
     says(&glb[..10], &["12-byte header"]);
     says(&glb[..5000], &["promises", "5000"]);
-    // The header made to agree with the cut: now the chunk is too long.
+    // With the header's length matching the truncated file, the chunk is too long.
     for end in (12..glb.len()).step_by(997) {
         let mut cut = glb[..end].to_vec();
         cut[8..12].copy_from_slice(&u32::try_from(end).unwrap().to_le_bytes());
@@ -56,7 +56,7 @@ fn flipped_bytes_never_panic() {
     let glb = mannequin(|_| PAPER_AXES).unwrap();
     let (json, _) = take_apart(&glb);
     let text_end = serde_json::to_vec(&json).unwrap().len() + 20;
-    // A small fixed-seed generator; the errors differ, the promise does not.
+    // A small generator with a fixed seed. Errors may differ, but nothing may panic.
     let mut state = 0x2545_f491_u32;
     let mut next = move |limit: usize| {
         state ^= state << 13;
@@ -115,7 +115,7 @@ fn nodes_that_are_no_forest() {
     says(&changed(|j| j["nodes"] = json!({})), &["nodes", "array"]);
     says(&changed(|j| j["nodes"][2] = json!([1, 2])), &["nodes[2]", "object"]);
     says(&changed(|j| j["scenes"][0]["nodes"] = json!([77])), &["scenes[0]", "nodes[77]"]);
-    // A chain far deeper than any stack.
+    // A chain of nodes too deep for recursion.
     let nodes: Vec<Value> =
         (1..=50_000).map(|i| if i < 50_000 { json!({ "children": [i] }) } else { json!({}) }).collect();
     let deep = json!({ "asset": { "version": "2.0" }, "nodes": nodes });
@@ -181,7 +181,7 @@ fn clips_that_make_no_sense() {
         &["5 keys"],
     );
     says(&changed(|j| j["animations"][0]["channels"][0]["target"]["path"] = json!("rotation")), &["VEC4"]);
-    // Targets that are not ours are no error.
+    // Channels with unknown targets are not an error.
     exercise(&changed(|j| {
         j["animations"][0]["channels"][0]["target"] = json!({ "path": "pointer" });
     }))
@@ -214,7 +214,7 @@ fn transforms_that_grow_beyond_all_numbers() {
 
 #[test]
 fn small_files_do_not_grow_without_bound() {
-    // Zeros that no bytes stand for, named by thousands of channels.
+    // Huge accessors of zeros without a buffer view, used by thousands of channels.
     let many = |j: &mut Value| {
         let zeros = j["accessors"].as_array().unwrap().len();
         let accessor = |shape: &str| json!({ "componentType": 5126, "count": 5_000_000, "type": shape });
@@ -224,7 +224,7 @@ fn small_files_do_not_grow_without_bound() {
         j["animations"][0]["samplers"][0] = json!({ "input": zeros, "output": zeros + 1 });
     };
     says(&changed(many), &["would not fit into memory"]);
-    // The same mesh shown two hundred times is fine, and read once.
+    // A mesh that is used two hundred times is valid and read once.
     let crowd = |j: &mut Value| {
         let body = j["nodes"][25].clone();
         j["nodes"].as_array_mut().unwrap().extend(vec![body; 200]);

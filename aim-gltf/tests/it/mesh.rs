@@ -1,4 +1,4 @@
-//! A document's surface as one mesh on one skin: where it is drawn by definition, with all influences and morph targets.
+//! A document's surface as one mesh with one skin: drawn as glTF defines it, with all influences and morph targets.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use crate::support::{bytes_of, data_uri};
 
-/// The vertices in a pose, and the definition's in f64.
+/// Returns the vertices in a pose, as found and by the definition in f64.
 fn placed(document: &Document, pose: &[Transform]) -> (Vec<Vec3>, Vec<Vec3>) {
     let (surface, skeleton) = (document.surface(), document.skeleton());
     let (mesh, skin) = surface.mesh(skeleton);
@@ -34,7 +34,7 @@ fn matrices(document: &Document, skin: &Skin, pose: &[Transform]) -> Vec<Affine3
     matrices
 }
 
-/// Vertices and normals of a document's surface in a pose.
+/// Returns vertices and normals of a document's surface in a pose.
 pub(crate) fn drawn(document: &Document, pose: &[Transform]) -> (Vec<Vec3>, Vec<Vec3>) {
     let surface = document.surface();
     let (mesh, skin) = surface.mesh(document.skeleton());
@@ -46,7 +46,7 @@ pub(crate) fn drawn(document: &Document, pose: &[Transform]) -> (Vec<Vec3>, Vec<
     (positions, normals)
 }
 
-/// Fails unless every vertex is where it should be, to 1e-5 of the figure.
+/// Asserts that every vertex is at its expected position, to 1e-5 of the figure's size; returns their number.
 fn judge(document: &Document, pose: &[Transform]) -> usize {
     let (found, exact) = placed(document, pose);
     assert_eq!(found.len(), exact.len());
@@ -70,8 +70,8 @@ fn the_mannequin_walks() {
     assert!(skin.len() < 60 && (0..mesh.positions().len()).all(|vertex| !mesh.influences(vertex).is_empty()));
 }
 
-/// A triangle that a rigid node and a node on a skin of six joints show: node 2, with two sets of joints; two morph targets.
-/// Joint `k` is node `3 + k`, `k` m up.
+/// Returns a file with a triangle that has two sets of joints and two morph targets. A rigid node and a node with a
+/// skin of six joints (node 2) show it. Joint `k` is node `3 + k`, at a height of `k` m.
 fn file() -> Value {
     let mut accessors = Vec::new();
     let mut views = Vec::new();
@@ -123,7 +123,7 @@ fn all_sets_of_joints_and_all_morph_targets_are_read() {
     let weights: f32 = mesh.influences(4).iter().map(|influence| influence.weight).sum();
     assert!((weights - 1.0).abs() < 1e-6);
 
-    // The weights of the mesh, and of the node that has its own.
+    // Default weights of the mesh, and of the node that overrides them.
     let (rigid, skinned) = (document.skeleton().find("rigid").unwrap(), document.skeleton().find("skinned").unwrap());
     assert_eq!(surface.morph_weights(), [0.75, 0.0, 0.25, 0.5]);
     assert_eq!((surface.morph_targets(rigid), surface.morph_targets(skinned)), (0..2, 2..4));
@@ -132,7 +132,7 @@ fn all_sets_of_joints_and_all_morph_targets_are_read() {
 
     let rest = document.skeleton().rest();
     let found = deformed(&document, &mesh, &skin, (rest, surface.morph_weights()));
-    // Without inverse binds: Σ weight · height.
+    // Without inverse bind matrices: Σ weight · height.
     let height = 0.1 + 0.2 + 0.3 + 1.2 + 1.0;
     let expected = [
         Vec3::X * 5.0,
@@ -184,7 +184,7 @@ fn a_bone_with_two_inverse_binds_is_two_joints() {
     push(&mut json, "bufferViews", json!({ "buffer": 7, "byteLength": bytes.len() }));
     push(&mut json, "accessors", json!({ "bufferView": 7, "componentType": 5126, "count": 6, "type": "MAT4" }));
     push(&mut json, "skins", json!({ "joints": [3, 4, 5, 6, 7, 8], "inverseBindMatrices": 7 }));
-    // The palette knows the first four joints alone.
+    // The palette uses only the first four joints.
     let attributes = json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap();
     attributes.retain(|name, _| !name.ends_with("_1"));
     push(&mut json, "nodes", json!({ "mesh": 0, "skin": 1 }));
@@ -212,7 +212,7 @@ fn characters_stand_and_move_where_they_are_drawn() {
     assert!(judged > 0);
 }
 
-/// The documents below a folder.
+/// Returns all files below a folder.
 fn files(folder: &Path) -> Vec<std::path::PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap().flatten() {

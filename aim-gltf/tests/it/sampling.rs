@@ -1,4 +1,4 @@
-//! Sampling against values worked out by hand.
+//! Sampling, compared with values worked out by hand.
 
 use crate::support::{bytes_of, data_uri};
 use aim_animation::Transform;
@@ -6,7 +6,8 @@ use aim_animation::glam::{Quat, Vec3};
 use aim_gltf::Document;
 use serde_json::{Value, json};
 
-/// A document whose single node has one channel; `output` is an accessor without its buffer view, which is 1.
+/// Returns a document whose single node has one channel. `output` is an accessor without its `bufferView`, which is set
+/// to 1.
 fn one_channel(
     path: &str,
     interpolation: &str,
@@ -70,7 +71,7 @@ fn step_holds_and_linear_mixes() {
     close(sample(&step, 3.0).translation, [4.0, 8.0, -2.0]);
     let linear = floats("translation", "LINEAR", &[1.0, 3.0], &keys);
     close(sample(&linear, 1.5).translation, [1.0, 2.0, -0.5]);
-    // Clamped outside, and NaN does no harm.
+    // Clamped outside; NaN is harmless.
     close(sample(&linear, -5.0).translation, [0.0, 0.0, 0.0]);
     close(sample(&linear, 99.0).translation, [4.0, 8.0, -2.0]);
     close(sample(&linear, f32::NAN).translation, [0.0, 0.0, 0.0]);
@@ -96,7 +97,7 @@ fn rotations_take_the_shorter_arc_at_constant_speed() {
 
 #[test]
 fn cubic_splines_scale_their_tangents_by_the_interval() {
-    // From 1 to 3 over two seconds, leaving with slope 2, arriving with slope −1, along x.
+    // From 1 to 3 over two seconds along x, leaving with slope 2 and arriving with slope −1.
     let keys = [
         9.0, 9.0, 9.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, // in-tangent (unused), value, out-tangent
         -1.0, 0.0, 0.0, 3.0, 0.0, 0.0, 9.0, 9.0, 9.0,
@@ -139,7 +140,7 @@ fn normalised_integers_of_every_width() {
     check(5121, vec![180, 0, 0, 180], None);
     check(5122, [23170_i16, 0, 0, 23170].iter().flat_map(|v| v.to_le_bytes()).collect(), None);
     check(5123, [46340_u16, 0, 0, 46340].iter().flat_map(|v| v.to_le_bytes()).collect(), None);
-    // Signed integers reach −1 twice: −128 counts as −127.
+    // Both −128 and −127 decode to −1.
     let output = json!({ "componentType": 5120, "count": 1, "type": "VEC4", "normalized": true });
     let json = one_channel("rotation", "LINEAR", &[0.0], &[0x80, 0, 0, 0], output, None);
     same_turn(sample(&json, 0.0).rotation, Quat::from_xyzw(-1.0, 0.0, 0.0, 0.0));

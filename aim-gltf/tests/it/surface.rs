@@ -1,4 +1,4 @@
-//! What a file shows: its pictures and colours found, its normals kept or made, its shape posed.
+//! A file's surface: images and colours, normals read or computed, and its shape in a pose.
 
 use crate::mesh::drawn;
 use crate::support::{bytes_of, data_uri, put_together};
@@ -7,11 +7,11 @@ use aim_character::{Measurement, PAPER_AXES, Palette, Role, mannequin};
 use aim_gltf::{Alpha, Document, Surface, Wrap};
 use serde_json::{Value, json};
 
-/// Bytes that stand for a picture: nothing here decodes them.
+/// Placeholder for an encoded image; nothing here decodes it.
 const PICTURE: &[u8] = b"a picture";
 
-/// One triangle in the plane z = 0, seen from +z, with two sets of texture coordinates, colours of bytes, and a normal
-/// that leans towards +x; its picture is bufferViews[4].
+/// Returns one triangle in the plane z = 0, seen from +z, with two sets of texture coordinates, byte colours, and a
+/// normal that leans towards +x. Its image is `bufferViews[4]`.
 fn triangle() -> (Value, Vec<u8>) {
     let parts: [Vec<u8>; 5] = [
         bytes_of(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]),
@@ -50,14 +50,14 @@ fn triangle() -> (Value, Vec<u8>) {
     (json, bin)
 }
 
-/// The triangle after a change.
+/// Returns the document of the triangle with a change to its JSON.
 fn changed(change: impl FnOnce(&mut Value)) -> Document {
     let (mut json, bin) = triangle();
     change(&mut json);
     Document::from_bytes(&put_together(&json, &bin)).expect("what a surface needs is not looked at when loading")
 }
 
-/// Adds an element to one of the file's lists.
+/// Appends an element to one of the file's lists.
 fn push(json: &mut Value, list: &str, element: Value) {
     json[list].as_array_mut().unwrap().push(element);
 }
@@ -183,7 +183,7 @@ fn coordinates_and_colours_come_as_they_are_meant() {
         json["meshes"][0]["primitives"][0]["attributes"].as_object_mut().unwrap().remove("TEXCOORD_0");
     })
     .surface();
-    // Scaled, a quarter turned against the clock as it is seen, with v downwards, and moved.
+    // Scaled, rotated by a quarter turn counterclockwise as displayed (v points down), then offset.
     let expected = [Vec2::new(0.5, 0.25), Vec2::new(0.5, -1.75), Vec2::new(3.5, 0.25)];
     for (found, expected) in moved.texture_coordinates().iter().zip(expected) {
         assert!(found.abs_diff_eq(expected, 1e-6), "{found} is not {expected}");
@@ -203,7 +203,7 @@ fn outside_stays_outside_where_a_node_mirrors() {
             let (surface, positions, normals) = posed(&document);
             let [a, b, c] = surface.triangles()[0].vertices.map(|vertex| positions[vertex]);
             let face = (b - a).cross(c - a).normalize();
-            // Mesh space's +z, as the node turns it.
+            // +Z of mesh space, as the node transforms it.
             let outwards = Vec3::Z * scale[2].signum();
             assert!(face.abs_diff_eq(outwards, 1e-6), "{scale:?}: {face}");
             assert!(normals.iter().all(|normal| normal.dot(face) > 0.3), "{scale:?}, {has_normals}: {normals:?}");

@@ -1,4 +1,4 @@
-//! Writing: what was there stays, what is new reads back, files appear whole.
+//! Writing files: existing content is kept, new content reads back, and files are written atomically.
 
 use std::fs;
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ fn nod(node: usize) -> Clip {
     Clip::new("nod").with_rotation(node, Track::linear([0.0, 0.4, 1.0], turns).unwrap())
 }
 
-/// A folder of its own for one test, removed at the end.
+/// Temporary folder for one test, removed at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -55,7 +55,7 @@ fn a_written_clip_reads_back_the_same() {
     }
 }
 
-/// Keys of a cut cubic are not unit, and in a file they have to be: the curve between them is to stay.
+/// A cut cubic has keys that are not unit, but a file requires unit keys. The curve between them must stay the same.
 #[test]
 fn a_cut_rotation_turns_as_before() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
@@ -94,7 +94,7 @@ fn old_bytes_and_unknown_members_survive_in_place() {
     json["extensionsUsed"] = json!(["VENDOR_x"]);
     json["extensions"] = json!({ "VENDOR_x": { "keep": "this", "b": null } });
     json["nodes"][3]["extras"] = json!({ "note": "kept" });
-    // Bytes that nothing refers to stay as well.
+    // Unreferenced bytes are kept as well.
     bin.extend_from_slice(b"unreferenced");
     json["buffers"][0]["byteLength"] = bin.len().into();
     let document = Document::from_bytes(&put_together(&json, &bin)).unwrap();
@@ -149,7 +149,7 @@ fn external_parts_move_into_the_file() {
     assert!(new_json["images"][0]["uri"].as_str().unwrap().starts_with("data:image/png;base64,"));
     assert_eq!(new_json["images"][1]["uri"], "missing.png");
     assert_eq!(new_json["images"][2]["uri"], "secret.png");
-    // Now it needs no folder any more.
+    // The written file no longer depends on the folder.
     let written = Document::from_bytes(&glb).unwrap();
     assert_eq!(written.clips()[0], document.clips()[0]);
     assert!(matches!(Document::from_bytes(&fs::read(&path).unwrap()), Err(Error::NoData { .. })));
@@ -182,7 +182,7 @@ fn clips_that_do_not_fit_are_refused() {
     refused(Clip::new("bad").with_scalar(0, Track::constant(1.0).unwrap()));
 }
 
-/// glTF knows no two keys at one time, tracks do: a jump is as steep as it can be.
+/// glTF allows only one key per time, tracks allow two: a jump is written as steeply as possible.
 #[test]
 fn what_jumps_is_written_with_increasing_times() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
@@ -203,7 +203,7 @@ fn what_jumps_is_written_with_increasing_times() {
     }
 }
 
-/// Tracks have the second value at a jump, and a file as read has it, too, a clip's last one and its first included.
+/// At a jump, a track read back has the second value at that time, as before, also at the first and last key.
 #[test]
 fn a_jump_is_at_its_time() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
@@ -220,7 +220,7 @@ fn a_jump_is_at_its_time() {
     }
 }
 
-/// A node that shows a triangle with as many morph targets.
+/// Returns a node that shows a triangle with one morph target per weight.
 fn face(weights: &[f32]) -> Document {
     let positions = json!({ "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [0, 0, 0] });
     let targets: Vec<Value> = weights.iter().map(|_| json!({ "POSITION": 0 })).collect();
@@ -233,7 +233,7 @@ fn face(weights: &[f32]) -> Document {
     Document::from_bytes(&serde_json::to_vec(&json).unwrap()).unwrap()
 }
 
-/// A cubic through these keys: time, velocity on arriving, value, velocity on leaving.
+/// Returns a cubic through keys given as time, incoming velocity, value, outgoing velocity.
 fn cubic(keys: &[[f32; 4]]) -> Track<f32> {
     let times: Vec<f32> = keys.iter().map(|key| key[0]).collect();
     let keys: Vec<HermiteKey<f32>> =
@@ -241,11 +241,11 @@ fn cubic(keys: &[[f32; 4]]) -> Track<f32> {
     Track::hermite(times, &keys).unwrap()
 }
 
-/// A track of each weight of a mesh, or none.
+/// A track for each weight of a mesh, or `None`.
 type Weights<'a> = &'a [Option<Track<f32>>];
 
-/// The mesh's weights as written: how they are interpolated, their numbers a key time, and how far any weight is off where it is
-/// sampled, just before each of its keys and at it included.
+/// Writes a clip of the mesh's weights. Returns the interpolation, the number of key times, and the largest error of
+/// any weight, sampled densely and at, just before and just after each key.
 fn written_weights(at_rest: &[f32], tracks: Weights<'_>) -> (String, usize, f32) {
     let document = face(at_rest);
     let mut clip = Clip::new("face");
@@ -276,7 +276,7 @@ fn written_weights(at_rest: &[f32], tracks: Weights<'_>) -> (String, usize, f32)
     (sampler["interpolation"].as_str().unwrap().to_owned(), count, off)
 }
 
-/// glTF has one sampler for all weights of a mesh, tracks have their own keys and curves.
+/// glTF has one sampler for all weights of a mesh, while each track has its own keys and curve.
 #[test]
 fn weights_of_different_tracks_stay_the_curves_that_they_are() {
     let step = |times: &[f32], values: &[f32]| Some(Track::step(times, values).unwrap());

@@ -1,5 +1,5 @@
-//! A joint alone, as an eye: the nearest gaze there is within range and rate, by an independent search, and never worse
-//! than what the solver of whole chains makes of the same frame.
+//! A rig of one joint, such as an eye: the gaze is the nearest one within range and rate, found by an independent
+//! search, and never worse than that of the whole-chain solver.
 
 #![allow(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
 
@@ -7,24 +7,26 @@ use crate::common::*;
 use aim_runtime::glam::{Affine3A, Mat3, Quat, Vec3};
 use aim_runtime::{Behind, Joint, JointInfo, LimitsFrom, Pose, Settings, Solver, Status};
 
-/// The same rig as one that is solved as a whole chain: without a bind pose its ranges are those of the animation.
+/// Returns the rig in a form that is solved as a whole chain: with ranges relative to the bind pose. Without a bind
+/// pose these are relative to the animation, so the ranges are the same.
 pub(crate) fn as_a_chain(rig: &NumericRig) -> NumericRig {
     let mut whole = rig.clone();
     whole.infos[0] = whole.infos[0].with_limits_from(LimitsFrom::BindPose);
     whole
 }
 
-/// The angle between a target, along forward, left and up, and the gaze at this heading and pitch.
+/// Returns the angle between a target, given along forward, left and up, and the gaze at this heading and pitch,
+/// radians.
 fn off(target: [f64; 3], heading: f64, pitch: f64) -> f64 {
     let gaze = [pitch.cos() * heading.cos(), pitch.cos() * heading.sin(), pitch.sin()];
     let [x, y, z] = target;
     let along = gaze[0] * x + gaze[1] * y + gaze[2] * z;
-    // Of unit vectors: exact near 0 too.
+    // Chord between unit vectors: accurate for small angles, too.
     let apart = [gaze[0] - x, gaze[1] - y, gaze[2] - z].map(|x| x * x).iter().sum::<f64>().sqrt();
     if along > 0.0 { 2.0 * (0.5 * apart).asin() } else { along.acos() }
 }
 
-/// The least such angle within bounds: a grid, narrowed again and again about its best point.
+/// Returns the smallest such angle within bounds, by a grid that is repeatedly narrowed around its best point.
 fn least_off(target: [f64; 3], headings: [f64; 2], pitches: [f64; 2]) -> f64 {
     const STEPS: i32 = 10;
     let (mut best, mut at) = (f64::INFINITY, [headings, pitches].map(|[lo, hi]| 0.5 * (lo + hi)));
@@ -66,14 +68,14 @@ fn the_nearest_gaze_within_range_and_rate() {
         let place = rng.direction() * scale;
         let pose = Pose::new(vec![Affine3A::from_mat3_translation(linear, place)]);
         for frame in 0..12 {
-            // In front, some of it far out of range.
+            // In front, some far out of range.
             let (azimuth, elevation) = (rng.between(-1.3, 1.3), rng.between(-1.0, 1.0));
             let local = [azimuth.cos() * elevation.cos(), azimuth.sin() * elevation.cos(), elevation.sin()];
             let [forward, left_axis, up_axis] = [axes.forward, axes.left, axes.up].map(Vec3::from);
             let direction = forward * local[0] + left_axis * local[1] + up_axis * local[2];
             let target = place + linear * direction * rng.between(0.3, 5.0);
             let local = local.map(f64::from);
-            // Nothing is remembered of frames that were none of these.
+            // Keep only the angles, so that the state holds nothing from earlier targets.
             let before = Joint::from_angles(rig.joints[0].heading(), rig.joints[0].pitch());
             rig.joints[0] = before;
             let step = rate / 60.0;
@@ -98,7 +100,7 @@ fn the_nearest_gaze_within_range_and_rate() {
                 continue;
             }
             let best = least_off(local, headings, pitches);
-            // Axes square only by f32's measure are solved as whole chains are, by linear steps.
+            // General axes are orthogonal only to f32 precision, so they are solved like whole chains, by linear steps.
             let cardinal = axes.forward.into_iter().chain(axes.up).all(|x| x == x.round());
             let exact = if cardinal { 1e-5 } else { 2e-2 };
             assert!(remaining < best + exact, "{what}: {remaining} for {best}");
@@ -120,7 +122,7 @@ fn the_nearest_gaze_within_range_and_rate() {
     assert!(reached.min(limited).min(hurried) > 50, "{reached}, {limited}, {hurried}");
 }
 
-/// What stands still is looked at without a stir, and a rate is no way out of a range.
+/// A static target is looked at without any movement, and a rate is no way out of a range.
 #[test]
 fn a_target_that_stands_still() {
     let mut rig = NumericRig::new(vec![NumericRig::thug().infos[0]]);
@@ -134,7 +136,7 @@ fn a_target_that_stands_still() {
         let angles = |joints: &[Joint]| (joints[0].heading(), joints[0].pitch());
         assert_eq!(angles(&rig.joints.clone()), angles(&before));
     }
-    // Outside its range: back at its rate.
+    // Outside its range the joint returns at its rate.
     rig.joints[0] = Joint::from_angles(1.5, 0.0);
     let outcome = rig.aim(&pose, Vec3::Y, 1.0 / 60.0);
     let heading = rig.joints[0].heading();
@@ -144,7 +146,7 @@ fn a_target_that_stands_still() {
     );
 }
 
-/// A state that is stored and put back goes on as if it had not been.
+/// Storing and restoring the state does not change what follows.
 #[test]
 fn a_state_put_back_at_the_ends_of_its_range() {
     let mut rig = NumericRig::new(vec![NumericRig::thug().infos[0]]);

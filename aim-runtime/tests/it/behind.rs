@@ -1,4 +1,4 @@
-//! What becomes of a target behind: each policy, its edges, and the turn to the other side.
+//! Targets behind: each policy, its boundaries, and the turn to the other side.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
@@ -7,12 +7,12 @@ use aim_runtime::{Behind, Joint, Outcome, Pose, Role, Settings, Solver, Status};
 
 const POLICIES: [Behind; 4] = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release];
 
-/// A target so many degrees to the left of straight ahead, at the eyes' height.
+/// Returns a target this many degrees to the left of straight ahead, at eye height.
 fn at(heading_deg: f32) -> Vec3 {
     Vec3::new(-0.03, 1.68, -0.1) + Quat::from_rotation_y(heading_deg * DEG) * WORLD[0] * 3.0
 }
 
-/// One frame; no angle exceeds its rate or its range.
+/// Runs one frame and asserts that no angle exceeds its rate or its range.
 fn aim(rig: &mut NumericRig, target: Vec3, policy: Behind) -> Outcome {
     let before = rig.joints.clone();
     let pose = Pose::new(upright(rig));
@@ -32,7 +32,7 @@ fn angles(rig: &NumericRig) -> Vec<(f32, f32)> {
     rig.joints.iter().map(|joint| (joint.heading(), joint.pitch())).collect()
 }
 
-/// A thug that has looked at a target going from ahead to so far.
+/// Returns a thug after following a target from straight ahead to this heading, degrees.
 fn following(policy: Behind, to_deg: f32) -> NumericRig {
     let mut rig = NumericRig::thug();
     let frames = 120;
@@ -54,7 +54,7 @@ fn hold_stays_as_it_is() {
             assert_eq!(aim(&mut rig, at(side * heading), Behind::Hold).status, Status::Behind);
             assert_eq!(angles(&rig), held, "{heading}");
         }
-        // Out on the other side, 10° further than it came in, it is picked up there.
+        // On the other side the target counts as behind until 10° past the boundary; then it is followed there.
         assert_eq!(aim(&mut rig, at(side * 221.0), Behind::Hold).status, Status::AtLimit);
         for _ in 0..120 {
             aim(&mut rig, at(side * 235.0), Behind::Hold);
@@ -63,7 +63,7 @@ fn hold_stays_as_it_is() {
     }
 }
 
-/// What holds still goes back into a range that moved.
+/// `Behind::Hold` does not keep joints outside a range that has changed.
 #[test]
 fn hold_recovers() {
     let mut rig = following(Behind::Hold, 149.0);
@@ -88,14 +88,14 @@ fn release_returns_to_the_animation() {
         assert_eq!(aim(&mut rig, at(160.0), Behind::Release).status, Status::Behind);
     }
     assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY));
-    // Still behind until 10° further out than it came in.
+    // Still behind until it is 10° in front of the boundary.
     assert_eq!(aim(&mut rig, at(141.0), Behind::Release).status, Status::Behind);
     assert_eq!(angles(&rig), [(0.0, 0.0); 3]);
     assert_eq!(aim(&mut rig, at(139.0), Behind::Release).status, Status::AtLimit);
     assert!(rig.joints[1].heading() > 0.0);
 }
 
-/// A target that trembles at the edge switches no policy on and off.
+/// A target that trembles at the boundary does not switch the policy on and off.
 #[test]
 fn the_edge_has_hysteresis() {
     for policy in [Behind::Clip, Behind::Hold, Behind::Release] {
@@ -108,8 +108,8 @@ fn the_edge_has_hysteresis() {
     }
 }
 
-/// Without a policy the status is that of any target out of reach, and the joints stay on their side while the target
-/// trembles behind.
+/// Without a policy the target counts as merely out of reach, and the joints stay on their side while it trembles
+/// behind.
 #[test]
 fn off_has_no_policy() {
     let mut rig = following(Behind::Off, 170.0);
@@ -122,7 +122,7 @@ fn off_has_no_policy() {
     }
 }
 
-/// Round and round, both ways: picked up on the other side, whatever the policy, without a jump.
+/// Orbits in both directions: under every policy the target is followed on the other side, without a jump.
 #[test]
 fn orbits_are_picked_up_on_the_other_side() {
     for policy in POLICIES {
@@ -134,14 +134,14 @@ fn orbits_are_picked_up_on_the_other_side() {
                 let outcome = aim(&mut rig, at(turn * 360.0 * (frame % frames) as f32 / frames as f32), policy);
                 reached += usize::from(outcome.status == Status::Reached);
             }
-            // Within ±115° of ahead, less what the turn round takes.
+            // Reached within ±115° of straight ahead, except while turning to the other side.
             let within = 2 * frames * 230 / 360;
             assert!(reached > within - 2 * 60, "{policy:?}: {reached} of {within}");
         }
     }
 }
 
-/// A snap obeys the policy at once and forgets that the target was behind.
+/// A snap applies the policy immediately and forgets that the target was behind.
 #[test]
 fn snap() {
     let snap = |rig: &mut NumericRig, heading: f32, policy: Behind| {
@@ -162,7 +162,7 @@ fn snap() {
     assert_eq!(snap(&mut rig, 180.0, Behind::Off), Status::AtLimit);
 }
 
-/// A rig that can look behind has no behind.
+/// For a rig that can look everywhere, no target is behind.
 #[test]
 fn within_reach_nothing_is_behind() {
     for policy in POLICIES {
@@ -176,7 +176,7 @@ fn within_reach_nothing_is_behind() {
     }
 }
 
-/// The joints that arrive first on the other side stay there while the others come: no pitch goes to and fro.
+/// Joints that arrive first on the other side wait there for the others: no pitch oscillates.
 #[test]
 fn turning_round_does_not_chatter() {
     let (mut reversals, mut turns) = (0, 0);
@@ -186,7 +186,7 @@ fn turning_round_does_not_chatter() {
         let mut angles: [Vec<[f32; 2]>; 3] = Default::default();
         for frame in 0..600 {
             let t = frame as f32 / 60.0;
-            // It breathes and sways, as animations do.
+            // The body breathes and sways, as in animations.
             let sway = Quat::from_rotation_x(0.03 * (2.0 * t).sin()) * Quat::from_rotation_y(0.04 * (1.3 * t).cos());
             let pose: Vec<Affine3A> = upright(&rig).iter().map(|bone| Affine3A::from_quat(sway) * *bone).collect();
             let target = at(turn * 360.0 * t / seconds) + Vec3::Y * height;
@@ -207,7 +207,7 @@ fn turning_round_does_not_chatter() {
     assert!(reversals <= 8, "{reversals} reversals");
 }
 
-/// A thug of an eye, a neck and a chest.
+/// Returns a thug with the roles eye, neck and chest.
 fn with_roles() -> NumericRig {
     let mut rig = NumericRig::thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Eye, Role::Neck, Role::Chest]) {
@@ -216,14 +216,14 @@ fn with_roles() -> NumericRig {
     rig
 }
 
-/// Where the first joint of a thug looks: heading and elevation, degrees, to the left of straight ahead and up.
+/// Returns heading (to the left) and elevation of the first joint's gaze, degrees from straight ahead.
 fn gaze(rig: &NumericRig) -> [f32; 2] {
     let [x, y, z] = gaze64(rig, &upright(rig), 0).1.map(|x| x as f32);
     [(-x).atan2(-z) / DEG, y.asin() / DEG]
 }
 
-/// A target behind is seen on the plane in front, 80° to the side at most and at its own height, by either solver; one in front
-/// of the plane where it is.
+/// With `Behind::Plane`, a target behind is projected onto a plane in front, at most 80° to the side and at its own
+/// height. A target in front of the plane is not changed. Holds for both solvers.
 #[test]
 fn a_plane_in_front_clips_the_target() {
     for solver in [Solver::Exact, Solver::Natural] {
@@ -250,7 +250,8 @@ fn a_plane_in_front_clips_the_target() {
     }
 }
 
-/// Round and round, both ways and by either solver: back through the front, without a jump, slower than rates would allow.
+/// Orbits in both directions, with both solvers: the gaze returns through the front without a jump, more slowly than
+/// its rates allow.
 #[test]
 fn a_plane_in_front_is_continuous() {
     for solver in [Solver::Exact, Solver::Natural] {
@@ -268,7 +269,7 @@ fn a_plane_in_front_is_continuous() {
                 assert!(now[1].abs() < 3.0, "{solver:?}, frame {frame}: level, not {now:?}");
                 last = now;
             }
-            // At the back the plane's target goes tan 80° times as fast as the target itself: 1.4° a frame.
+            // At the back, the projected target moves tan 80° times as fast as the target itself: 1.4° per frame.
             assert!(fastest < 2.0 && (75.0..83.0).contains(&widest), "{solver:?}: {fastest}° a frame, {widest}°");
         }
     }

@@ -1,5 +1,5 @@
-//! Whatever the character, the pose, the targets and the time steps: the parts of the body keep to their budgets, and the status
-//! of a natural gaze says whether heading and elevation fit them. Judged in f64 from the poses and the angles alone.
+//! For any character, pose, targets and time steps, head and chest keep to their budgets, and the status of a natural
+//! gaze says whether heading and elevation fit them. Judged in f64 from poses and angles alone.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use core::ops::RangeInclusive;
@@ -8,18 +8,18 @@ use crate::common::*;
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::{Behind, Budget, Budgets, JointInfo, Pose, Role, Settings, Status};
 
-/// Characters, of which each makes so many frames: 10⁵ frames, in full 10⁶.
+/// Number of characters. Each runs [`FRAMES`] frames: 10⁵ frames in all, 10⁶ in full test runs.
 const CHARACTERS: usize = 250;
 const FRAMES: usize = 400;
 
-/// What sums of angles are rounded to, radians.
+/// Rounding error of sums of angles, radians.
 const ROUNDING: f64 = 2e-5;
 
-/// A character of chest and neck bones with or without an eye, in a pose that an animation may have.
+/// Character of chest and neck bones, with or without an eye, in a random pose.
 struct Character {
     rig: NumericRig,
     pose: Vec<Affine3A>,
-    /// The joints of head and chest, from the outermost inward.
+    /// Joint indices of head and chest, outermost first.
     parts: [RangeInclusive<usize>; 2],
     has_eye: bool,
 }
@@ -45,7 +45,7 @@ impl Character {
         add(chests, Role::Chest, 25.0);
         let mut rig = NumericRig::new(infos);
         rig.budgets = [Budgets::HUMAN, Budgets::QUADRUPED, Budgets::BIRD, Budgets::TOON][rng.below(4)];
-        // A turn of the whole body, and on top of it what each bone does.
+        // A rotation of the whole body, and on top of it one for each bone.
         let turn = Quat::from_rotation_y(rng.between(-3.0, 3.0));
         let count = rig.infos.len();
         let height = |index: usize| 1.7 - 0.6 * index as f32 / count as f32;
@@ -66,7 +66,7 @@ impl Character {
         [self.rig.budgets.head, self.rig.budgets.chest][part]
     }
 
-    /// Heading and elevation about +Y of a joint's animated forward, from the front of the innermost one.
+    /// Returns heading and elevation of a joint's animated forward about +Y, relative to the innermost joint's front.
     fn bearing(&self, joint: usize) -> [f64; 2] {
         let mut still = NumericRig::new(self.rig.infos.clone());
         still.effector = self.rig.effector;
@@ -74,7 +74,7 @@ impl Character {
         bearing_from(front, gaze64(&still, &self.pose, joint).1)
     }
 
-    /// What ranges and budget leave of a part's turn in this pose: heading, then pitch.
+    /// Returns the range of a part's total correction in this pose, from ranges and budget: heading, then pitch.
     fn room(&self, part: usize) -> [[f64; 2]; 2] {
         let joints = self.parts[part].clone();
         let inside = if part == 0 { self.bearing(*self.parts[1].start()) } else { self.bearing(*joints.start()) };
@@ -90,7 +90,7 @@ impl Character {
         })
     }
 
-    /// The sums of a part's added headings and pitches.
+    /// Returns the sums of a part's added headings and pitches.
     fn turned(&self, part: usize) -> [f64; 2] {
         let joints = &self.rig.joints[self.parts[part].clone()];
         [
@@ -99,7 +99,8 @@ impl Character {
         ]
     }
 
-    /// By how much heading and elevation of a target fit what there is room for, radians; negative where they do not.
+    /// Returns the margin by which heading and elevation of a target are within reach, radians; negative if they are
+    /// not.
     fn fit(&self, target: Vec3) -> f64 {
         let eye = self.pose[0].translation;
         let to_target = [target.x - eye.x, target.y - eye.y, target.z - eye.z].map(f64::from);
@@ -116,7 +117,7 @@ impl Character {
     }
 }
 
-/// Heading about +Y, to the left of `front`, and elevation of a direction of any length.
+/// Returns heading about +Y, to the left of `front`, and elevation of a direction of any length, radians.
 fn bearing_from(front: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
     let heading = |[x, _, z]: [f64; 3]| x.atan2(z);
     let turn = heading(direction) - heading(front);
@@ -124,7 +125,7 @@ fn bearing_from(front: [f64; 3], direction: [f64; 3]) -> [f64; 2] {
     [(turn + 3.0 * pi).rem_euclid(2.0 * pi) - pi, direction[1].atan2(direction[0].hypot(direction[2]))]
 }
 
-/// A target 5 m away at this heading and elevation from the front of the innermost joint.
+/// Returns a target 5 m away at this heading and elevation from the innermost joint's front.
 fn target(character: &Character, heading: f32, elevation: f32) -> Vec3 {
     let front = gaze64(&NumericRig::new(character.rig.infos.clone()), &character.pose, character.pose.len() - 1).1;
     let front = (front[0] as f32).atan2(front[2] as f32);
@@ -172,7 +173,8 @@ fn parts_keep_to_their_budgets() {
                 let gain = [0, 1].map(|axis| speed[axis] - speeds[part][axis]);
                 let most = f64::from(budget.acceleration * dt);
                 let gain = gain[0].abs().max(gain[1].abs());
-                // Ranges and rates come first: a joint at its end leaves the turn to one that is as fast as it can.
+                // Ranges and rates take precedence: if a joint is at its limit, another may take over the turn at its
+                // full rate.
                 let hurries = character.parts[part].clone().any(|index| {
                     let (old, new) = (joints[index], character.rig.joints[index]);
                     let moved = (new.heading() - old.heading()).abs().max((new.pitch() - old.pitch()).abs());
@@ -181,7 +183,8 @@ fn parts_keep_to_their_budgets() {
                 assert!(hurries || gain <= 1.01 * most + 1e-3, "{at}: part {part}, {gain} of {most}");
                 (before[part], speeds[part]) = (now, speed);
             }
-            // Once it has had its time, the status is true, but for what joints' angles make of headings and elevations.
+            // After enough time the status is right, up to the difference between added joint angles and headings and
+            // elevations.
             if stood > 3.0 {
                 const MARGIN: f64 = 15.0 * core::f64::consts::PI / 180.0;
                 let fit = character.fit(aimed);
@@ -190,7 +193,7 @@ fn parts_keep_to_their_budgets() {
                     assert_eq!(outcome.status, Status::AtLimit, "{at}: {fit}, {outcome:?}");
                 } else if fit > MARGIN {
                     judged[1] += 1;
-                    // Bones that lean add their angles up to other headings and elevations.
+                    // In leaning bones, joint angles add up to different headings and elevations.
                     odd += usize::from(outcome.status != Status::Reached);
                 }
             }

@@ -1,5 +1,5 @@
-//! The check of a setup: each mistake is made in a small engine, for random characters, and has to be named; a right
-//! setup must never be found wrong.
+//! Setup checks: a small engine makes each mistake for random characters, and the check must name it. A correct setup
+//! must never be reported.
 
 use crate::common::random::{self, Animation};
 use crate::common::*;
@@ -7,10 +7,10 @@ use aim_runtime::check::{Applied, Frame, Mistake, Previous};
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{Behind, Call, Joint, JointInfo, Pose, Rig, Settings, Solver, State, Target};
 
-/// Beyond this the gaze of an applied pose is off, degrees.
+/// Error of the applied gaze above which a mistake must be found, degrees.
 const OFF_DEG: f32 = 1.0;
 
-/// A bone of the engine: its local transform, and its parent, which comes before it.
+/// Bone of the engine: its local transform and its parent, which precedes it.
 #[derive(Clone, Copy)]
 struct Bone {
     translation: Vec3,
@@ -25,7 +25,7 @@ impl Bone {
     }
 }
 
-/// Each bone's transform in the character's space.
+/// Returns each bone's transform in the character's space.
 fn globals(bones: &[Bone]) -> Vec<Affine3A> {
     let mut globals: Vec<Affine3A> = Vec::new();
     for bone in bones {
@@ -34,11 +34,11 @@ fn globals(bones: &[Bone]) -> Vec<Affine3A> {
     globals
 }
 
-/// A character in an engine: hips, the joints' bones, and now and then a bone between two of them.
+/// Character in an engine: hips, the joints' bones, and sometimes a bone between two of them.
 struct Character {
     rig: NumericRig,
     bind: Vec<Bone>,
-    /// Each joint's bone, from the effector inward.
+    /// Bone index of each joint, from the effector inward.
     chain: Vec<usize>,
     swings: Vec<(Vec3, f32)>,
     world: Affine3A,
@@ -47,7 +47,7 @@ struct Character {
 impl Character {
     fn new(count: usize, rng: &mut Rng) -> Self {
         let mut info = || {
-            // A bone that is only rotated has right-handed axes.
+            // Bones that are only rotated have right-handed axes.
             let mut axes = random::axes(rng);
             while Vec3::from(axes.up).cross(axes.forward.into()).dot(axes.left.into()) < 0.0 {
                 axes = random::axes(rng);
@@ -83,14 +83,14 @@ impl Character {
         Self { rig, bind, chain, swings, world }
     }
 
-    /// The bones as an animation writes them.
+    /// Returns the bones as the animation writes them.
     fn animated(&self, seconds: f32) -> Vec<Bone> {
         let swing = |&(axis, speed): &(Vec3, f32)| Quat::from_axis_angle(axis, 0.1 * (speed * (seconds + 1.0)).sin());
         let bones = self.bind.iter().zip(&self.swings);
         bones.map(|(bone, by)| Bone { rotation: bone.rotation * swing(by), ..*bone }).collect()
     }
 
-    /// The joints among transforms of all bones.
+    /// Selects the joints from the transforms of all bones.
     fn joints(&self, transforms: &[Affine3A]) -> Vec<Affine3A> {
         self.chain.iter().map(|&bone| transforms[bone]).collect()
     }
@@ -100,7 +100,7 @@ impl Character {
     }
 }
 
-/// What a user gets wrong, each in all its ways.
+/// Mistakes that users make, with the number of variants of each.
 const WAYS: [(Mistake, usize); 13] = [
     (Mistake::LocalPose, 1),
     (Mistake::TargetSpace, 2),
@@ -117,29 +117,29 @@ const WAYS: [(Mistake, usize); 13] = [
     (Mistake::Late, 1),
 ];
 
-/// What runs of characters showed.
+/// Results of several runs.
 #[derive(Debug, Default)]
 struct Seen {
-    /// Frames whose gaze was off by more than the limit.
+    /// Number of frames whose gaze was off by more than [`OFF_DEG`].
     off: usize,
-    /// Frames in which the mistake was named.
+    /// Number of frames in which the mistake was named.
     named: usize,
-    /// Frames in which another was named, or none although the gaze was off, and by how much it was.
+    /// Frames in which another mistake was named, or none although the gaze was off, each with its error in degrees.
     misnamed: Vec<(Option<Mistake>, f32)>,
 }
 
 impl Seen {
     fn judge(&mut self, mistake: Mistake, way: usize) {
-        // Where corrections are tiny, a pose that contains the last ones is hardly more than a frame late.
+        // With tiny corrections, a pose that contains the previous ones looks much like one applied a frame late.
         self.misnamed.retain(|&(_, off_deg)| mistake != Mistake::Feedback || off_deg > OFF_DEG);
         assert!(self.misnamed.is_empty(), "{mistake:?} {way}: {:?}", self.misnamed);
-        // Bones that nothing resets, and milliseconds, do not keep the gaze from the target.
+        // Unreset bones and time steps in milliseconds do not keep the gaze from reaching the target.
         let is_seen = self.off > 0 || matches!((mistake, way), (Mistake::Milliseconds, _) | (Mistake::Feedback, 1));
         assert!(self.named > 0 && is_seen, "{mistake:?} {way}: {self:?}");
     }
 }
 
-/// Plays a character for some frames with the mistake in it, or without any.
+/// Runs a character for some frames, with or without the mistake.
 fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: bool, rng: &mut Rng, seen: &mut Seen) {
     let Character { rig, chain, world, .. } = character;
     let count = chain.len();
@@ -149,7 +149,7 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
     let mut state = State::new(vec![Joint::REST; count]);
     let mut corrections = vec![Quat::IDENTITY; count];
     let mut shown: Option<(Vec<Bone>, Vec<Affine3A>, Vec<Quat>)> = None;
-    // Somewhere in front, as the animated effector sees it.
+    // A reachable point in front of the animated effector.
     let aside = random::state(rig, rng);
     let mut probe = rig.clone();
     probe.joints = aside;
@@ -158,7 +158,7 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
     for frame in 0..30_u16 {
         let mut bones = character.animated(f32::from(frame) / 60.0);
         if let (true, 1, Some((last, ..))) = (is(Mistake::Feedback), way, &shown) {
-            // The joints' bones are not keyed, and keep what was written to them.
+            // The joints' bones have no keys and keep what was written to them.
             chain.iter().for_each(|&bone| bones[bone] = last[bone]);
         }
         let locals: Vec<Affine3A> = bones.iter().map(Bone::local).collect();
@@ -193,7 +193,7 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
             let rotation = bones[at].rotation;
             bones[at].rotation = match mistake {
                 Some((Mistake::Inverted, _)) => rotation * q.inverse(),
-                // All joints, or the eye's bone alone.
+                // All joints, or only the eye's bone.
                 Some((Mistake::Forgotten, _)) if way == 0 || joint == 0 => rotation,
                 Some((Mistake::Premultiplied, 0)) => q * rotation,
                 // In world space.
@@ -236,7 +236,7 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
         let off = forward.angle_between(target - Vec3::from(eye.translation)) - outcome.remaining;
         let off_deg = off.abs().to_degrees();
         let expected = match mistake {
-            // Before there were any corrections, those of the call before are none.
+            // In the first frame there are no earlier corrections, so applying them is applying none.
             Some((Mistake::Late, _)) if frame == 0 => Some(Mistake::Forgotten),
             // A single joint's local transform is a pose in another space.
             Some((Mistake::LocalPose, _)) if count == 1 => Some(Mistake::TargetSpace),
@@ -260,8 +260,8 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
     }
 }
 
-/// Every way of every mistake, for characters of two to five joints whose pose is passed in the world or in their own
-/// space: wherever the gaze is off by more than 1°, and wherever anything is found, it is what was got wrong.
+/// Each variant of each mistake, for characters of two to five joints with poses in world or model space: whenever the
+/// gaze is off by more than 1° or anything is reported, it is the mistake that was made.
 #[test]
 fn each_mistake_is_named() {
     let mut rng = Rng(77);
@@ -270,7 +270,7 @@ fn each_mistake_is_named() {
             let mut seen = Seen::default();
             for case in 0..60 {
                 let character = Character::new(2 + rng.below(4), &mut rng);
-                // Rotations about axes of the world are not recognised from the character's space.
+                // In model space, rotations about world axes cannot be recognised.
                 let is_in_world = matches!((mistake, way), (Mistake::OntoGlobal, 1) | (Mistake::TargetSpace, 0));
                 play(&character, Some((mistake, way)), case % 3 == 0 && !is_in_world, &mut rng, &mut seen);
             }
@@ -279,12 +279,12 @@ fn each_mistake_is_named() {
     }
 }
 
-/// One joint: what it can show.
+/// With a single joint, the mistakes that it can show are named.
 #[test]
 fn mistakes_of_one_joint() {
     let mut rng = Rng(78);
     for (mistake, way) in WAYS.into_iter().flat_map(|(mistake, ways)| (0..ways).map(move |way| (mistake, way))) {
-        // There is no other joint; a global rotation is a local one; about an axis of the world is onto the global one.
+        // There is no other joint, and global and local transforms are the same, so these variants do not exist.
         let has_none = matches!(
             (mistake, way),
             (Mistake::JointOrder | Mistake::WrongJoints, _) | (Mistake::OntoGlobal, 0) | (Mistake::Premultiplied, 1)
@@ -302,7 +302,7 @@ fn mistakes_of_one_joint() {
     }
 }
 
-/// A right setup in the same engine.
+/// A correct setup in the same engine is not reported.
 #[test]
 fn a_right_setup_is_not_faulted() {
     let mut rng = Rng(79);
@@ -314,7 +314,7 @@ fn a_right_setup_is_not_faulted() {
     assert!(seen.off == 0 && seen.misnamed.is_empty(), "{seen:?}");
 }
 
-/// Whatever the rig, the pose, the target, the settings and the frame's length, in whatever space the engine shows it.
+/// Nothing is reported for random rigs, poses, targets, settings and frame times, in any space of the engine.
 #[test]
 fn nothing_is_found_where_nothing_is_wrong() {
     let mut rng = Rng(80);
@@ -349,7 +349,7 @@ fn nothing_is_found_where_nothing_is_wrong() {
             let call = Call { targets, dt: (!rng.once_in(20)).then_some(dt), settings: &settings };
             let earlier = corrections.clone();
             let outcome = rig_dyn.aim(&mut state, &pose, &call, &mut corrections);
-            // Each joint carries those that hang on it.
+            // Each joint's correction moves all joints further out.
             let mut applied = pose.joints.clone();
             for joint in (0..count).rev() {
                 let unturned = match joint + 1 {
@@ -378,7 +378,7 @@ fn nothing_is_found_where_nothing_is_wrong() {
     }
 }
 
-/// What cannot be compared is not faulted, and nothing panics.
+/// Frames that cannot be compared are not reported, and nothing panics.
 #[test]
 fn unusable_frames_are_passed_over() {
     let mut rng = Rng(81);

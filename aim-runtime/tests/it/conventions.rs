@@ -1,11 +1,11 @@
-//! All 48 conventions give the same angles and the same picture: 24 right-handed and 24 left-handed triples, the
-//! latter as mirrored bones in the same world and as plain bones in a mirrored one.
+//! All 48 conventions give the same angles and the same picture: 24 right-handed and 24 left-handed triples. The latter
+//! are tested as mirrored bones in the same world and as plain bones in a mirrored world.
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{Axes, Pose, Status};
 
-/// The thug with these axes in every bone, in a pose of small turns, in a world that may be mirrored.
+/// Returns the thug with these axes in every bone, in a pose of small rotations, in a world that may be mirrored.
 fn authored(axes: Axes, turns: &[Quat], mirrored: bool) -> (NumericRig, Vec<Affine3A>) {
     let rig = NumericRig::thug_with(axes);
     let mut pose = upright(&rig);
@@ -50,7 +50,7 @@ fn every_convention_gives_the_same_picture() {
                 let target = if *mirrored { mirror().transform_point3(target) } else { target };
                 let other = rig.aim(&Pose::new(pose.clone()), target, 1.0 / 60.0);
                 let case = format!("case {case}, frame {frame}, {axes:?}, mirrored {mirrored}");
-                // Where a step is just accepted or just not, rounding decides; then angles differ until the end.
+                // If a step is barely accepted, rounding decides, and the angles differ until the end.
                 assert!((outcome.remaining - other.remaining).abs() < 2e-3, "{case}: {outcome:?} {other:?}");
                 assert!(sound(rig), "{case}");
                 if frame == 39 {
@@ -80,7 +80,7 @@ fn corrections_turn_the_right_way() {
         let [forward, up, left] = [axes.forward, axes.up, axes.left].map(Vec3::from);
         for (heading, pitch) in [(0.3_f32, 0.0_f32), (0.0, 0.3), (-1.0, 0.0), (0.0, -1.0), (0.7, -0.4)] {
             rig.joints = vec![aim_runtime::Joint::from_angles(heading, pitch)];
-            // A frame without time moves nothing.
+            // A time step of 0 moves nothing.
             rig.aim(&Pose::new([bone(&axes, Quat::IDENTITY, Vec3::ZERO)]), Vec3::NEG_Z, 0.0);
             let (index, q) = rig.corrections().next().unwrap();
             assert_eq!(index, 0);
@@ -91,7 +91,7 @@ fn corrections_turn_the_right_way() {
     }
 }
 
-/// A bone 20° off every cardinal axis takes the same path.
+/// A bone whose frame is turned by 20° takes the same path.
 #[test]
 fn general_frames() {
     let turn = Quat::from_axis_angle(Vec3::new(0.6, -0.64, 0.48), 20.0 * DEG);

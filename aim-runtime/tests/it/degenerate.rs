@@ -1,10 +1,10 @@
-//! Every bit pattern of input gives finite unit corrections, a true status, and leaves a state that works.
+//! For inputs of any bits, corrections are finite and unit, the status is right, and the state remains usable.
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::{Axes, Call, Effector, Joint, Pose, Rig, Settings, State, Status, Target, Targets};
 
-/// After anything, one good second aims as if nothing had been.
+/// Asserts that one second of valid input aims as usual, whatever came before.
 fn still_works(rig: &mut NumericRig, case: &str) {
     let pose = Pose::new(upright(rig));
     let target = Vec3::new(-1.0, 1.8, -2.0);
@@ -68,7 +68,7 @@ fn any_bits() {
             assert!(rig.joints.iter().all(|j| j.heading().is_finite() && j.pitch().is_finite()), "{context}");
         }
         rig.infos.clone_from(&declared);
-        // Ranges may have been anything: give the angles time to come home.
+        // Ranges may have been arbitrary: give the angles time to return.
         for _ in 0..1200 {
             let pose = Pose::new(upright(&rig));
             let settings = Settings::default().with_weight(0.0);
@@ -102,20 +102,20 @@ fn what_is_degenerate() {
                 assert_eq!(rig.snap(&Pose::new(pose), good).status, Status::Degenerate);
             }
             assert_eq!(rig.joints, before, "the angles hold");
-            // A bad eye does not matter to the head.
+            // An invalid eye does not matter if the head is aimed.
             let mut pose = pose.clone();
             pose[0].translation[lane] = bad;
             let settings = Settings::default().with_effector(1);
             assert_ne!(rig.aim_with(&Pose::new(pose), good, 0.016, &settings).status, Status::Degenerate);
         }
     }
-    // Too few transforms, for rigs known only at run time.
+    // Too few transforms, for a rig known only at run time.
     let mut rig = NumericRig::thug();
     let outcome = rig.aim(&Pose::new(vec![Affine3A::IDENTITY]), good, 1.0 / 60.0);
     assert_eq!(outcome.status, Status::Degenerate);
 }
 
-/// A target at 1e20 is a direction like any other; so is a rig of that size, or of the inverse.
+/// A target at 1e20 is an ordinary direction; rigs of that size and of its inverse are aimed, too.
 #[test]
 fn extreme_but_plain() {
     let mut rig = NumericRig::thug();
@@ -157,7 +157,7 @@ fn strange_declarations() {
     assert_eq!(Joint::from_angles(f32::NAN, f32::INFINITY), Joint::default());
 }
 
-/// A rig without joints has nothing to aim, and says so.
+/// A rig without joints has nothing to aim and reports so.
 #[test]
 fn no_joints() {
     let mut rig = NumericRig::thug();
@@ -168,7 +168,7 @@ fn no_joints() {
     assert_eq!(rig.corrections().count(), 0);
 }
 
-/// A caller of slices may have miscounted: nothing is aimed, nothing moves, and nothing panics.
+/// Slices of wrong lengths: nothing is aimed, nothing moves, and nothing panics.
 #[test]
 fn slices_of_other_lengths() {
     let (settings, point) = (Settings::default(), Vec3::new(0.3, 1.6, -2.0));
@@ -194,7 +194,7 @@ fn slices_of_other_lengths() {
     }
 }
 
-/// Mirrored by one bone only, stretched along another: the forward kinematics is followed all the same.
+/// With only one bone mirrored and another stretched, the remaining angle still agrees with forward kinematics.
 #[test]
 fn odd_parents_inside_the_chain() {
     let mut rng = Rng(31);

@@ -1,4 +1,4 @@
-//! Both eyes in one call, judged by an independent forward kinematics in f64.
+//! Both eyes in one call, checked by independent forward kinematics in f64.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
@@ -6,10 +6,10 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::{Axes, Behind, Joint, Outcome, Pose, Settings, Status};
 
 const DT: f32 = 1.0 / 60.0;
-/// Between the eyes in the upright pose.
+/// Point between the eyes in the upright pose.
 const MIDDLE: Vec3 = Vec3::new(0.0, 1.68, -0.10);
 
-/// The upright thug with its eyes 6 cm apart: the rig's own on the left.
+/// Returns the upright thug with eyes 6 cm apart; the rig's own is the left one.
 fn upright_pair(rig: &NumericRig, pair: &Axes) -> (Vec<Affine3A>, Affine3A) {
     (upright(rig), bone(pair, Quat::IDENTITY, MIDDLE + Vec3::new(0.03, 0.0, 0.0)))
 }
@@ -26,12 +26,12 @@ fn directions(rig: &NumericRig, (joints, pair): &(Vec<Affine3A>, Affine3A)) -> [
     [gaze64(rig, joints, 0).1, pair_gaze64(rig, joints, pair).1].map(|v| Vec3::from(v.map(|x| x as f32)))
 }
 
-/// By how much the eyes converge, radians: negative where they part.
+/// Returns the convergence of the eyes, radians; negative if they diverge.
 fn convergence(rig: &NumericRig) -> f32 {
     rig.memory.other_eye().unwrap()[0] - rig.joints[0].heading()
 }
 
-/// One frame of both eyes: ranges and rates hold for both, the outcome is true, and the eyes do not part.
+/// Runs one frame of both eyes; asserts that both keep to ranges and rates and that the outcome is right.
 fn aim(
     rig: &mut NumericRig,
     pose: &(Vec<Affine3A>, Affine3A),
@@ -72,7 +72,7 @@ fn aim(
         for (left, told) in left.into_iter().zip([outcome.remaining, outcome.other_eye_remaining.unwrap()]) {
             assert!((left - f64::from(told)).abs() < 2e-5, "{case}: {left} but {outcome:?}");
         }
-        // A follower has no say in it.
+        // A follower does not affect the status.
         if rig.effector.origin != [0.0; 3] {
             return outcome;
         }
@@ -104,7 +104,7 @@ fn near_they_converge_and_far_they_are_parallel() {
             assert_eq!(outcome.status, Status::Reached, "{case}: {outcome:?}");
             let [a, b] = directions(&rig, &pose);
             let apart = a.angle_between(b);
-            // 6 cm as seen from the target, but for what the head's turn takes of it.
+            // 6 cm as seen from the target, less what the turn of the head takes off.
             let wanted = if distance > 10.0 { 0.06 / distance } else { 0.0 };
             assert!(
                 if distance > 10.0 { (apart - wanted).abs() < 5e-4 } else { apart > 0.03 / distance },
@@ -114,7 +114,7 @@ fn near_they_converge_and_far_they_are_parallel() {
     }
 }
 
-/// A target nearer than 10 cm is looked at as if it were there, and not said to be reached.
+/// A target nearer than 10 cm is aimed at as if it were at 10 cm, and not reported as reached.
 #[test]
 fn near_clamp() {
     for size in [0.01, 1.0, 100.0] {
@@ -135,7 +135,7 @@ fn near_clamp() {
     }
 }
 
-/// Whatever axes the other eye's bone has, and in a mirrored world, it looks the same way.
+/// In every convention of the other eye's bone, and in a mirrored world, it looks the same way.
 #[test]
 fn every_convention_of_the_other_eye() {
     let mirror = Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
@@ -190,12 +190,12 @@ fn under_every_parent() {
     }
 }
 
-/// Targets that wander, leap, come close and pass behind; poses, weights and time steps of all kinds.
+/// Targets that wander, jump, come close and pass behind, with varying poses, weights and time steps.
 #[test]
 fn limits_and_rates_hold_and_eyes_never_part() {
     let mut rng = Rng(22);
     let mut rig = NumericRig::thug();
-    // More outward than inward.
+    // A wider range outward than inward.
     rig.infos[0].heading = Some([-25.0 * DEG, 40.0 * DEG]);
     let mut target = at(0.0, 0.0, 1.0);
     let mut counts = [0; 4];
@@ -230,7 +230,8 @@ fn limits_and_rates_hold_and_eyes_never_part() {
     assert!(counts.iter().all(|&count| count > 100), "{counts:?}");
 }
 
-/// What is reached by one eye and a hair out of the other's range is not reached; the neck makes room for both.
+/// If one eye reaches a target just outside the other's range, it is not reached yet; the neck turns until both reach
+/// it.
 #[test]
 fn the_neck_makes_room_for_both() {
     for side in [1.0, -1.0] {
@@ -246,7 +247,7 @@ fn the_neck_makes_room_for_both() {
     }
 }
 
-/// A target that stands still leaves the eyes still, in reach or not, also overhead; one that trembles, nearly so.
+/// A static target leaves the eyes still, in reach or not, also overhead; a trembling one, nearly so.
 #[test]
 fn still_targets_leave_the_eyes_still() {
     let mut rng = Rng(25);
@@ -267,8 +268,8 @@ fn still_targets_leave_the_eyes_still() {
                 let near = target + rng.direction() * tremble;
                 let outcome = aim(&mut rig, &pose, near, DT, &Settings::default(), "still");
                 let change = angles(&rig).iter().zip(before).fold(0.0, |most: f32, (a, b)| most.max((a - b).abs()));
-                // What the tremble itself makes as seen from the eyes. Out of reach a chain comes to rest slowly; overhead the
-                // head's room for convergence and its heading, which matters to nothing, take small turns.
+                // The trembling itself, as seen from the eyes. Out of reach a chain comes to rest slowly. Overhead the
+                // head makes small turns: to leave range for convergence, and because its heading has no effect there.
                 let settled = outcome.status == Status::Reached && pitch < 60.0;
                 let slowly = if settled { 1e-5 } else { 0.2 * DEG };
                 let bound = slowly + 3.0 * tremble / distance.max(0.1);
@@ -295,7 +296,7 @@ fn weight_zero_and_a_head_that_is_aimed_bring_both_to_rest() {
     }
 }
 
-/// A weight going down takes the convergence with it, without a jump.
+/// A decreasing weight reduces the convergence continuously.
 #[test]
 fn weight_scales_the_convergence() {
     let mut rig = NumericRig::thug();
@@ -312,7 +313,7 @@ fn weight_scales_the_convergence() {
     assert_eq!(last, 0.0);
 }
 
-/// An effector beside the eye: it leads alone, and the other eye turns in parallel.
+/// With an effector beside the eye, that eye leads alone and the other one turns in parallel.
 #[test]
 fn a_follower() {
     let mut rig = NumericRig::thug();
@@ -347,7 +348,7 @@ fn without_a_pair_nothing_changes() {
     assert_eq!(with.other_eye_correction(), None, "forgotten");
 }
 
-/// A pair that is no pose at all is degenerate: everything holds.
+/// An invalid transform of the other eye is degenerate: everything is held.
 #[test]
 fn what_is_degenerate() {
     let mut rig = NumericRig::thug();
@@ -364,12 +365,12 @@ fn what_is_degenerate() {
         assert_eq!((outcome.status, outcome.other_eye_remaining), (Status::Degenerate, None));
         assert_eq!((&rig.joints, rig.other_eye_correction()), (&before, correction));
     }
-    // Exactly between the eyes there is no direction; on the other eye there is none for it.
+    // Exactly between the eyes there is no direction for the pair; on the other eye, none for that eye.
     for target in [MIDDLE, Vec3::from(pair.translation), Vec3::NAN] {
         let outcome = NumericRig::thug().aim(&posed(&(joints.clone(), pair)), target, DT);
         assert!(outcome.remaining.is_finite(), "{outcome:?}");
     }
-    // Both eyes in one place never converge.
+    // Two eyes at the same point never converge.
     let outcome = rig.snap(&posed(&(joints.clone(), joints[0])), at(0.0, 0.0, 0.3));
     assert_eq!(outcome.status, Status::Reached);
     assert_eq!(convergence(&rig), 0.0);

@@ -1,4 +1,5 @@
-//! A rig of fixed size, as the derive makes them: the contract's three lines, with arrays and nothing on the heap.
+//! Rigs of fixed size, as the derive macro makes them: three lines of user code, with arrays and without heap
+//! allocation.
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Quat, Vec3};

@@ -1,4 +1,5 @@
-//! The solvers through their public interface; `common` holds the rigs, poses and truths they are judged by.
+//! Tests of the solvers through their public interface. `common` holds rigs, poses and the f64 references that results
+//! are checked against.
 
 mod alone;
 mod behind;

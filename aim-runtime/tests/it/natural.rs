@@ -1,4 +1,4 @@
-//! The natural gaze: the eye leads and holds, neck and spine follow by their share with their inertia.
+//! Natural gaze: the eye leads and stays on the target; neck and spine follow with their shares and their inertia.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
@@ -8,20 +8,20 @@ use aim_runtime::{Behind, Budgets, GazeSharing, Joint, JointInfo, Outcome, Pose,
 pub(crate) const FRAME_RATES: [f32; 3] = [30.0, 60.0, 144.0];
 const EYE: Vec3 = Vec3::new(-0.03, 1.68, -0.10);
 
-/// The thug, whose joints know what they are: so the natural solver is its default.
+/// Returns the thug with roles, so that its default solver is the natural one.
 pub(crate) fn thug() -> NumericRig {
     let mut rig = NumericRig::thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Eye, Role::Neck, Role::Chest]) {
-        // The independent forward kinematics knows no levels; they are judged on their own.
+        // The independent forward kinematics ignores upright tilts; these have tests of their own.
         *info = info.with_role(role).with_upright(0.0);
     }
     rig
 }
 
-/// What the roles make of an acceleration that is not declared.
+/// Default accelerations for the roles neck and chest, rad/s².
 const ACCELERATIONS: [f32; 2] = [1200.0 * DEG, 500.0 * DEG];
 
-/// A target at 3 m, so many degrees to the left and up of straight ahead.
+/// Returns a target at 3 m, this many degrees to the left of and above straight ahead.
 pub(crate) fn at(heading_deg: f32, pitch_deg: f32) -> Vec3 {
     EYE + Quat::from_rotation_y(heading_deg * DEG) * Quat::from_rotation_x(pitch_deg * DEG) * WORLD[0] * 3.0
 }
@@ -30,12 +30,12 @@ fn angles(joint: &Joint) -> [f32; 2] {
     [joint.heading(), joint.pitch()]
 }
 
-/// How far a joint is turned, degrees.
+/// Returns the magnitude of a joint's angles, degrees.
 fn turned(joint: &Joint) -> f32 {
     joint.heading().hypot(joint.pitch()) / DEG
 }
 
-/// One frame: ranges and rates hold, corrections are sound, the outcome is true.
+/// Runs one frame; asserts that ranges and rates hold, corrections are valid, and the outcome is right.
 pub(crate) fn aim(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, dt: f32, settings: &Settings) -> Outcome {
     let before = rig.joints.clone();
     let outcome = rig.aim_with(&Pose::new(pose.to_vec()), target, dt, settings);
@@ -53,7 +53,7 @@ pub(crate) fn aim(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, dt: f32
     outcome
 }
 
-/// Watches that no supporting joint changes its speed by more than its acceleration allows.
+/// Checks that the velocity of each supporting joint changes by no more than its acceleration allows.
 struct Jerk {
     before: Vec<[f32; 2]>,
     velocities: Vec<[f32; 2]>,
@@ -69,7 +69,7 @@ impl Jerk {
             let now = angles(&rig.joints[index]);
             let velocity = [0, 1].map(|k| (now[k] - self.before[index][k]) / dt);
             for (new, old) in velocity.into_iter().zip(self.velocities[index]) {
-                // What is left of an angle's digits after two differences.
+                // Rounding errors of an angle after two differences.
                 let rounding = 2e-7 / dt;
                 assert!((new - old).abs() <= 1.002 * acceleration * dt + rounding, "joint {index}: {old} to {new}");
             }
@@ -78,7 +78,8 @@ impl Jerk {
     }
 }
 
-/// A still target: when the gaze arrived, and by the frame: the turns of the eye and of the head, neck and chest together, and what remains, degrees.
+/// Runs 1.5 s with a static target. Returns the frame in which the gaze arrived and, per frame, the rotation of the
+/// eye, of neck and chest together, and the remaining angle, all in degrees.
 fn step(rig: &mut NumericRig, target: Vec3, hz: f32, settings: &Settings) -> (Option<usize>, Vec<[f32; 3]>) {
     let pose = upright(rig);
     let mut jerk = Jerk::new(rig);
@@ -92,7 +93,7 @@ fn step(rig: &mut NumericRig, target: Vec3, hz: f32, settings: &Settings) -> (Op
     (frames.iter().position(|frame| frame[2] < 0.1), frames)
 }
 
-/// When a turn first comes to a degree, seconds.
+/// Returns the time at which a rotation first exceeds 1°, seconds.
 fn begins(turns: impl Iterator<Item = f32>, hz: f32) -> f32 {
     let mut before = 0.0;
     for (frame, now) in turns.enumerate() {
@@ -104,10 +105,10 @@ fn begins(turns: impl Iterator<Item = f32>, hz: f32) -> f32 {
     f32::INFINITY
 }
 
-/// The numbers of people: an eye's main sequence, when the gaze is there, how much of it the head makes and how fast.
+/// Human timing: the eye's main sequence, the arrival of the gaze, and the share and speed of the head.
 #[test]
 fn the_eye_leads_and_returns() {
-    /// Frames a second, so that speeds are seen.
+    /// Frames per second, high enough to measure speeds.
     const HZ: f32 = 600.0;
     let peak = |angles: &mut dyn Iterator<Item = f32>| {
         let mut before = 0.0;
@@ -150,7 +151,7 @@ fn the_eye_leads_and_returns() {
     }
 }
 
-/// The same places at the same times, whatever the frame rate.
+/// Positions at given times do not depend on the frame rate.
 #[test]
 fn at_any_frame_rate() {
     let necks = |hz: f32| {
@@ -163,7 +164,7 @@ fn at_any_frame_rate() {
     }
 }
 
-/// Heading and pitch both come to their ends at once, so that the way is nearly the arc.
+/// Heading and pitch reach their goals at the same time, so that the path is nearly an arc.
 #[test]
 fn an_oblique_gaze_keeps_to_its_arc() {
     for (heading, pitch) in [(45.0, 20.0), (-30.0, 30.0), (25.0, -35.0), (50.0, -30.0)] {
@@ -182,7 +183,7 @@ fn an_oblique_gaze_keeps_to_its_arc() {
     }
 }
 
-/// Once on the target the gaze stays there, wherever the target goes and whatever the body does.
+/// Once the gaze is on the target it stays there, however target and body move.
 #[test]
 fn it_follows() {
     let mut rng = Rng(5);
@@ -203,7 +204,7 @@ fn it_follows() {
     }
 }
 
-/// Attention turns the head fully to the target; the eye never leaves it meanwhile.
+/// With attention, the head turns fully to the target while the eye stays on it.
 #[test]
 fn attention_turns_the_head() {
     let mut rig = thug();
@@ -219,7 +220,7 @@ fn attention_turns_the_head() {
         assert!(outcome.status == Status::Reached && outcome.remaining < 0.01 * DEG, "{frame}: {outcome:?}");
     }
     assert!(turned(&rig.joints[0]) < 0.5, "{}", turned(&rig.joints[0]));
-    // And back, as if nothing had been; NaN is none.
+    // And back, as before; NaN counts as 0.
     for _ in 0..180 {
         let outcome = aim(&mut rig, &pose, target, 1.0 / 60.0, &Settings::default().with_attention(f32::NAN));
         assert!(outcome.remaining < 0.01 * DEG);
@@ -227,7 +228,7 @@ fn attention_turns_the_head() {
     assert!((turned(&rig.joints[0]) - glancing).abs() < 0.1);
 }
 
-/// Targets that leap anywhere, weights and attentions that jump: speeds change by acceleration alone.
+/// When targets, weights and attention jump, velocities still change only within the acceleration limits.
 #[test]
 fn nothing_jerks() {
     let mut rng = Rng(8);
@@ -248,7 +249,7 @@ fn nothing_jerks() {
     }
 }
 
-/// At weight 0 the joints come to the exact identity; the gaze gets there first, and nothing jerks.
+/// At weight 0 the joints return to the exact identity. The gaze returns first, and nothing jerks.
 #[test]
 fn weight_out_and_in() {
     let mut rig = thug();
@@ -271,7 +272,7 @@ fn weight_out_and_in() {
     assert!(remaining64(&rig, &pose, 0, target) < 1e-4);
 }
 
-/// An orbiting target is picked up on the other side, whichever way it goes and whatever becomes of it behind.
+/// An orbiting target is followed on the other side, in either direction and for every policy behind.
 #[test]
 fn orbits() {
     for policy in [Behind::Off, Behind::Clip, Behind::Plane, Behind::Hold, Behind::Release] {
@@ -294,7 +295,8 @@ fn orbits() {
     }
 }
 
-/// Out of reach to the side, or above or below, the gaze keeps the target's elevation or its heading, and says so.
+/// If the target is out of reach to the side, the gaze keeps its elevation; above or below, its heading. The status
+/// says so.
 #[test]
 fn out_of_reach() {
     let gaze = |rig: &NumericRig, pose: &[Affine3A]| {
@@ -341,7 +343,7 @@ fn out_of_reach() {
     }
 }
 
-/// A target whose heading and elevation each fit what the joints have room for is within reach.
+/// A target whose heading and elevation each fit the joints' combined ranges is within reach.
 #[test]
 fn within_reach() {
     let mut rng = Rng(12);
@@ -368,7 +370,7 @@ fn within_reach() {
         }
         let mut rig = NumericRig::new(infos);
         rig.budgets = Budgets::UNBOUNDED;
-        // Of heading and elevation, most of what the joints can do together: a pitch inside a heading lifts by its cosine.
+        // Most of the joints' combined range: a pitch combined with a heading raises the gaze only by its cosine.
         let mut part = |most: f32, range: fn(&JointInfo) -> Option<[f32; 2]>| {
             let [lo, hi] = rig.infos.iter().filter_map(range).fold([0.0, 0.0], |[a, b], [lo, hi]| [a + lo, b + hi]);
             most * rng.between(lo, hi) / DEG
@@ -391,11 +393,11 @@ fn within_reach() {
             failed.push((case, heading, pitch, snapped.status, snapped.remaining / DEG, told));
         }
     }
-    // But for one in a thousand, where all but a joint or two are at their limits.
+    // Except for one in a thousand, where all but one or two joints are at their limits.
     assert!(failed.len() <= 2, "{}: {failed:?}", failed.len());
 }
 
-/// A snap is where the gaze would come to rest, and stays there.
+/// A snap gives the pose in which the gaze would come to rest, and it stays there.
 #[test]
 fn snap_is_the_end_of_the_way() {
     let mut rng = Rng(11);
@@ -420,7 +422,7 @@ fn snap_is_the_end_of_the_way() {
     }
 }
 
-/// Supporting joints set out above one angle, and rest again below another.
+/// Supporting joints start moving above one angle and stop below another.
 #[test]
 fn engagement_has_two_thresholds() {
     let natural = GazeSharing::default().with_eyes_only(5.0 * DEG).with_engagement(15.0 * DEG, 6.0 * DEG);
@@ -433,7 +435,7 @@ fn engagement_has_two_thresholds() {
         }
         turned(&rig.joints[1])
     };
-    // It has to be found out first where they belong.
+    // Run some frames first, so that the joints' goals are known.
     assert_eq!(neck_at(0.0), 0.0);
     assert_eq!(neck_at(12.0), 0.0);
     let there = neck_at(20.0);
@@ -442,7 +444,7 @@ fn engagement_has_two_thresholds() {
     assert!(back > 5.0 && back < there - 2.0, "still following: {back}");
     let little = neck_at(9.0);
     assert!(little > 1.0 && little < back, "{little}");
-    // The eye is near its middle now, so they rest where they are.
+    // The eye is near its centre now, so supporting joints stay where they are.
     let resting = neck_at(13.0);
     assert!((resting - little).abs() < 0.1, "{resting} is not {little}");
 }
@@ -459,7 +461,7 @@ fn a_delay_is_the_heads_alone() {
     assert!((0.09..0.13).contains(&more), "{more}");
 }
 
-/// What a rig declares of its accelerations counts, and what it says about its natural gaze.
+/// Accelerations declared by a rig take effect.
 #[test]
 fn accelerations_are_declared() {
     let reach_s = |acceleration: f32| {
@@ -477,7 +479,7 @@ fn accelerations_are_declared() {
     assert!(quick <= 8 && slow > 15, "{quick}, {slow}");
 }
 
-/// Whatever was declared: hinges, an effector that is not the eye's own, a leaning neck, a stretched pose, a free base.
+/// Unusual rigs: hinges, an effector that is not the eye's own, a leaning neck, a stretched pose, a free base.
 #[test]
 fn any_rig() {
     let eye = JointInfo::new(THUG, 450.0 * DEG).with_heading(-35.0 * DEG, 35.0 * DEG).with_role(Role::Eye);
@@ -517,7 +519,7 @@ fn any_rig() {
     }
 }
 
-/// A change of the solver on the way: no supporting joint keeps a speed that it no longer has.
+/// After a change of solver, supporting joints start without their former velocity.
 #[test]
 fn other_solvers_leave_no_speed_behind() {
     let mut rig = thug();
@@ -537,7 +539,7 @@ fn other_solvers_leave_no_speed_behind() {
     }
 }
 
-/// Nothing to coordinate: an eye alone moves as the exact solver has it.
+/// A single eye moves exactly as with the exact solver.
 #[test]
 fn an_eye_alone_is_the_exact_solvers() {
     let mut rigs = [Solver::Natural, Solver::Exact].map(|solver| (thug(), Settings::default().with_solver(solver)));
@@ -552,7 +554,7 @@ fn an_eye_alone_is_the_exact_solvers() {
     }
 }
 
-/// Two eyes converge while the head follows them, and come to rest together.
+/// Both eyes converge while the head follows, and come to rest together.
 #[test]
 fn both_eyes() {
     let mut rig = thug();
@@ -582,7 +584,7 @@ fn both_eyes() {
     assert_eq!(rig.other_eye_correction(), Some(Quat::IDENTITY));
 }
 
-/// No bits of any setting, pose, target or declaration do harm.
+/// Settings, poses, targets and declarations with arbitrary bits do no harm.
 #[test]
 fn any_bits() {
     let mut rng = Rng(77);
@@ -618,7 +620,7 @@ fn any_bits() {
     }
 }
 
-/// A snap is where the frames after it stay, out of reach as well.
+/// Frames after a snap do not move the joints, also out of reach.
 #[test]
 fn what_was_snapped_stays() {
     for (heading, pitch) in [(20.0, 0.0), (60.0, 10.0), (130.0, 60.0), (130.0, 45.0), (115.0, -60.0), (0.0, 85.0)] {
@@ -636,7 +638,7 @@ fn what_was_snapped_stays() {
     }
 }
 
-/// A quicker neck is there no later.
+/// A faster neck does not arrive later.
 #[test]
 fn a_higher_rate_is_no_slower() {
     let frames = |rate: f32| {
@@ -655,7 +657,7 @@ fn a_higher_rate_is_no_slower() {
     assert!([300.0, 1000.0, 5000.0].into_iter().all(|rate| frames(rate).is_some_and(|count| count <= usual)));
 }
 
-/// The neck of an animation that nods deep: what is aside is looked at by way of the front, whatever the nod.
+/// With a neck bent deeply forward by the animation, the neck still turns to a target aside by way of the front.
 #[test]
 fn a_deep_nod_changes_no_side() {
     for nod in [55.0, 59.0, 61.0, 70.0_f32] {
@@ -674,7 +676,7 @@ fn a_deep_nod_changes_no_side() {
     }
 }
 
-/// A target that trembles behind a neck that may turn freely, but has a person's budget: the side it was on counts.
+/// If a target trembles behind a neck with unlimited heading but a human budget, the neck stays on the side it was on.
 #[test]
 fn a_free_neck_with_a_budget_keeps_its_side() {
     let mut rig = thug();
@@ -689,8 +691,8 @@ fn a_free_neck_with_a_budget_keeps_its_side() {
     }
 }
 
-/// Out of reach to the side, the outcome tells how far the body would have to turn, and since when: turned by 2° more the target is
-/// within reach, by 3° less it is not. Behind, too, whatever the policy.
+/// Out of reach to the side, the outcome reports how far the body would have to turn, and since when. Turned by 2°
+/// more, the target is within reach; by 3° less, it is not. This holds behind, too, for every policy.
 #[test]
 fn how_far_the_body_has_to_turn() {
     for (heading, pitch) in [(125.0, 0.0), (-140.0, 10.0), (122.0, -15.0), (170.0, 0.0), (-160.0, 20.0_f32)] {
@@ -721,7 +723,8 @@ fn how_far_the_body_has_to_turn() {
     }
 }
 
-/// After its patience with a target out of reach the gaze returns to the animation, and comes back once it can.
+/// When the patience with a target out of reach ends, the gaze returns to the animation; it resumes once it can reach
+/// it.
 #[test]
 fn patience_ends() {
     for (target, behind) in
@@ -752,7 +755,7 @@ fn patience_ends() {
     }
 }
 
-/// Where the budgets end a turn well before the joints' own ranges would, what is behind is behind.
+/// If budgets limit a turn well before the joints' own ranges, policies for targets behind follow the budgets.
 #[test]
 fn policies_for_what_is_behind_count_by_budgets() {
     let after = |behind: Behind| {
@@ -775,7 +778,7 @@ fn policies_for_what_is_behind_count_by_budgets() {
     }
 }
 
-/// A little skew, as rounded rotations leave it, is less than what makes a pose not rigid: the outcome is true all the same.
+/// A slight skew, as from rounded rotations, does not make a pose non-rigid, and the outcome is still right.
 #[test]
 fn barely_skewed_bones_are_told_truly() {
     let mut rng = Rng(5);
@@ -792,7 +795,7 @@ fn barely_skewed_bones_are_told_truly() {
     }
 }
 
-/// A fade may end at any frame, as linear ones do: neither head nor chest goes further than it stays, or past rest.
+/// A fade may end at any frame, as linear ones do: neither head nor chest overshoots its final position.
 #[test]
 fn fades_do_not_overshoot() {
     for (seconds, heading_deg) in [(0.2, 40.0), (0.4, 60.0), (1.0, 60.0)] {
@@ -805,7 +808,7 @@ fn fades_do_not_overshoot() {
                 let settings = Settings::default().with_weight(weight(frame as f32 / 60.0 / seconds).clamp(0.0, 1.0));
                 aim(&mut rig, &pose, target, 1.0 / 60.0, &settings);
                 let [neck, chest] = [1, 2].map(|joint| angles(&rig.joints[joint]));
-                // The neck makes up for a chest that is slower than the head.
+                // The neck compensates for a chest that is slower than the head.
                 [[neck[0] + chest[0], neck[1] + chest[1]], chest]
             });
             each.collect()

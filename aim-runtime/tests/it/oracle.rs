@@ -1,4 +1,4 @@
-//! The tests' own kernels are right: against central differences in f64 of the independent forward kinematics.
+//! The tests' hand-written kernels agree with central differences in f64 of the independent forward kinematics.
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
@@ -34,7 +34,7 @@ fn kernels_agree_with_central_differences() {
             (value, residual)
         };
         let (value, residual) = evaluate(&angles);
-        // The residual is that of the aim, 2·tan(angle/2), as far as the links' f32 are square.
+        // The residual has length 2·tan(angle/2), as far as the links are orthogonal in f32.
         let length = (residual[0] * residual[0] + residual[1] * residual[1]).sqrt();
         assert!((length - 2.0 * (0.5 * value[0].acos()).tan()).abs() < 1e-5 * length.max(1.0));
         let mut column = 0;
@@ -59,7 +59,7 @@ fn kernels_agree_with_central_differences() {
             }
         }
 
-        // One joint's own gradient is the chain's, seen from that joint.
+        // A joint's own gradient is that of the chain up to that joint.
         let state = sin_cos(&angles);
         let alone = rig.chain_gradient(&links[..1], &target, &state[..1]);
         assert_eq!(rig.joint_gradient(0, &links[0], &target, &state[0]), alone[..3]);

@@ -1,4 +1,4 @@
-//! Postures in a natural gaze: level heads, calm necks.
+//! Postures of the natural gaze: level heads, calm necks.
 #![allow(clippy::cast_precision_loss, reason = "steps are counted")]
 
 use crate::common::*;
@@ -6,8 +6,8 @@ use crate::natural::{at, thug};
 use aim_runtime::glam::{Mat3A, Quat, Vec3};
 use aim_runtime::{Joint, Pose, Role, Status};
 
-/// The heading of a target near the zenith says little: the head looks up rather than aside, whichever side the target passes
-/// on, and a target that moves a little turns it little.
+/// Near the zenith a target's heading is ill-conditioned. The head looks up rather than aside, on whichever side the
+/// target passes, and small movements of the target turn it little.
 #[test]
 fn near_the_zenith_the_head_stays_ahead() {
     for elevation in [78.0, 82.0, 86.0, 89.0_f32] {
@@ -27,8 +27,8 @@ fn near_the_zenith_the_head_stays_ahead() {
     }
 }
 
-/// A head that the animation turns aside, on a neck that it does not, looks up from there: what is overhead does not have the neck turn
-/// it back to the front.
+/// If the animation turns the head but not the neck, the head looks up from there: for an overhead target, the neck
+/// does not turn it back to the front.
 #[test]
 fn a_neck_turns_little_under_a_head_that_looks_overhead() {
     for side in [-25.0, 25.0_f32] {
@@ -38,7 +38,8 @@ fn a_neck_turns_little_under_a_head_that_looks_overhead() {
     }
 }
 
-/// A chest that leans back under a head turned aside rolls the head: it leans back the less, the farther the head is turned.
+/// A chest that leans back under a head turned aside rolls the head, so it leans back less the further the head is
+/// turned.
 #[test]
 fn a_look_up_over_the_shoulder_does_not_tip_the_head() {
     for side in [-1.0, 1.0] {
@@ -46,7 +47,7 @@ fn a_look_up_over_the_shoulder_does_not_tip_the_head() {
             let mut rig = thug();
             let pose = upright(&rig);
             rig.snap(&Pose::new(&pose), at(side * heading, elevation));
-            // The eye rolls nothing.
+            // The eye adds no roll to the head.
             rig.joints[0] = Joint::default();
             let roll = roll_of(&rig, 0.0);
             assert!(roll.abs() < 1.5, "{heading}°, {elevation}°: the head rolls by {roll}°");
@@ -54,7 +55,7 @@ fn a_look_up_over_the_shoulder_does_not_tip_the_head() {
     }
 }
 
-/// A neck does not nod under a head that the animation turns out of it, which it would roll.
+/// A neck does not nod under a head that the animation turns aside, since that would roll the head.
 #[test]
 fn a_neck_nods_little_under_a_head_turned_aside() {
     for side in [-45.0, 45.0_f32] {
@@ -62,14 +63,14 @@ fn a_neck_nods_little_under_a_head_turned_aside() {
         let [head, neck] = [0, 1].map(|joint| rig.joints[joint].pitch() / DEG);
         assert!(neck.abs() < 0.25 * head.abs(), "{side}°: {head}°, {neck}°");
         assert!(roll.abs() < 8.0, "{side}°: the head rolls by {roll}°");
-        // Straight ahead they share it.
+        // Straight ahead, head and neck share the pitch.
         let (rig, roll) = looking(0.0, 0.0, -35.0);
         let [head, neck] = [0, 1].map(|joint| rig.joints[joint].pitch() / DEG);
         assert!(neck.abs() > 0.4 * head.abs() && roll.abs() < 0.1, "{head}°, {neck}°, {roll}°");
     }
 }
 
-/// A head looks by itself at something below and aside: a chest that bent under it would roll it.
+/// A target below and to the side is left to the head: bending the chest under it would roll it.
 #[test]
 fn a_look_down_over_the_shoulder_does_not_tip_the_head() {
     let chest = |heading_deg: f32| looking(0.0, heading_deg, -45.0).0.joints[2].pitch() / DEG;
@@ -79,8 +80,8 @@ fn a_look_down_over_the_shoulder_does_not_tip_the_head() {
     }
 }
 
-/// Where a head cannot nod any further its neck does, but for one that is turned far aside: it would roll the head, and hardly lift
-/// it.
+/// If the head cannot nod further, the neck does, except under a head turned far aside: there it would roll the head
+/// and hardly raise the gaze.
 #[test]
 fn a_neck_does_not_roll_a_head_that_cannot_nod() {
     let reach = |heading_deg: f32, elevation_deg: f32| {
@@ -97,7 +98,7 @@ fn a_neck_does_not_roll_a_head_that_cannot_nod() {
     }
 }
 
-/// Where nothing helps a head to its target, each frame comes to the same as the one before.
+/// If no joint can bring the head nearer to its target, all joints are at rest.
 #[test]
 fn a_head_that_cannot_nod_stands_still() {
     for side in [-1.0, 1.0] {
@@ -122,7 +123,7 @@ fn a_head_that_cannot_nod_stands_still() {
     }
 }
 
-/// While a target goes over the head the eye looks up to it, wherever the head has to turn.
+/// While a target passes over the head, the eye looks up to it, wherever the head has to turn.
 #[test]
 fn an_eye_follows_over_the_head() {
     for aside in [-0.1, 0.03, 0.2_f32] {
@@ -143,12 +144,12 @@ fn an_eye_follows_over_the_head() {
     }
 }
 
-/// A target so far round from the front over the head, and so much to the left.
+/// Returns a target on a circle over the head, at this angle from the front and this far to the left.
 fn over(aside_m: f32, angle_deg: f32) -> Vec3 {
     at(0.0, angle_deg) + WORLD[2] * aside_m
 }
 
-/// Head, neck and chest.
+/// Returns a rig of head, neck and chest.
 fn person() -> NumericRig {
     let mut rig = thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
@@ -157,23 +158,24 @@ fn person() -> NumericRig {
     rig
 }
 
-/// The same with a head that hardly nods.
+/// Returns a rig of head, neck and chest whose head can hardly nod.
 fn stiff_person() -> NumericRig {
     let mut rig = person();
     rig.infos[0] = rig.infos[0].with_pitch(-3.0 * DEG, 3.0 * DEG);
     rig
 }
 
-/// How far a head rolls that the animation turns aside so far, degrees.
+/// Returns the roll of a head that the animation turns aside by `side_deg`, degrees.
 fn roll_of(rig: &NumericRig, side_deg: f32) -> f32 {
-    // Forward, left and up are x, y and z here; the animation turns the head about what is up.
+    // Forward, left and up are x, y and z here; the animation turns the head about up.
     let turn = |joint: &Joint| Mat3A::from_rotation_z(joint.heading()) * Mat3A::from_rotation_y(-joint.pitch());
     let inside = turn(&rig.joints[2]) * turn(&rig.joints[1]);
     let head = inside * Mat3A::from_rotation_z(side_deg * DEG) * turn(&rig.joints[0]);
     head.y_axis.z.atan2(head.z_axis.z) / DEG
 }
 
-/// Head, neck and chest after a snap to a target, the head turned aside by the animation, and the roll of the head in degrees.
+/// Returns head, neck and chest after a snap to a target, with the head turned aside by the animation, and the roll of
+/// the head in degrees.
 fn looking(side_deg: f32, heading_deg: f32, pitch_deg: f32) -> (NumericRig, f32) {
     let mut rig = person();
     let mut pose = upright(&rig);
@@ -183,8 +185,8 @@ fn looking(side_deg: f32, heading_deg: f32, pitch_deg: f32) -> (NumericRig, f32)
     (rig, roll)
 }
 
-/// A chest that faces the ground, as one that crouches, has its front where its up leads, whichever way its forward happens to
-/// point: to either side the head has as much room, and the chest does not roll it.
+/// If a chest faces the ground, as in a crouch, its front is where its up points, whatever the heading of its forward.
+/// The head has equal range to both sides, and the chest does not roll it.
 #[test]
 fn a_chest_that_faces_the_ground_has_its_front_ahead() {
     let [ahead, up] = [Vec3::Z, Vec3::Y];

@@ -1,5 +1,5 @@
-//! Whatever the rig, the pose, the animation, the target, the time step and the settings: corrections are finite and
-//! unit, ranges and rates hold, the status is true, and nothing panics. Judged in f64 from the definitions.
+//! For random rigs, poses, animations, targets, time steps and settings: corrections are finite and unit, ranges and
+//! rates hold, the status is right, and nothing panics. Judged in f64 from the definitions.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::random::{self, Animation};
@@ -8,38 +8,40 @@ use crate::common::*;
 use aim_runtime::glam::{Affine3A, Vec3};
 use aim_runtime::{Ascent, Behind, GazeSharing, LimitsFrom, Outcome, Pose, Settings, Solver, Status, Target};
 
-/// Rigs a solver, and frames a rig: 10⁵ calls in all, in full 10⁶.
+/// Number of rigs per solver. Each runs [`FRAMES`] frames: 10⁵ calls in all, 10⁶ in full test runs.
 const RIGS: usize = 1050;
+/// Number of rigs per solver in full test runs.
 const RIGS_IN_FULL: usize = 10 * RIGS;
+/// Frames per rig.
 const FRAMES: usize = 25;
 
-/// What a rig is asked to do for some frames.
+/// A rig with its inputs over several frames.
 struct Scene {
     rig: NumericRig,
     animation: Animation,
     solver: Option<Solver>,
     target: Path,
-    /// Seconds.
+    /// Elapsed time, seconds.
     time: f32,
     settings: Settings,
     with_up: bool,
     with_bind: bool,
-    /// What awkward numbers are drawn from, so that there may be more of them and all else stays as it is.
+    /// Separate source of awkward numbers, so that drawing more of them changes nothing else.
     awkward: Rng,
 }
 
-/// Where a target goes.
+/// Path of a target.
 #[derive(Clone, Copy, Debug)]
 enum Path {
     Stands(Vec3),
-    /// Radius, height, turns a second.
+    /// Radius, height, revolutions per second.
     Orbits(f32, f32, f32),
-    /// Where some angles look, in the pose's space.
+    /// Target that some angles look at, in the pose's space.
     Reachable(Vec3),
     Vanishes(f32),
     OnTheEffector,
     NearTheEffector(Vec3),
-    /// Along effector 0's opposite, almost.
+    /// Almost opposite to effector 0's direction.
     Opposite(Vec3),
 }
 
@@ -67,7 +69,7 @@ impl Scene {
         scene
     }
 
-    /// Settings at random.
+    /// Returns random settings.
     fn ask(&self, rng: &mut Rng) -> Settings {
         let mut settings = Settings::default()
             .with_behind([Behind::Off, Behind::Clip, Behind::Hold, Behind::Release][rng.below(4)])
@@ -96,7 +98,7 @@ impl Scene {
         settings
     }
 
-    /// Another target.
+    /// Returns a random path for the target.
     fn head_for(&self, rng: &mut Rng) -> Path {
         let near = self.animation.eye() + rng.direction() * rng.of_any_size(0.05, 20.0);
         match rng.below(12) {
@@ -117,7 +119,7 @@ impl Scene {
         }
     }
 
-    /// The target in this frame, in the pose's space.
+    /// Returns the target in this frame, in the pose's space.
     fn target_in(&self, joints: &[Affine3A]) -> Vec3 {
         let effector = self.settings.effector.min(joints.len() - 1);
         let (origin, direction) = truth::animated64(&self.rig, joints, effector);
@@ -136,7 +138,7 @@ impl Scene {
         }
     }
 
-    /// A frame: something may change, then the call is made and judged.
+    /// Runs one frame: changes something at random, then makes the call and judges it.
     fn frame(&mut self, rng: &mut Rng, counts: &mut Counts) -> Result<(), String> {
         match rng.below(40) {
             0 | 1 => self.target = self.head_for(rng),
@@ -145,8 +147,8 @@ impl Scene {
                 self.target = self.head_for(rng);
             }
             3 => {
-                // A range moves, at times so that it is inverted, or does not hold 0 any more. Of two eyes with such a
-                // range one would have to look past the other.
+                // Changes a range, which may become inverted or exclude 0. For a pair of eyes 0 stays included, since
+                // otherwise one eye would have to look past the other.
                 let joint = rng.below(self.rig.infos.len());
                 let info = &mut self.rig.infos[joint];
                 let past = if joint == 0 { 0.0 } else { 0.3 };
@@ -182,7 +184,8 @@ impl Scene {
             let mut numbers = joints[joint].to_cols_array();
             numbers[self.awkward.below(12)] = self.awkward.any();
             joints[joint] = Affine3A::from_cols_array(&numbers);
-            // Of two eyes far apart beside their rig, one sees a target that is a mere direction too near.
+            // An awkward bone may put the eyes far apart beside their rig, and then the target is too near for one of
+            // them.
             pair = None;
         }
         let mut pose = Pose::new(joints.clone());
@@ -226,7 +229,7 @@ impl Scene {
     }
 }
 
-/// The bits of what a call gave back, and left in the joints.
+/// Returns the bits of a call's results and of the joints' angles.
 fn bits(outcome: &Outcome, rig: &NumericRig) -> Vec<u32> {
     let angles = rig.joints.iter().flat_map(|joint| [joint.heading(), joint.pitch()]);
     let corrections = rig.corrections().flat_map(|(_, correction)| correction.to_array());
@@ -234,7 +237,7 @@ fn bits(outcome: &Outcome, rig: &NumericRig) -> Vec<u32> {
     angles.chain(corrections).chain(told).map(f32::to_bits).collect()
 }
 
-/// How often each status was seen.
+/// Number of frames with each status.
 #[derive(Debug, Default)]
 struct Counts([usize; 5]);
 
@@ -280,16 +283,16 @@ fn ascent() {
     hold(Some(Solver::Ascent), 0x3000_0000);
 }
 
-/// Natural for a rig with roles, else exact.
+/// The default solver: natural for a rig with roles, otherwise exact.
 #[test]
 fn either() {
     hold(None, 0x4000_0000);
 }
 
-/// What some angles within the ranges look at is not called out of reach, and a snap reaches it.
+/// A target that some angles within the ranges look at is not reported as out of reach, and a snap reaches it.
 ///
-/// But for one rig in two thousand: of few angles, mostly with coupled ranges, whose gaze is led there from none of the
-/// places that a single call starts from.
+/// The exception is one rig in two thousand: with few angles, mostly with coupled ranges, whose gaze is led there from
+/// none of the starting points of a single call.
 #[test]
 fn within_reach() {
     const RIGS: usize = 6000;
@@ -310,7 +313,7 @@ fn within_reach() {
         if rng.once_in(2) {
             rig.joints = random::state(&rig, &mut rng);
         }
-        // What a natural gaze reaches is told by headings and elevations, in its own tests.
+        // Reachability for a natural gaze depends on headings and elevations and is covered by its own tests.
         let solver = [Solver::Exact, Solver::Ascent][number % 2];
         let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
         let pose = Pose::new(joints);

@@ -1,11 +1,11 @@
-//! Ranges of motion: counted from the bind pose, and narrowing with the heading.
+//! Ranges of motion: relative to the bind pose, and narrowing with the heading.
 
 use crate::common::*;
 use crate::shaken::eyeless;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{Joint, LimitsFrom, Pose, Settings, Status};
 
-/// The thug with absolute ranges.
+/// Returns the thug with absolute ranges.
 fn absolute() -> NumericRig {
     let mut rig = NumericRig::thug();
     for info in &mut rig.infos {
@@ -14,7 +14,7 @@ fn absolute() -> NumericRig {
     rig
 }
 
-/// The upright thug with its neck (and the eye with it) turned by these angles of its own in the world.
+/// Returns the upright thug with its neck (and the eye with it) turned by these angles in world space.
 fn with_neck_turned(rig: &NumericRig, heading: f32, pitch: f32) -> Vec<Affine3A> {
     let mut pose = upright(rig);
     let turn = Quat::from_rotation_y(heading) * Quat::from_rotation_x(pitch);
@@ -31,7 +31,7 @@ fn at(heading: f32, pitch: f32) -> Vec3 {
     Vec3::new(-0.03, 1.65, -0.1) + Quat::from_rotation_y(heading) * Quat::from_rotation_x(pitch) * WORLD[0] * 20.0
 }
 
-/// Aims for two seconds, and checks that no frame exceeds a rate.
+/// Aims for two seconds; asserts that no frame exceeds a rate.
 fn settle(rig: &mut NumericRig, pose: &Pose<Vec<Affine3A>>, target: Vec3) -> Status {
     let mut status = Status::Degenerate;
     for _ in 0..120 {
@@ -45,7 +45,7 @@ fn settle(rig: &mut NumericRig, pose: &Pose<Vec<Affine3A>>, target: Vec3) -> Sta
     status
 }
 
-/// What the animation has turned already is no longer there to be added, on that side; on the other there is more.
+/// The animation's own turn counts towards the range: less may be added on that side, and more on the other.
 #[test]
 fn absolute_ranges_count_what_the_animation_does() {
     for (name, parent, similar) in parents() {
@@ -59,7 +59,7 @@ fn absolute_ranges_count_what_the_animation_does() {
                 let mut rig = rig.clone();
                 let pose = Pose::new(turned.clone()).with_bind(bind.clone());
                 settle(&mut rig, &pose, world.transform_point3(target));
-                // A stretched world stretches the angle that the animation is at.
+                // A stretched world stretches the animation's angle.
                 let near = if similar { 1e-3 } else { 0.5 };
                 let heading = rig.joints[1].heading();
                 assert!((heading - neck).abs() < near, "{name} × {scale}: {}", heading / DEG);
@@ -68,7 +68,8 @@ fn absolute_ranges_count_what_the_animation_does() {
     }
 }
 
-/// An animation outside the range is let be and not pushed further out, and coming back is no more than the target asks.
+/// If the animation itself exceeds a range, the joint is not moved further out, and it returns only as far as the
+/// target requires.
 #[test]
 fn an_animation_outside_its_range_is_let_be() {
     let mut rig = absolute();
@@ -82,7 +83,7 @@ fn an_animation_outside_its_range_is_let_be() {
     assert!(rig.joints[1].heading() < -10.0 * DEG);
 }
 
-/// Nor is it held back while it goes there, however fast, by a gaze that is to add nothing.
+/// At weight 0, an animation is not held back when it leaves its range, however fast.
 #[test]
 fn an_animation_that_leaves_its_range_is_let_go() {
     for speed in [50.0, 200.0, 600.0] {
@@ -100,7 +101,7 @@ fn an_animation_that_leaves_its_range_is_let_go() {
     }
 }
 
-/// Without a bind pose, and with one that has no rotation, absolute ranges are relative.
+/// Without a bind pose, or with one that has no rotation, absolute ranges are relative.
 #[test]
 fn absolute_needs_a_bind_pose() {
     let target = at(130.0 * DEG, 0.0);
@@ -118,7 +119,7 @@ fn absolute_needs_a_bind_pose() {
     }
 }
 
-/// The animation moves: the added angles follow their moving ranges at their rates, whatever it does.
+/// If the animation moves, the added angles follow their moving ranges at their rates.
 #[test]
 fn absolute_ranges_move_with_the_animation() {
     let mut rng = Rng(77);
@@ -150,14 +151,14 @@ fn absolute_ranges_move_with_the_animation() {
     }
 }
 
-/// The pitch's range narrows towards the ends of the heading's, for every solve and in every frame.
+/// The range of the pitch narrows towards the ends of the heading's, in snaps and in every frame.
 #[test]
 fn pitch_narrows_with_the_heading() {
     let mut rig = NumericRig::thug();
     for (info, narrowing) in rig.infos.iter_mut().zip([0.5, 0.25, 1.0]) {
         info.pitch_taper = narrowing;
     }
-    // Narrows faster than pitch can follow.
+    // Narrows faster than the pitch can follow.
     rig.infos[2].pitch = Some([-40.0 * DEG, 40.0 * DEG]);
     let end = |[lo, hi]: [f32; 2], angle: f32| if angle < 0.0 { lo } else { hi };
     let outside = |rig: &NumericRig, index: usize, joint: &Joint| {
@@ -182,7 +183,7 @@ fn pitch_narrows_with_the_heading() {
             let new = rig.joints[index];
             let out = outside(&rig, index, &new);
             let step = rig.infos[index].rate / 60.0;
-            // What is out by its last bit may be said to be so.
+            // A violation in the last bit may be reported as recovering.
             if !(0.0..=1e-6).contains(&out) {
                 assert_eq!(outcome.recovering.contains(index), out > 1e-6, "frame {frame}, joint {index}: {out}");
             }

@@ -5,7 +5,7 @@ use crate::common::exact::{cross, dot, exact, length, minus};
 use aim_runtime::glam::Vec3;
 use aim_runtime::trajectory::{Descent, Ends, Node, Outcome, Place, Status, Trajectory, Waypoint};
 
-/// Trajectories as hands have them, in units of the limb.
+/// Returns typical hand trajectories, in units of the limb's length.
 fn clips() -> Vec<(&'static str, Vec<Vec3>)> {
     let made = |frames: u16, point: &dyn Fn(f32) -> Vec3| {
         (0..frames).map(|i| point(f32::from(i) / f32::from(frames - 1))).collect::<Vec<_>>()
@@ -37,7 +37,8 @@ fn workspace(frames: usize) -> (Vec<Vec3>, Vec<Node>) {
     (vec![Vec3::ZERO; frames], vec![Node::default(); frames])
 }
 
-/// The changes of second differences, the still frames before and after included: root of their mean square, and largest.
+/// Returns root mean square and maximum of the change of second differences, including the still frames before and
+/// after.
 fn added_acceleration(points: &[Vec3], now: &[Vec3]) -> [f32; 2] {
     let offset = |i: Option<usize>| i.filter(|&i| i < now.len()).map_or(Vec3::ZERO, |i| now[i] - points[i]);
     let bend = |i: usize| (offset(i.checked_sub(1)) - 2.0 * offset(Some(i)) + offset(Some(i + 1))).length();
@@ -45,7 +46,7 @@ fn added_acceleration(points: &[Vec3], now: &[Vec3]) -> [f32; 2] {
     [mean_square.sqrt(), (0..now.len()).map(bend).fold(0.0, f32::max)]
 }
 
-/// A waypoint within a quarter of the limb.
+/// Returns a waypoint at most a quarter of the limb's length away, in the middle half of the trajectory.
 fn waypoint(rng: &mut Rng, points: &[Vec3]) -> Waypoint {
     let frame = points.len() / 4 + rng.below(points.len() / 2);
     Waypoint::new(frame, points[frame] + rng.direction() * rng.between(0.05, 0.25))
@@ -69,7 +70,7 @@ fn through_the_waypoint_within_thirty_evaluations() {
     println!("at most {most} evaluations");
 }
 
-/// White noise as large as the change itself, ten times.
+/// White noise as large as the change itself leads to the same curve from ten starts.
 #[test]
 fn one_curve_from_ten_starts() {
     let mut rng = Rng(2);
@@ -91,7 +92,8 @@ fn one_curve_from_ten_starts() {
     }
 }
 
-/// The smoothest bump is that of the least mean square of acceleration, so it is compared by that; the largest is told.
+/// The smoothest bump minimises the mean square of the acceleration, so it is compared by that; the maximum is only
+/// printed.
 #[test]
 fn no_more_distorted_than_by_descent_and_about_as_smooth_as_a_bump() {
     let mut rng = Rng(3);
@@ -109,12 +111,12 @@ fn no_more_distorted_than_by_descent_and_about_as_smooth_as_a_bump() {
             let descent = Descent { steps: 2000, rate: 0.01, gamma: 1.0 };
             let descended = trajectory.descend(&[waypoint], descent, &mut other, &mut nodes);
             distortion = distortion.max(outcome.distortion / descended.distortion);
-            // A descent five times as fast distorts less and shakes the more.
+            // A descent with five times the rate distorts less but is less smooth.
             let descended = trajectory.descend(&[waypoint], Descent { rate: 0.05, ..descent }, &mut other, &mut nodes);
             faster = faster.max(outcome.distortion / descended.distortion);
             zigzag = zigzag.min(added_acceleration(&points, &other)[0] / bump[0]);
 
-            // Correcting the one frame only, as IK alone would, is a jump.
+            // Moving only that frame, as IK alone would, is a jump.
             let mut jump = points.clone();
             jump[waypoint.frame] = waypoint.point;
             assert!(added_acceleration(&points, &jump)[1] > 20.0 * ours[1]);
@@ -136,7 +138,7 @@ fn several_waypoints_and_weights() {
     assert_eq!(outcome.status, Status::Met);
     assert!(three.iter().all(|waypoint| out[waypoint.frame] == waypoint.point), "{outcome:?}");
 
-    // The heavier, the nearer.
+    // A larger weight brings the curve nearer.
     let mut before = f64::INFINITY;
     for weight in [0.0, 0.01, 1.0, 100.0] {
         let (_, outcome) = deformed(&Trajectory::new(&points), &[at(55, Vec3::Y * 0.15).with_weight(weight)]);
@@ -148,7 +150,7 @@ fn several_waypoints_and_weights() {
             before = outcome.missed;
         }
     }
-    // Two that say otherwise of one frame.
+    // Two contradictory waypoints for the same frame.
     let (_, outcome) = deformed(&Trajectory::new(&points), &[at(55, Vec3::X * 0.1), at(55, Vec3::X * -0.1)]);
     assert_eq!(outcome.status, Status::Missed);
 }
@@ -165,7 +167,7 @@ fn nothing_asked_for_changes_nothing() {
     }
 }
 
-/// Straight lines have no side, points that repeat no chord, and turning points a chord that vanishes.
+/// Straight lines define no side, repeated points no chord, and turning points a vanishing chord.
 #[test]
 fn straight_still_and_turning() {
     let made = |point: &dyn Fn(f32) -> Vec3| (0_u16..61).map(|i| point(f32::from(i) / 60.0)).collect::<Vec<_>>();
@@ -188,11 +190,11 @@ fn straight_still_and_turning() {
             }
         }
     }
-    // Where a line is folded back on itself and pushed together, there are many ways to bend.
+    // If a line is folded back on itself and pushed together, there are many ways to bend.
     assert!(unsettled <= 2, "{unsettled} of 100");
 }
 
-/// Twice as large, twice as far; elsewhere, the same; at other times, the same.
+/// Results scale with the trajectory, and do not depend on its position or on an offset or scale of time.
 #[test]
 fn any_unit_anywhere() {
     let (_, points) = clips().swap_remove(0);
@@ -214,7 +216,7 @@ fn any_unit_anywhere() {
     assert!(out.iter().zip(&curve).all(|(a, b)| a.distance(*b) < 1e-5));
 }
 
-/// A frame moved in time, its point with it, hardly changes the curve.
+/// Moving a frame in time, together with its point, hardly changes the curve.
 #[test]
 fn uneven_times() {
     let path = |t: f32| Vec3::new((2.0 * t).cos(), (2.0 * t).sin(), 0.3 * t);
@@ -262,13 +264,13 @@ fn whatever_the_bits() {
         assert!(!finite || out.iter().all(|point| point.is_finite()), "{points:?} {waypoints:?} {outcome:?}");
         assert!(finite || outcome.status == Status::Degenerate);
     }
-    // Too short a slice.
+    // Output slice too short.
     let (mut out, mut nodes) = workspace(4);
     let outcome = Trajectory::new(&[Vec3::ZERO; 5]).deform(&[], &mut out, &mut nodes);
     assert_eq!(outcome.status, Status::Degenerate);
 }
 
-/// However finely it is sampled, it is about the same curve.
+/// The sampling rate hardly affects the curve.
 #[test]
 fn any_frame_rate() {
     let path = |t: f32| Vec3::new((2.0 * t).cos(), (3.0 * t).sin(), 0.3 * t);
@@ -286,7 +288,7 @@ fn any_frame_rate() {
     }
 }
 
-/// α, β, A and B by their definitions, and each point from its neighbours by them.
+/// α, β, A and B agree with their definitions and reproduce each point from its neighbours.
 #[test]
 fn places_by_their_definitions() {
     let mut rng = Rng(9);
@@ -308,7 +310,7 @@ fn places_by_their_definitions() {
                 assert!((place.alpha - expected[0]).abs() < 1e-12 * scale, "{name} {frame}: {place:?}");
                 assert!((place.beta - expected[1]).abs() < 1e-12 * scale, "{name} {frame}: {place:?}");
                 assert!(length(minus(place.along, along)) < 1e-12, "{name} {frame}: {place:?}");
-                // B is unit, square to A, and its sign is the point's.
+                // B is a unit vector, perpendicular to A, and on the point's side.
                 if place.beta > 1e-6 * scale {
                     let off = [length(place.beside) - 1.0, dot(place.beside, along)];
                     assert!(off.iter().all(|off| off.abs() < 1e-9), "{name} {frame}: {place:?}");
@@ -317,7 +319,7 @@ fn places_by_their_definitions() {
             }
         }
     }
-    // On the line, at one point, and beside neighbours at one point.
+    // Degenerate points: on the line, all at one point, and beside coincident neighbours.
     let point = Vec3::new(0.5, 0.0, 0.0);
     let place = Place::new([Vec3::ZERO, point, Vec3::X]);
     assert_eq!((place.alpha, place.beta, place.beside), (0.5, 0.0, [0.0; 3]));

@@ -1,4 +1,4 @@
-//! Arithmetic of rotations, judged by definitions in f64.
+//! Arithmetic of rotations, checked against definitions in f64.
 
 use core::f64::consts::PI;
 
@@ -22,7 +22,7 @@ fn between_rotations() {
             let part: Quat = between(a, b, weight);
             assert!(is_sound(part));
             let [before, after] = [angle_of(part * a.conjugate()), angle_of(b * part.conjugate())];
-            // On the short way, whichever of its two quaternions a rotation is given by.
+            // Along the shorter arc, whichever of its two quaternions represents a rotation.
             assert!((before + after - whole).abs() < 2e-5 && whole < PI + 1e-6, "{before} + {after} of {whole}");
             assert!(angle_of(between(a, -b, weight) * part.conjugate()) < 1e-5 || whole > 3.1);
             if is_even {
@@ -52,12 +52,12 @@ fn rotation_vectors() {
         assert!(error < 1e-6 * (1.0 + angle) && error < 1e-5 * angle, "{vector}: off by {error}");
         assert!((log(-rotation) - log(rotation)).length() == 0.0);
     }
-    // More than half a turn is the rest of a turn the other way round.
+    // More than half a turn equals the remaining turn in the other direction.
     assert!((log(exp(Vec3::X * 4.0)) + Vec3::X * (core::f32::consts::TAU - 4.0)).length() < 1e-5);
     assert_eq!((log(Quat::IDENTITY), exp(Vec3::ZERO)), (Vec3::ZERO, Quat::IDENTITY));
 }
 
-/// The polar factor is the one for which Fᵀ·M is symmetric and positive definite.
+/// The polar factor F is the rotation for which Fᵀ·M is symmetric and positive definite.
 #[test]
 fn nearest_frames() {
     let mut rng = Rng(4);

@@ -1,11 +1,11 @@
-//! Long random sequences: ranges and rates hold, the status tells the truth, nothing is ever lost.
+//! Long random sequences: ranges and rates hold, the status is right, and no state is ever corrupted.
 #![allow(clippy::cast_possible_truncation, reason = "frames are counted and f64 is rounded to f32 on purpose")]
 
 use crate::common::*;
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::{Ascent, Joint, Outcome, Pose, Settings, Status};
 
-/// Checks one call: `before` are the joints' states before it.
+/// Checks one call. `before` holds the joints' states before it.
 fn check(rig: &NumericRig, before: &[Joint], outcome: &Outcome, dt: f32, case: &str) {
     let dt = if dt > 0.0 { dt.min(0.1) } else { 0.0 };
     assert!(sound(rig), "{case}");
@@ -27,7 +27,7 @@ fn check(rig: &NumericRig, before: &[Joint], outcome: &Outcome, dt: f32, case: &
     }
 }
 
-/// Ten thousand frames of targets that wander, leap, orbit and vanish, with a pose that never holds still.
+/// Ten thousand frames with targets that wander, jump, orbit and vanish, and a pose that always moves.
 #[test]
 fn limits_and_rates_hold() {
     let mut rng = Rng(2024);
@@ -39,7 +39,7 @@ fn limits_and_rates_hold() {
         match rng.below(60) {
             0 => target = Vec3::new(0.0, 1.6, 0.0) + rng.direction() * rng.between(0.05, 8.0),
             1 => {
-                // The ranges move, at times so that they are inverted.
+                // Change the ranges, some of which become inverted.
                 for (info, declared) in rig.infos.iter_mut().zip(&declared) {
                     let (a, b) = (rng.between(-0.8, 0.3), rng.between(-0.3, 0.8));
                     info.heading = if rng.below(2) == 0 { declared.heading } else { Some([a, b]) };
@@ -84,7 +84,7 @@ fn limits_and_rates_hold() {
     assert!(counts[..4].iter().all(|&count| count > 100), "the sequence saw every status: {counts:?}");
 }
 
-/// The turret's free heading goes round and round without ever leaving half a turn, at its rate.
+/// The turret's free heading wraps at half a turn and keeps turning at its rate.
 #[test]
 fn free_heading_wraps() {
     let mut rig = NumericRig::turret();
@@ -106,8 +106,7 @@ fn free_heading_wraps() {
     assert!(reached > 1700, "{reached}");
 }
 
-/// A target in reach that stands still is reached, and when the displacement is at its least nothing moves any more,
-/// exactly.
+/// A static target within reach is reached, and once the displacement is minimal, nothing moves any more, exactly.
 #[test]
 fn comes_to_rest() {
     let mut rng = Rng(3);
@@ -143,7 +142,7 @@ fn comes_to_rest() {
     }
 }
 
-/// The status is judged with the rates removed: a target in reach is never called out of reach, nor the reverse.
+/// The status is judged without the rates: a reachable target is never reported as out of reach, nor the reverse.
 #[test]
 fn out_of_reach_is_told_from_not_yet() {
     let mut rng = Rng(5);
@@ -162,7 +161,7 @@ fn out_of_reach_is_told_from_not_yet() {
             Status::Reached => assert!(matches!(first.status, Status::Reached | Status::RateLimited), "case {case}"),
             status => assert_eq!(first.status, status, "case {case}"),
         }
-        // The frames end where the snap does: as near, whatever the sharing.
+        // After many frames the gaze is as near as after the snap, whatever the sharing.
         let mut last = first;
         for _ in 0..300 {
             last = stepped.aim(&pose, target, 1.0 / 60.0);
@@ -174,7 +173,7 @@ fn out_of_reach_is_told_from_not_yet() {
     }
 }
 
-/// Exactly behind and trembling there: the joints keep to the side they are on.
+/// For a target that trembles exactly behind, the joints stay on their side.
 #[test]
 fn behind_keeps_its_side() {
     for side in [1.0, -1.0] {
@@ -199,7 +198,7 @@ fn behind_keeps_its_side() {
                 assert!((joint.heading() - settled.heading()).abs() < 3.0 * DEG, "{joint:?} {settled:?}");
             }
         }
-        // Clearly on the other side, they go there.
+        // When it is clearly on the other side, they follow.
         for _ in 0..300 {
             rig.aim(&pose, at(-side * 165.0, 0.0), 1.0 / 60.0);
         }
@@ -207,7 +206,7 @@ fn behind_keeps_its_side() {
     }
 }
 
-/// Never seen before and exactly behind: to the left; without a gradient to say so.
+/// A target seen for the first time exactly behind, where there is no gradient: the turn is to the left.
 #[test]
 fn exactly_behind_goes_left() {
     let mut rig = NumericRig::ball(THUG);
@@ -218,7 +217,7 @@ fn exactly_behind_goes_left() {
     assert!((rig.joints[0].heading() - 180.0 * DEG).abs() < 0.2 * DEG);
 }
 
-/// A teleport of the target changes no angle faster than its rate; a snap is the only jump.
+/// If a target teleports, no angle moves faster than its rate; only a snap jumps.
 #[test]
 fn teleport() {
     let mut rig = NumericRig::thug();
@@ -234,7 +233,7 @@ fn teleport() {
     assert!(rig.joints[1].heading() < 0.0 && left[1].heading() > 0.0);
 }
 
-/// Weight 0: the corrections decay at their rates to the exact identity, with a target or without.
+/// At weight 0 the corrections decay at their rates to the exact identity, with a target or without.
 #[test]
 fn weight_zero_decays_to_the_identity() {
     for target in [Vec3::new(1.0, 1.7, -1.0), Vec3::NAN, Vec3::ZERO] {
@@ -255,7 +254,7 @@ fn weight_zero_decays_to_the_identity() {
     }
 }
 
-/// Sweeping the weight never jumps, also with the target behind.
+/// Sweeping the weight causes no jump, also with the target behind.
 #[test]
 fn weight_sweeps_smoothly() {
     for target in [Vec3::new(-2.0, 1.6, -1.0), Vec3::new(0.1, 1.6, 3.0)] {
@@ -270,7 +269,7 @@ fn weight_sweeps_smoothly() {
     }
 }
 
-/// Ranges that shrink under the angles: these go back at their rates, and it is said.
+/// If ranges shrink below the angles, these return at their rates and are reported as recovering.
 #[test]
 fn recovering() {
     let mut rig = NumericRig::thug();
@@ -292,7 +291,7 @@ fn recovering() {
     assert!(seen && rig.joints[1].heading() <= 5.0 * DEG);
 }
 
-/// A thing of the paper: with nothing added, the ascent still follows and holds the limits.
+/// The paper's ascent without any additions follows its target and keeps the limits.
 #[test]
 fn the_published_method() {
     let mut rig = NumericRig::thug();
@@ -310,7 +309,8 @@ fn the_published_method() {
         }
     }
     assert!(worst < 2.0 * DEG, "{}", worst / DEG);
-    // Relaxed supporting joints: looking ahead again, the neck comes home by itself; nearly so with coarse steps.
+    // Supporting joints relax: with the target ahead again, the neck returns to rest, though only nearly with the
+    // paper's coarse steps.
     let finished = settings.with_ascent(Ascent::default().with_relax(Some(0.95)));
     for (settings, near) in [(settings, 5.0 * DEG), (finished, 0.1 * DEG)] {
         rig.snap(&Pose::new(pose.clone()), Vec3::new(-2.0, 1.7, -1.0));
@@ -322,7 +322,7 @@ fn the_published_method() {
     }
 }
 
-/// Far from the world's origin, within what f32 leaves of the pose.
+/// Far from the world's origin, as precisely as f32 represents the pose.
 #[test]
 fn far_from_the_origin() {
     let away = Affine3A::from_translation(Vec3::new(2048.0, -512.0, 1024.0));

@@ -1,4 +1,4 @@
-//! A head without eyes, which has to be on its target itself, while its animation shakes it.
+//! A head without eyes, which must itself stay on the target, while its animation shakes it.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
@@ -6,7 +6,7 @@ use crate::natural::{FRAME_RATES, aim, at, thug};
 use aim_runtime::glam::{Mat3A, Quat};
 use aim_runtime::{Role, Settings};
 
-/// The thug's joints as those of a head without eyes, which leads.
+/// Returns the thug's joints as head, neck and chest: without eyes, the head leads.
 pub(crate) fn eyeless() -> NumericRig {
     let mut rig = thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Chest]) {
@@ -15,8 +15,8 @@ pub(crate) fn eyeless() -> NumericRig {
     rig
 }
 
-/// Shows each frame of a head without eyes from a time on, while its animation turns it by this many radians at each time: the rig,
-/// and by how much it is off its target, degrees.
+/// Runs 8 s of a head without eyes whose animation turns it by `turn_at(t)` radians. After `from_s` seconds, calls
+/// `look` in each frame with the rig and its remaining angle in degrees.
 fn shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32, mut look: impl FnMut(&NumericRig, f64)) {
     let (mut rig, target) = (eyeless(), at(25.0, 0.0));
     for frame in 0..(8.0 * hz) as usize {
@@ -30,15 +30,15 @@ fn shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32, mut look: impl FnM
     }
 }
 
-/// The most by which it is off its target, degrees.
+/// Returns the largest remaining angle after `from_s` seconds, degrees.
 fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
     let mut worst = 0.0_f64;
     shaken(hz, from_s, turn_at, |_, off| worst = worst.max(off));
     worst
 }
 
-/// A head that leads and whose animation shakes it faster than its acceleration can make up for is off by no more than the shaking
-/// itself; slower shaking it makes up for.
+/// If the shaking exceeds the head's acceleration, the error is no larger than the shaking itself; slower shaking is
+/// compensated.
 #[test]
 fn a_shaken_head_does_not_resound() {
     const SWING_DEG: f32 = 12.0;
@@ -52,29 +52,29 @@ fn a_shaken_head_does_not_resound() {
     }
 }
 
-/// Swings between −1 and 1 at a time in seconds, so many a second.
+/// Oscillation between −1 and 1: a function of time in seconds and frequency in hertz.
 type Wave = fn(f32, f32) -> f32;
 
-/// A sine that is keyed ten times a second.
+/// A sine sampled by keys ten times a second, with linear interpolation.
 fn keyed(t: f32, swings_hz: f32) -> f32 {
     let key = (10.0 * t).floor();
     let [from, to] = [key, key + 1.0].map(|key| (std::f32::consts::TAU * 0.1 * key * swings_hz).sin());
     from + (to - from) * (10.0 * t - key)
 }
 
-/// Evenly to and fro.
+/// Triangle wave.
 fn triangle(t: f32, swings_hz: f32) -> f32 {
     1.0 - 4.0 * ((t * swings_hz).fract() - 0.5).abs()
 }
 
-/// Slower to than fro.
+/// Sawtooth wave that rises slowly and falls quickly.
 fn saw(t: f32, swings_hz: f32) -> f32 {
     let phase = (t * swings_hz).fract();
     if phase < 0.7 { 2.0 * phase / 0.7 - 1.0 } else { 1.0 - 2.0 * (phase - 0.7) / 0.3 }
 }
 
-/// Nor where the animation turns back at once, as one that is keyed ten times a second does, or faster one way than the other: the
-/// head is thrown off by less than the shaking's whole width, and does not drift away.
+/// If the animation reverses abruptly, like one with ten keys a second, or is faster in one direction, the error is
+/// less than the peak-to-peak shaking, and the head does not drift away.
 #[test]
 fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
     const SWING_DEG: f32 = 12.0;
@@ -90,14 +90,14 @@ fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
     }
 }
 
-/// A body that jerks ten times a second, as one whose keys are a tenth of a second apart does, by less than the head's acceleration
-/// makes up for: the head takes each jerk up in two frames, and its acceleration does not leap from end to end.
+/// A body that jerks ten times a second, as with keys a tenth of a second apart, by less than the head's acceleration
+/// can compensate: the head absorbs each jerk in two frames, and its acceleration does not jump between extremes.
 #[test]
 fn jerks_of_the_body_do_not_reverse_the_head() {
     const ACCELERATION_DEG_S2: f32 = 1200.0;
     const JERKS_HZ: f32 = 10.0;
     for hz in [30.0, 60.0, 120.0] {
-        // A triangle turns back by 8 times its swing and frequency.
+        // A triangle wave's velocity changes by 8 · swing · frequency when it reverses.
         let jerk_deg_s = 0.8 * ACCELERATION_DEG_S2 / hz;
         let swing_deg = jerk_deg_s / (4.0 * JERKS_HZ);
         let (mut headings, mut worst) = (Vec::new(), 0.0_f64);

@@ -1,10 +1,10 @@
-//! `snap` reaches every reachable target, precisely, and the best it can of the others.
+//! `snap` reaches every reachable target precisely, and gets as near as possible to the others.
 
 use crate::common::*;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::{Joint, JointInfo, Pose, Status};
 
-/// The angles that a joint can have, at random within its ranges.
+/// Sets the joints to random angles within their ranges.
 fn random_angles(rig: &mut NumericRig, rng: &mut Rng) {
     let mut joints = rig.joints.clone();
     for (joint, info) in joints.iter_mut().zip(&rig.infos) {
@@ -22,7 +22,7 @@ fn reaches_every_reachable_target() {
     for case in 0..3000 {
         let mut rig = NumericRig::thug();
         let pose = animated(&rig, &mut rng, 0.4);
-        // What some angles look at is reachable.
+        // A target that some angles look at is reachable.
         random_angles(&mut rig, &mut rng);
         let target = ahead(&rig, &pose, 0, rng.between(0.3, 20.0));
         if case % 2 == 0 {
@@ -43,7 +43,7 @@ fn reaches_every_reachable_target() {
     assert_eq!((failed, inexact), (0, 0));
 }
 
-/// Chains of one to six joints with hinges among them, offset effectors and ranges of any size.
+/// Chains of one to six joints, including hinges, with offset effectors and ranges of any size.
 #[test]
 fn reaches_with_any_chain() {
     let mut rng = Rng(99);
@@ -76,7 +76,7 @@ fn reaches_with_any_chain() {
     }
 }
 
-/// Out of reach, the best of many random postures is no better.
+/// Out of reach, the best of many random postures is no nearer.
 #[test]
 fn does_its_best_out_of_reach() {
     let mut rng = Rng(4);
@@ -101,7 +101,8 @@ fn does_its_best_out_of_reach() {
     assert!(unreachable > 20, "{unreachable}");
 }
 
-/// The same from wherever the joints were, as long as the target can be reached: scrubbing back and forth agrees.
+/// For reachable targets the result does not depend on the joints' previous angles: scrubbing in both directions
+/// agrees.
 #[test]
 fn does_not_depend_on_the_past() {
     let pose = Pose::new(upright(&NumericRig::thug()));
@@ -116,7 +117,7 @@ fn does_not_depend_on_the_past() {
     }
 }
 
-/// A target on the animated effector has no direction: nothing moves, wherever the joints are.
+/// A target on the animated effector has no direction: nothing moves, whatever the joints' angles.
 #[test]
 fn holds_where_the_target_is_on_the_effector() {
     for turned in [0.0, 0.3] {

@@ -1,5 +1,5 @@
-//! Frames that need no search, which specialisations of the exact solver serve: each beside the general solver on the
-//! same state, and judged in f64 from the definitions.
+//! Frames that need no search and are solved by specialised versions of the exact solver: compared with the general
+//! solver from the same state, and judged in f64 from the definitions.
 
 #![allow(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
 #![allow(clippy::cast_precision_loss, reason = "frames are counted")]
@@ -11,26 +11,28 @@ use crate::common::*;
 use aim_runtime::glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use aim_runtime::{Behind, Joint, JointInfo, Outcome, Pose, Role, Settings, Solver, Status};
 
-/// Rigs of each number of joints, and frames a rig.
+/// Number of rigs for each number of joints. Each runs [`FRAMES`] frames.
 const RIGS: usize = 60;
 const FRAMES: usize = 40;
 
-/// How far apart the same angle may be by both solvers, radians: each may leave up to 4.5e-5 of the gaze, not the same.
+/// Largest difference of an angle between both solvers, radians: each may leave a different error of up to 4.5e-5.
 const SAME_RAD: f32 = 2e-4;
-/// And a part of the farthest that an angle moves: what is mended of the linear model is not the same either.
+/// Additional difference relative to the largest movement of an angle: corrections to the linear model differ as well.
 const SAME_PART: f32 = 5e-3;
-/// The same where a frame goes far, as after a leap; or the displacement costs no more, but for this part.
+/// Largest difference after a large movement such as a jump, radians. Larger ones are accepted if the displacement's
+/// cost is no more than [`SAME_COST`] above the general solver's.
 const SAME_AFTER_A_LEAP_RAD: f32 = 5e-3;
+/// Largest relative excess of a displacement's cost over that of the general solver.
 const SAME_COST: f64 = 0.01;
 
-/// How a frame was served.
+/// Solver that a frame was solved by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Path {
     General,
     Specialised,
 }
 
-/// What the two solvers made of one frame.
+/// Results of both solvers for one frame.
 struct Frame {
     before: NumericRig,
     rig: NumericRig,
@@ -41,11 +43,11 @@ struct Frame {
 }
 
 impl Frame {
-    /// Serves a frame for `rig`, and the same frame by the general solver, which serves all ranges that count from a
-    /// bind pose.
+    /// Solves a frame with `rig`'s own choice of solver and with the general solver, which is used whenever ranges are
+    /// relative to a bind pose.
     ///
-    /// The general solver works in lengths of the rig's own size, the specialised ones in those of its bones. So a frame
-    /// was served by a specialised one if no call of a kernel had the general solver's arguments.
+    /// The general solver works in units of the rig's size, specialised ones in units of its bones. So a frame was solved by
+    /// a specialised solver if no kernel call had the general solver's arguments.
     fn serve(rig: &NumericRig, pose: &Pose<Vec<Affine3A>>, target: Vec3, dt: f32, settings: &Settings) -> Self {
         let before = rig.clone();
         let [(rig, outcome), (whole, by_whole)] = [before.clone(), as_a_chain(&before)].map(|mut rig| {
@@ -59,7 +61,7 @@ impl Frame {
         Self { before, rig, outcome, whole, by_whole, path }
     }
 
-    /// A frame that a specialised solver left to the general one: it changed nothing, so that no bit differs.
+    /// Checks a frame that was left to the general solver: the attempt to specialise must not change a single bit.
     fn check_general(&self) -> Result<(), String> {
         let told = |holds: bool, what: &str| if holds { Ok(()) } else { Err(what.to_owned()) };
         told(self.outcome == self.by_whole, "the outcome differs")?;
@@ -68,11 +70,11 @@ impl Frame {
         told(self.rig.corrections().eq(self.whole.corrections()), "a correction differs")
     }
 
-    /// A frame that a specialised solver served.
+    /// Checks a frame that a specialised solver solved.
     fn check_specialised(&self, call: &Call<'_>, up: Option<Vec3>, same_rad: f32) -> Result<(), String> {
         let Self { before, rig, outcome, whole, by_whole, .. } = self;
         call.check(before, rig, outcome)?;
-        // Out of reach a joint alone comes as near as can be, nearer than the general solver's linear steps.
+        // Out of reach, a single joint gets as near as possible, nearer than the general solver's linear steps.
         let nearest = rig.infos.len() == 1 && outcome.remaining > 1e-4;
         if nearest && outcome.remaining > by_whole.remaining + 1e-4 {
             return Err(format!("the general solver comes nearer: {by_whole:?}"));
@@ -102,11 +104,11 @@ impl Frame {
                 return Err(format!("joint {index} remembers more than angles"));
             }
         }
-        // The tolerance may lie between what both leave.
+        // The tolerance may lie between the errors of both solvers.
         let tolerance = call.settings.tolerance;
         let (least, most) = (outcome.remaining.min(by_whole.remaining), outcome.remaining.max(by_whole.remaining));
         let is_between = least <= tolerance && tolerance <= most && (most < least + 1e-4 || nearest);
-        // And below what single precision tells there is nothing to agree on.
+        // Below the resolution of single precision, the status may differ.
         let unclear = is_between || tolerance < 1e-5;
         if (outcome.status != by_whole.status && !unclear) || outcome.recovering != by_whole.recovering {
             return Err(format!("the general solver: {by_whole:?}"));
@@ -130,15 +132,16 @@ impl Frame {
         call.check_remaining(truth::seen64(rig, call.joints, 0), outcome.remaining)
     }
 
-    /// Whether both solvers remember the same of the target: which side it is on, and for how long it has been out of reach.
+    /// Returns `true` if both solvers remember the same about the target: its side, and how long it has been out of
+    /// reach.
     fn remembers_alike(&self, call: &Call<'_>, up: Option<Vec3>) -> bool {
         let [own, other] = [&self.rig, &self.whole].map(|rig| format!("{:?}", rig.memory));
         let is_alike = |name: &str| {
             let [own, other] = [&own, &other].map(|told| told.split_once(name).unwrap().1.split([',', '}']).next());
             own == other
         };
-        // The side is that of the target as the innermost joint sees it here, and as the effector does there, where it is
-        // held while the target is behind.
+        // Here the side is that of the target as seen from the innermost joint; in the general solver, as seen from the
+        // effector, where it is held while the target is behind.
         let last = self.rig.infos.len() - 1;
         let innermost = call.joints[last];
         let [left, forward] = [self.rig.infos[last].axes().left, self.rig.infos[last].axes().forward]
@@ -156,7 +159,7 @@ impl Frame {
         is_alike("blocked_s:") && is_alike("behind:") && (is_alike("side:") || !is_clear || is_tilted)
     }
 
-    /// The corrections are the angles, computed in f64.
+    /// Checks the corrections against the angles, in f64.
     fn check_corrections(&self, pose: &[Affine3A], up: Option<Vec3>) -> Result<(), String> {
         for (index, correction) in self.rig.corrections() {
             let off = truth::off_correction64(&self.rig, pose, up, index, correction);
@@ -168,19 +171,21 @@ impl Frame {
     }
 }
 
-/// Heading and pitch of each joint.
+/// Returns heading and pitch of each joint.
 fn angles(rig: &NumericRig) -> impl Iterator<Item = f32> + '_ {
     rig.joints.iter().flat_map(|joint| [joint.heading(), joint.pitch()])
 }
 
-/// What the angles cost that a frame led to: the squares of the displacements from half way to rest, by their stiffness.
+/// Returns the cost of a frame's angles: the sum of their squared displacements from half of the former angles,
+/// weighted by stiffness.
 fn cost(before: &NumericRig, after: &NumericRig) -> f64 {
     let stiffness = after.infos.iter().flat_map(|info| [info.stiffness; 2]);
     let displaced = angles(before).zip(angles(after)).map(|(old, new)| f64::from(new) - 0.5 * f64::from(old));
     displaced.zip(stiffness).map(|(displaced, stiffness)| f64::from(stiffness) * displaced * displaced).sum()
 }
 
-/// Whether a joint has an angle within 1e-6 of an end of its range, and whether another solver may see that otherwise.
+/// Returns whether a joint has an angle within 1e-6 of an end of its range, and whether another solver may decide that
+/// differently.
 fn at_limit(info: &JointInfo, joint: &Joint, same_rad: f32) -> (bool, bool) {
     let (mut at_limit, mut unclear) = (false, false);
     for (range, angle) in [(info.heading, joint.heading()), (info.pitch, joint.pitch())] {
@@ -192,13 +197,13 @@ fn at_limit(info: &JointInfo, joint: &Joint, same_rad: f32) -> (bool, bool) {
     (at_limit, unclear)
 }
 
-/// A rig whose ranges are fixed: what specialised solvers are for.
+/// Returns a rig with fixed ranges, for which specialised solvers exist.
 fn rig(rng: &mut Rng, count: usize) -> NumericRig {
     let (all_alike, is_upright) = (rng.once_in(3), rng.once_in(3));
     let mut infos: Vec<JointInfo> = Vec::new();
     for index in 0..count {
         let mut info = JointInfo::new(random::axes(rng), rng.of_any_size(0.5, 20.0));
-        // An eye and a neck can turn both ways, so that there is something to aim with.
+        // Eye and neck have both angles, so that there is something to aim with.
         let declared = if index < 2 { 15 } else { rng.below(16) };
         if declared % 4 != 0 {
             let [lo, hi] = random::range(rng, 150.0);
@@ -239,7 +244,7 @@ fn rig(rng: &mut Rng, count: usize) -> NumericRig {
     rig
 }
 
-/// An animation that keeps shapes.
+/// Returns an animation that preserves shapes.
 fn animation(rig: &NumericRig, rng: &mut Rng) -> Animation {
     loop {
         let animation = Animation::new(rig, rng);
@@ -249,11 +254,12 @@ fn animation(rig: &NumericRig, rng: &mut Rng) -> Animation {
     }
 }
 
-/// A target that wanders where the ranges reach, and now and then leaps.
+/// Target that wanders within the ranges and sometimes jumps.
 struct Wanderer {
     ends: [Vec<Joint>; 2],
-    /// Parts of the way between the ends, a second, and what all angles come to together, radians a second.
+    /// Largest rate of the interpolation parameter between the ends, per second.
     pace: f32,
+    /// Largest sum of the speeds of all angles, radians per second.
     speed: f32,
     phase: f32,
     distance: f32,
@@ -287,7 +293,7 @@ impl Wanderer {
         wanderer
     }
 
-    /// The target after so many seconds.
+    /// Returns the target after this many seconds.
     fn at(&self, rig: &NumericRig, pose: &[Affine3A], seconds: f32) -> Vec3 {
         let part = 0.5 - 0.5 * (2.0 * self.pace * seconds + self.phase).cos();
         let mut probe = rig.clone();
@@ -300,7 +306,7 @@ impl Wanderer {
     }
 }
 
-/// What happens to a rig frame by frame.
+/// A rig with its inputs over many frames.
 struct Scene {
     rig: NumericRig,
     animation: Animation,
@@ -311,7 +317,7 @@ struct Scene {
 }
 
 impl Scene {
-    /// A rig that is on its target, in front of it unless that is to be `anywhere`.
+    /// Returns a rig that is on its target. The target is in front of it, unless `anywhere` is set.
     fn new(rng: &mut Rng, count: usize, anywhere: bool) -> Self {
         loop {
             let rig = rig(rng, count);
@@ -345,13 +351,13 @@ impl Scene {
         self.wanderer.at(&self.rig, &self.joints(), self.seconds)
     }
 
-    /// A frame of `dt` seconds, served and judged.
+    /// Runs and judges a frame of `dt` seconds.
     fn frame(&mut self, dt: f32, same_rad: f32) -> Frame {
         self.seconds += dt;
         self.frame_at(self.target(), &self.pose(), dt, same_rad)
     }
 
-    /// The same with another target and pose.
+    /// Runs and judges a frame with another target and pose.
     fn frame_at(&mut self, target: Vec3, pose: &Pose<Vec<Affine3A>>, dt: f32, same_rad: f32) -> Frame {
         let frame = Frame::serve(&self.rig, pose, target, dt, &self.settings);
         let (joints, settings, size) = (&pose.joints, &self.settings, self.animation.size);
@@ -368,14 +374,14 @@ impl Scene {
         frame
     }
 
-    /// Whether any heading is about another axis than its bone's own up.
+    /// Returns `true` if any heading is about another axis than its bone's own up.
     fn is_tilted(&self) -> bool {
         let joints = self.joints();
         (0..joints.len()).any(|index| truth::tilt64(&self.rig, &joints, self.up, index).is_some())
     }
 }
 
-/// Rigs of 1–8 joints of every kind, their targets followed.
+/// Rigs of 1–8 joints of every kind follow their targets.
 #[test]
 fn followed_as_the_general_solver_does() {
     for count in 1..=8 {
@@ -396,19 +402,19 @@ fn followed_as_the_general_solver_does() {
         }
         let all = RIGS * FRAMES;
         let seen = format!("{specialised} of {all}: {tilted}, {at_limit}, {offset}, {mirrored}");
-        // A joint alone is not helped by others where it is at a limit.
+        // At a limit, a single joint gets no help from others.
         assert!(specialised > if count == 1 { all / 2 } else { all * 3 / 4 }, "{count} joints: {seen}");
         assert!(
             mirrored.min(all - mirrored) > all / 5 && (count == 1 || at_limit > all / 10),
             "{count} joints: {seen}"
         );
-        // A joint alone is upright already.
+        // A single joint is upright already.
         assert!(offset > all / 20 && (count == 1 || tilted > all / 20), "{count} joints: {seen}");
     }
 }
 
-/// What a specialisation does not serve it leaves to the general solver, and takes up again: targets that leap, or are
-/// behind, or nowhere; poses with a stretch; other settings; ranges that move; a second eye.
+/// Frames that a specialised solver cannot solve are left to the general one, and taken up again afterwards: targets
+/// that jump, are behind or not finite; stretched poses; other settings; changing ranges; a second eye.
 #[test]
 fn between_other_frames() {
     let [mut specialised, mut general, mut remembering] = [0; 3];
@@ -431,7 +437,7 @@ fn between_other_frames() {
             match rng.below(100) {
                 0..3 => scene.wanderer = Wanderer::new(&scene.rig, &mut rng, scene.animation.size),
                 3 | 4 => {
-                    // Mirrored in the effector.
+                    // Mirrored at the effector.
                     let (origin, _) = truth::animated64(&scene.rig, &pose.joints, 0);
                     target = 2.0 * Vec3::from(origin.map(|x| x as f32)) - target;
                     scene.settings.behind = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release][rng.below(4)];
@@ -493,7 +499,7 @@ fn between_other_frames() {
     assert!(specialised.min(general) > 80 * RIGS && remembering > 2 * RIGS, "{seen}");
 }
 
-/// The side that a followed target was last on is the side that one exactly behind is turned to.
+/// A target exactly behind is turned to on the side where it was last followed.
 #[test]
 fn the_side_is_remembered() {
     for count in [1, 3] {
@@ -517,7 +523,7 @@ fn the_side_is_remembered() {
     }
 }
 
-/// Targets that move fast enough for the linear model to be used again on what it missed.
+/// Targets so fast that the linear model has to be applied again to its remaining error.
 #[test]
 fn mended() {
     let mut specialised = 0;
@@ -534,14 +540,14 @@ fn mended() {
     assert!(specialised > all * 5 / 6, "{specialised} of {all}");
 }
 
-/// Joints that follow a target come to rest when it stands still: bit by bit, as characters that look at something do.
+/// Joints that follow a target come to rest, bit by bit equal, when it stops.
 #[test]
 fn a_target_that_stands_still() {
     let mut still = 0;
     for number in 0..2 * RIGS {
         let mut rng = Rng(0x8000_0000 + number as u64);
         let mut scene = Scene::new(&mut rng, 2 + number % 7, false);
-        // Some joints take hours.
+        // Some joints would take hours.
         scene.rig.infos.iter_mut().for_each(|info| info.rate = info.rate.max(0.5));
         let (target, pose) = (scene.target(), scene.pose());
         for _ in 0..300 {
@@ -557,7 +563,7 @@ fn a_target_that_stands_still() {
     assert!(still > RIGS, "{still}");
 }
 
-/// A target on the effector has no direction, however the rounded coordinates see it.
+/// A target on the effector has no direction, even if rounded coordinates give it one.
 #[test]
 fn a_target_on_the_effector() {
     for count in [1, 2, 3] {

@@ -16,7 +16,7 @@ fn targets(rng: &mut Rng, count: usize) -> Vec<Target> {
     (0..count).map(|_| one(rng)).collect()
 }
 
-/// One target of weight 1 is the plain call, to the bit; of another weight, the weighted one.
+/// One target of weight 1 equals the plain call, bit for bit; of another weight, the weighted call.
 #[test]
 fn a_single_target() {
     let mut rng = Rng(12);
@@ -36,7 +36,7 @@ fn a_single_target() {
     }
 }
 
-/// The order does not matter, to the bit.
+/// The order of targets does not matter, bit for bit.
 #[test]
 fn any_order() {
     let mut rng = Rng(13);
@@ -57,7 +57,7 @@ fn any_order() {
     }
 }
 
-/// A blend is seen between its targets, in every world.
+/// The gaze for several targets is between them, in every world.
 #[test]
 fn between() {
     for (name, parent, _) in parents().into_iter().filter(|parent| parent.2) {
@@ -84,7 +84,7 @@ fn between() {
     }
 }
 
-/// Weights that change a little change the gaze a little; from one target to the other and out again.
+/// Small changes of the weights change the gaze little, from one target to the other and out again.
 #[test]
 fn continuous_in_the_weights() {
     let mut rng = Rng(14);
@@ -128,7 +128,7 @@ fn no_target_is_weight_zero() {
     assert!(rig.corrections().all(|(_, q)| q == Quat::IDENTITY));
 }
 
-/// Any bits: finite, unit, within the ranges.
+/// For inputs of any bits, corrections are finite, unit and within the ranges.
 #[test]
 fn any_bits() {
     let mut rng = Rng(15);

@@ -1,4 +1,4 @@
-//! Where a solver of a whole chain goes wrong if nobody thought of it: each a measured fault of some prototype.
+//! Typical faults of whole-chain solvers, each measured in some prototype.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::truth::seen64;
@@ -17,7 +17,7 @@ fn person() -> NumericRig {
     rig
 }
 
-/// From the eye, so many degrees to the left and up.
+/// Returns a target at this distance from the eye, this many degrees to the left and up.
 fn at(heading_deg: f32, pitch_deg: f32, distance: f32) -> Vec3 {
     let turn = Quat::from_rotation_y(heading_deg * DEG) * Quat::from_rotation_x(pitch_deg * DEG);
     Vec3::new(-0.03, 1.68, -0.1) + turn * WORLD[0] * distance
@@ -27,7 +27,7 @@ fn angles(rig: &NumericRig) -> Vec<f32> {
     rig.joints.iter().flat_map(|joint| [joint.heading(), joint.pitch()]).collect()
 }
 
-/// One frame; no rate is exceeded. Returns the largest change of an angle, too.
+/// Runs one frame; asserts that no rate is exceeded. Returns the outcome and the largest change of an angle.
 fn frame(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, hz: f32, settings: &Settings) -> (Outcome, f32) {
     let before = angles(rig);
     let outcome = rig.aim_with(&Pose::new(pose.to_vec()), target, 1.0 / hz, settings);
@@ -42,7 +42,7 @@ fn frame(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, hz: f32, setting
     (outcome, largest)
 }
 
-/// Angles within the ranges.
+/// Returns random angles within the ranges.
 fn anywhere(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
     let mut pick = |[lo, hi]: [f32; 2]| rng.between(0.95 * lo, 0.95 * hi);
     rig.infos
@@ -54,8 +54,8 @@ fn anywhere(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
         .collect()
 }
 
-/// One: The stereographic residual has a false zero where its denominator is floored: what is nearly behind would be solved
-///    by looking away from it.
+/// One: The stereographic residual has a false zero where its denominator is clamped: a target nearly behind would be
+///    solved by looking away from it.
 #[test]
 fn looking_away_is_no_solution() {
     let mut rng = Rng(1);
@@ -63,7 +63,7 @@ fn looking_away_is_no_solution() {
         let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
         for off in [172.0, 175.0, 178.0, 179.9, 180.0_f32] {
             for _ in 0..6 {
-                // A joint that reaches everything, looking anywhere.
+                // A joint that can look anywhere, with a random gaze.
                 let mut rig = NumericRig::ball(THUG);
                 rig.joints = vec![Joint::from_angles(rng.between(-3.0, 3.0), rng.between(-1.0, 1.0))];
                 let pose = [bone(&THUG, Quat::IDENTITY, Vec3::ZERO)];
@@ -78,7 +78,7 @@ fn looking_away_is_no_solution() {
                 }
                 assert!(remaining64(&rig, &pose, 0, target) < TOLERANCE_RAD, "{solver:?}, {off}: {:?}", rig.joints);
 
-                // And one that does not come near it: as near as it comes, and never said to be there.
+                // A rig that cannot look there: it gets as near as it can and is never reported as on target.
                 let mut rig = person();
                 rig.joints = anywhere(&rig, &mut rng);
                 let pose = upright(&rig);
@@ -95,8 +95,8 @@ fn looking_away_is_no_solution() {
     }
 }
 
-/// Two: Active sets without a line search stick, or come to rest far from the least displacement: from any state the same
-///    end as from rest.
+/// Two: Active sets without a line search get stuck, or come to rest far from the least displacement: the final angles
+///    must be the same from any state as from rest.
 #[test]
 fn active_sets_do_not_stick() {
     let mut rng = Rng(2);
@@ -104,7 +104,7 @@ fn active_sets_do_not_stick() {
         let settings = Settings::default().with_solver(solver);
         for case in 0..150 {
             let mut rig = person();
-            // The exact optimum is asked for, bone by bone.
+            // This test requires the exact optimum for each bone, so without upright tilts.
             for info in &mut rig.infos {
                 *info = info.with_upright(0.0);
             }
@@ -129,8 +129,8 @@ fn active_sets_do_not_stick() {
     }
 }
 
-/// Three: A target that goes round leaves the head pegged at the side where it went out of reach, though it has come back
-///    into reach on the other.
+/// Three: With an orbiting target, the head stays at the limit where the target went out of reach, although it is
+///    within reach again on the other side.
 #[test]
 fn orbit() {
     for settings in SOLVERS.into_iter().flat_map(|solver| {
@@ -149,14 +149,14 @@ fn orbit() {
                 blocked = if is_blocked { blocked + 1 } else { 0 };
                 longest = longest.max(blocked);
             }
-            // From one side to the other the neck takes 120° at 170°/s, the spine 40° at 70°/s, with what the target does
-            // in the meantime.
+            // From one side to the other the neck takes 120° at 170°/s and the spine 40° at 70°/s, plus the target's
+            // movement meanwhile.
             assert!(longest <= 50, "{settings:?}, {seconds} s: {longest} frames");
         }
     }
 }
 
-/// Four: Overhead, where heading means nothing, a tremble of the target set the head turning at its full rate.
+/// Four: Overhead, where heading has no effect, a trembling target made the head turn at its full rate.
 #[test]
 fn noise_overhead() {
     let mut rng = Rng(4);
@@ -176,11 +176,11 @@ fn noise_overhead() {
     }
 }
 
-/// Five: One linear step while the neck returns to its share loses the target by 0.1° at 60 Hz, by 0.34° at 30 Hz; a neck
-///    and a spine that return each at its own pace leave more to the eye than it can turn, and lose it by degrees.
+/// Five: A single linear step while the neck returns to its share loses the target by 0.1° at 60 Hz and 0.34° at 30 Hz.
+///    If neck and spine return each at its own pace, they leave more to the eye than it can turn and lose it by degrees.
 ///
-///    A natural gaze still loses it where the eye is in a corner of its range and a trunk that is on its way rolls the head: from
-///    one start in 800, and by less than 2°.
+///    A natural gaze still loses it if the eye is in a corner of its range while a moving trunk rolls the head: from
+///    one start in 800, by less than 2°.
 #[test]
 fn the_target_is_kept_while_the_neck_returns() {
     let mut rng = Rng(5);
@@ -212,7 +212,7 @@ fn the_target_is_kept_while_the_neck_returns() {
     }
 }
 
-/// Six: Ranges that are inverted: the middle counts, the angle goes there at its rate, and that is said.
+/// Six: For an inverted range, its middle counts; the angle moves there at its rate and is reported as recovering.
 #[test]
 fn inverted_ranges() {
     for solver in SOLVERS {
@@ -237,8 +237,8 @@ fn inverted_ranges() {
     }
 }
 
-/// Seven: Polynomials for half angles are good to ±180° of the whole: ranges beyond that, and headings that go round for
-///    ever, are turned into it.
+/// Seven: Half-angle polynomials are accurate to ±180° of the whole angle: ranges beyond that, and headings that turn
+///    endlessly, are wrapped into this interval.
 #[test]
 fn beyond_half_a_turn() {
     for solver in SOLVERS {
@@ -263,14 +263,14 @@ fn beyond_half_a_turn() {
                 let most = if range[1] == f32::INFINITY { core::f32::consts::PI } else { core::f32::consts::TAU };
                 assert!(heading.abs() <= most + 1e-6, "{solver:?}, {range:?}: {heading}");
             }
-            // A free heading never loses it; the others turn back once they are at their end.
+            // A free heading never loses the target; the others turn back at their limit.
             let least = if range[1] == f32::INFINITY { frames - 60 } else { frames / 3 };
             assert!(reached >= least, "{solver:?}, {range:?}: {reached} of {frames}");
         }
     }
 }
 
-/// Comforts count by their ratios alone.
+/// Stiffnesses matter by their ratios alone.
 #[test]
 fn comforts_matter_by_their_ratios_alone() {
     let mut rng = Rng(8);

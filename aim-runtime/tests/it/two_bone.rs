@@ -1,11 +1,11 @@
-//! Two bones in closed form, judged by forward kinematics in f64.
+//! Closed-form two-bone solver, checked by forward kinematics in f64.
 
 use crate::common::Rng;
 use crate::common::exact::*;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::ik::{Hinge, Limb, TwoBone, TwoBoneOutcome, TwoBoneStatus};
 
-/// The joints of a limb whose bones are turned, and the truth of what the outcome says of itself.
+/// Returns the joints of a limb with its bones rotated, after checking the outcome against them.
 fn posed(limb: &Limb, target: Vec3, outcome: &TwoBoneOutcome) -> [Point; 3] {
     for turn in [outcome.upper, outcome.lower] {
         assert!(turn.is_finite() && (turn.length() - 1.0).abs() < 1e-6, "{turn}");
@@ -37,7 +37,7 @@ fn bones(limb: &Limb) -> [f32; 2] {
     [limb.root.distance(limb.middle), limb.middle.distance(limb.tip)]
 }
 
-/// Anywhere between folded and straight.
+/// Returns a random target between folded and straight.
 fn within_reach(rng: &mut Rng, limb: &Limb) -> Vec3 {
     let [upper, lower] = bones(limb);
     let (near, far) = ((upper - lower).abs(), upper + lower);
@@ -77,7 +77,7 @@ fn the_middle_joint_lies_on_the_side_of_the_pole() {
     }
 }
 
-/// A limb's plane follows by the shortest way where nothing else is asked for; a target where the tip is moves nothing.
+/// Without other settings, the limb's plane follows the shortest rotation. A target at the tip moves nothing.
 #[test]
 fn the_plane_of_the_animation_is_kept() {
     let mut rng = Rng(3);
@@ -91,7 +91,7 @@ fn the_plane_of_the_animation_is_kept() {
     }
 }
 
-/// A small step of the target is a small step of the limb, also while the target circles about the root.
+/// Small steps of the target are small steps of the limb, also while the target circles around the root.
 #[test]
 fn continuous() {
     let limb = Limb { root: Vec3::ZERO, middle: Vec3::new(0.0, -0.45, 0.05), tip: Vec3::new(0.0, -0.85, 0.0) };
@@ -117,7 +117,7 @@ fn no_knee_bends_backwards() {
         let target = limb.root + rng.direction() * rng.between(0.0, 2.0);
         let outcome = TwoBone::new().with_hinge(hinge).solve(&limb, target);
         let [root, middle, tip] = posed(&limb, target, &outcome);
-        // The axis is fixed to the upper bone. Made square to the limb as the solver does.
+        // The axis is fixed to the upper bone. Orthogonalised against the limb, as in the solver.
         let along = minus(exact(limb.tip), exact(limb.root));
         let axis = exact(hinge.axis);
         let axis = minus(axis, along.map(|c| c * dot(axis, along) / dot(along, along)));
@@ -144,7 +144,7 @@ fn softly_towards_full_extension() {
         let at = 0.8 + 0.005 * f32::from(step);
         let outcome = reach(at);
         let distance = outcome.limb.tip.length() / limb.length();
-        // Onward at no more than the target's speed, and never straight.
+        // The tip moves on at no more than the target's speed, and never fully straightens the limb.
         assert!(distance > before && distance < 1.0, "{at}: {distance}");
         assert!(step == 0 || distance - before < 0.0051, "{at}: {distance}");
         assert_ne!(outcome.status == TwoBoneStatus::Reached, at > 0.901, "{at}: {outcome:?}");
@@ -174,7 +174,7 @@ fn stretched_folded_and_weighted() {
     }
 }
 
-/// Whatever the bits, finite unit turns and a status that is so.
+/// For inputs of any bits, rotations are finite and unit and the status is right.
 #[test]
 fn whatever_the_bits() {
     let odd = [f32::NAN, f32::INFINITY, -f32::INFINITY, 1e20, -1e20, 1e-20, 1e-40, 3e38, 0.0, 1.0];
@@ -211,7 +211,7 @@ fn bones_without_length() {
     let point = Vec3::new(0.1, 0.2, 0.3);
     let none = TwoBone::new().solve(&Limb { root: point, middle: point, tip: point }, Vec3::X);
     assert_eq!((none.status, none.upper, none.lower), (TwoBoneStatus::Degenerate, Quat::IDENTITY, Quat::IDENTITY));
-    // One bone is left, which can at least point there.
+    // One bone is left, which can at least point at the target.
     let one = Limb { root: point, middle: point, tip: point + Vec3::X };
     let outcome = TwoBone::new().solve(&one, point + Vec3::Y);
     posed(&one, point + Vec3::Y, &outcome);

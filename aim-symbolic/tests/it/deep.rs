@@ -1,11 +1,11 @@
-//! Expressions of any depth are derived on the stack that a thread has.
+//! Expressions of any depth can be derived on a small stack.
 
 use aim_symbolic::{Function, Graph, Plane, Program, Scalar, Variable};
 
-/// What a thread gets that nobody asked to be roomy is four times as much.
+/// Stack size, bytes: a quarter of the default for spawned threads.
 const STACK: usize = 512 << 10;
 
-/// Derives an expression made by `steps` times `step`, from a number, by that number.
+/// Derives an expression built from a number by applying `step` repeatedly, with its derivative by that number.
 #[track_caller]
 fn derive(steps: usize, step: impl Fn(&mut Graph, Scalar, Scalar) -> Scalar + Sync) {
     let derive = || {

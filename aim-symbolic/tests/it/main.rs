@@ -1,4 +1,4 @@
-//! The paper's appendix, random statements over every kind of node, selects, deep expressions, and single rules.
+//! Tests: the paper's appendix, random statements over every kind of node, selects, deep expressions, and single rules.
 
 mod deep;
 mod paper;

@@ -1,4 +1,4 @@
-//! The paper's own formulae, with its own signs: equations (1) to (6) and the appendix's gradient.
+//! The paper's own formulae with its own signs: equations (1) to (6) and the gradient of its appendix.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -28,7 +28,7 @@ fn equations_1_to_3_the_row_matrices() {
     }
 }
 
-/// A case of `golden/paper.txt`: 15 given numbers, p, h, then aim, ∂aim/∂p, ∂aim/∂h.
+/// Reads the cases of `golden/paper.txt`: 15 given numbers, p, h, then aim, ∂aim/∂p, ∂aim/∂h.
 fn golden() -> Vec<[f64; 20]> {
     let cases: Vec<[f64; 20]> = include_str!("../golden/paper.txt")
         .lines()
@@ -42,7 +42,7 @@ fn golden() -> Vec<[f64; 20]> {
     cases
 }
 
-/// `Rz4(p) Rx4(h)` of row vectors: pitch first.
+/// Returns `Rz4(p) Rx4(h)` for row vectors, so that pitch acts first, with its angles.
 fn paper_rotation(g: &mut Graph) -> (Rotation, [aim_symbolic::Angle; 2]) {
     let (p, h) = (g.angle("p"), g.angle("h"));
     let (pitch, heading) = (g.turn(ABOUT_Z, p), g.turn(ABOUT_X, h));

@@ -1,9 +1,10 @@
-//! Numbers made of others that are there: where that is smaller, and where it would do harm.
+//! Resubstitution computes a number from others that exist: where it makes programs smaller, and where it would do
+//! harm.
 
 use aim_symbolic::rules::{self, RESUBSTITUTE, Rule};
 use aim_symbolic::{Graph, Program, Scalar, Want};
 
-/// The program of what is stated, by this one rule.
+/// Returns the program of the stated values, derived with this rule alone.
 fn program(state: impl FnOnce(&mut Graph) -> Vec<Scalar>) -> Program {
     let mut g = Graph::new();
     let values = state(&mut g);
@@ -37,7 +38,7 @@ fn a_multiple_is_made_of_what_it_is_a_multiple_of() {
 
 #[test]
 fn what_two_numbers_could_share_is_added() {
-    // a c, which none of them has: (a b) c, (d a) c, (e a) c.
+    // a c occurs in none of the products as written: (a b) c, (d a) c, (e a) c.
     let program = program(|g| {
         let [a, b, c, d, e] = inputs(g);
         let product = |g: &mut Graph, all: &[Scalar]| all.iter().copied().reduce(|x, y| g.mul(x, y)).unwrap_or(all[0]);
@@ -60,7 +61,7 @@ fn what_is_nothing_is_left_out() {
 
 #[test]
 fn no_divisor_comes_in() {
-    // x a b … g is (x / y) (y a b … g), but for y = 0.
+    // x a b … g equals (x / y) (y a b … g), except at y = 0.
     let program = program(|g| {
         let [x, y, rest @ ..]: [Scalar; 9] = inputs(g);
         let [of_x, of_y] = [x, y].map(|first| rest.iter().fold(first, |product, &factor| g.mul(product, factor)));
@@ -73,7 +74,7 @@ fn no_divisor_comes_in() {
 
 #[test]
 fn no_digits_are_lost() {
-    // (x − y)(x + y) is x² − y², where little may be left of either.
+    // (x − y)(x + y) equals x² − y², but the difference of squares may cancel catastrophically.
     let program = program(|g| {
         let [x, y] = inputs(g);
         let (difference, sum) = (g.sub(x, y), g.add(x, y));

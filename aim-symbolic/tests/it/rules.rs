@@ -1,4 +1,4 @@
-//! What single rules say and keep.
+//! Properties of single rules.
 
 use aim_symbolic::{Function, Graph, Program, Variable, rules};
 
@@ -9,7 +9,7 @@ fn every_rule_says_why() {
     }
 }
 
-/// A length that cancels stands beside one over what is positive, and no length of a vector.
+/// The length |v| cancels from the angle of (|v| / e^s, |v| t); 1 / e^s stays, since e^s is positive but not a length.
 #[test]
 fn a_reciprocal_stays_below() {
     let mut g = Graph::new();

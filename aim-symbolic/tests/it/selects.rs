@@ -1,14 +1,14 @@
-//! Derivatives through selects: their size, and what the branch not taken must not add.
+//! Derivatives through selects: program size, and branches not taken must not contribute.
 
 use aim_symbolic::{Bindings, Function, Graph, Program, Scalar, Variable};
 
-/// `max(x, 0)`
+/// Returns `max(x, 0)`.
 fn positive(g: &mut Graph, x: Scalar) -> Scalar {
     let zero = g.constant(0.0);
     g.select_less(x, zero, zero, x)
 }
 
-/// Layers of `max(w x + b, 0)`: the last, and x, then each w and b.
+/// Returns the last of several layers `max(w x + b, 0)`, and the variables: x, then each w and b.
 fn layers(g: &mut Graph, count: usize) -> (Scalar, Vec<Variable>) {
     let mut x = g.input("x");
     let mut variables = vec![x.into()];
@@ -22,7 +22,7 @@ fn layers(g: &mut Graph, count: usize) -> (Scalar, Vec<Variable>) {
     (x, variables)
 }
 
-/// Operations and, as two each, selects.
+/// Returns the number of operations, including calls and selects; a select counts twice, for its comparison.
 fn size(program: &Program) -> usize {
     let count = program.count();
     count.total() + count.select + count.call
@@ -40,7 +40,7 @@ fn layers_take_at_most_twelve_steps_each() {
     }
 }
 
-/// The value and the derivatives at a point.
+/// Returns the value and the derivatives at a point.
 fn at(g: &Graph, output: Scalar, variables: &[Variable], point: &[f64]) -> Vec<f64> {
     let program = Program::derive(g, &[output], variables);
     let mut results = vec![0.0; 1 + variables.len()];
@@ -60,18 +60,18 @@ fn assert_near(found: &[f64], expected: &[f64]) {
 fn layers_have_the_derivatives_of_the_product_of_their_factors() {
     let mut g = Graph::new();
     let (output, variables) = layers(&mut g, 3);
-    // x, then w and b of each layer: all are above 0.
+    // x, then w and b of each layer: all layers are above 0.
     let point = [2.0, 3.0, -1.0, 0.5, 0.25, -2.0, 9.0];
     let [x1, x2] = [5.0, 2.75];
     assert_near(&at(&g, output, &variables, &point), &[-3.0, 0.5 * -2.0 * 2.0, 0.5 * -2.0, -2.0 * x1, -2.0, x2, 1.0]);
-    // The second is not, and all before it adds nothing; nor does what has overflowed there.
+    // The second layer is below 0, so nothing before it contributes, even if it has overflowed.
     for first in [3.0, 1e200] {
         let point = [1e200, first, -1.0, -0.5, 0.25, -2.0, 9.0];
         assert_near(&at(&g, output, &variables, &point), &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
     }
 }
 
-/// `if 0 < c { x } else { 0 }`
+/// Returns `if 0 < c { x } else { 0 }`.
 fn where_positive(g: &mut Graph, c: Scalar, x: Scalar) -> Scalar {
     let zero = g.constant(0.0);
     g.select_less(zero, c, x, zero)
@@ -83,7 +83,7 @@ fn a_part_of_several_branches_adds_where_any_of_them_is_taken() {
     let [x, y, z] = ["x", "y", "z"].map(|name| g.input(name));
     let variables = [x, y].map(Variable::from);
     let one = g.constant(1.0);
-    // 1/x, its square and its cube, wherever x, y and z are positive.
+    // 1/x, its square and its cube, each where x, y and z are positive.
     let r = g.div(one, x);
     let square = g.mul(r, r);
     let cube = g.mul(square, r);
@@ -93,7 +93,7 @@ fn a_part_of_several_branches_adds_where_any_of_them_is_taken() {
     let sum = g.add(sum, terms[2]);
     for x in [0.0_f64, 2.0, -2.0] {
         for (y, z) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
-            // Where x is 0 there is no value unless it is not asked for.
+            // At x = 0 a value exists only if no taken branch uses it.
             if x == 0.0 && y > 0.0 {
                 continue;
             }
@@ -126,7 +126,7 @@ fn what_overflows_in_the_branch_not_taken_stays_there() {
     };
     let (g, output, x) = soft(3);
     assert_near(&at(&g, output, &[x], &[1e4]), &[1.0]);
-    // e^x / (1 + e^x), three times, with 1 + e^y = 2 + e^x one layer further.
+    // e^x / (1 + e^x) in three layers, where each layer has 1 + e^y = 2 + e^x.
     let e = 0.5_f64.exp();
     assert_near(&at(&g, output, &[x], &[0.5]), &[e / (1.0 + e) * (1.0 + e) / (2.0 + e) * (2.0 + e) / (3.0 + e)]);
     let sizes = [10, 20, 40].map(|count| {
@@ -136,7 +136,7 @@ fn what_overflows_in_the_branch_not_taken_stays_there() {
     assert_eq!(sizes[2] - sizes[1], 2 * (sizes[1] - sizes[0]), "{sizes:?}");
 }
 
-/// What one branch divides by has no value where the other is taken.
+/// A branch not taken may divide by something that has no value, without affecting the result.
 #[test]
 fn what_has_no_value_in_the_branch_not_taken_stays_there() {
     type Divisor = fn(&mut Graph, Scalar) -> Scalar;
@@ -160,7 +160,7 @@ fn what_has_no_value_in_the_branch_not_taken_stays_there() {
             let (above, sum) = (g.add(z, one), g.add(z, two));
             let ratio = g.div(above, sum);
             let f = g.call(Function::Ln, ratio);
-            // d ln((z + 1) / (z + 2)) = dz (1/(z + 1) − 1/(z + 2)); z′ is 1 of x.
+            // d ln((z + 1) / (z + 2)) = dz (1/(z + 1) − 1/(z + 2)), with ∂z/∂x = 1 if z = x.
             let slope = if otherwise == x { 1.0 / 1.5 - 1.0 / 2.5 } else { 0.0 };
             assert_near(&at(&g, f, &[x.into()], &[0.5, -1.0]), &[slope]);
         }
@@ -202,7 +202,7 @@ fn a_branch_has_its_limit_as_far_as_it_is_taken() {
         let sine = g.call(Function::Sin, x);
         let one = g.constant(1.0);
         let square = g.mul(x, x);
-        // `if x < edge { 1 + x² } else { sin x } / x`
+        // `if x < edge { 1 + x² } else { sin x } / x` for a negative edge; the branches are swapped for a positive one.
         let other = g.add(one, square);
         let (below, above) = if edge < 0.0 { (other, sine) } else { (sine, other) };
         let bent = g.select_less(x, end, below, above);

@@ -1,5 +1,5 @@
-//! Kernels of a trajectory's cost: they need no more operations than the best hand-written versions, and the runtime's file is
-//! up to date.
+//! Kernels of a trajectory's cost: they need no more operations than the best hand-written versions, and the runtime's
+//! file is up to date.
 //!
 //! `AIM_BLESS=1 cargo test -p aim-codegen --test it trajectory` rewrites `aim-runtime/src/trajectory/derived.rs`.
 

@@ -1,19 +1,19 @@
-//! What several test files share, those of aim-character too: small files made by hand.
+//! Helpers for small hand-made files, shared by several tests, including those of aim-character.
 
 use base64::Engine as _;
 use serde_json::Value;
 
-/// Little-endian bytes of floats.
+/// Returns the little-endian bytes of floats.
 pub(crate) fn bytes_of(values: &[f32]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()
 }
 
-/// A data URI.
+/// Returns a data URI of the bytes.
 pub(crate) fn data_uri(bytes: &[u8]) -> String {
     format!("data:application/octet-stream;base64,{}", base64::engine::general_purpose::STANDARD.encode(bytes))
 }
 
-/// The JSON and the binary chunk of a GLB, taken apart without the library.
+/// Returns the JSON and the binary chunk of a GLB, read without the library.
 pub(crate) fn take_apart(glb: &[u8]) -> (Value, Vec<u8>) {
     let word = |at: usize| u32::from_le_bytes(glb[at..at + 4].try_into().unwrap()) as usize;
     let json_len = word(12);
@@ -26,7 +26,7 @@ pub(crate) fn take_apart(glb: &[u8]) -> (Value, Vec<u8>) {
     (json, bin)
 }
 
-/// A GLB put together without the library.
+/// Returns a GLB, written without the library.
 pub(crate) fn put_together(json: &Value, bin: &[u8]) -> Vec<u8> {
     let mut text = serde_json::to_vec(json).unwrap();
     text.resize(text.len().next_multiple_of(4), b' ');

@@ -1,4 +1,4 @@
-//! Points and turns in f64, by their definitions: what judges the solvers of limbs and looks.
+//! Vectors and rotations in f64, by their definitions, to judge the limb and look-at solvers.
 
 use aim_runtime::glam::{Quat, Vec3};
 
@@ -28,7 +28,7 @@ pub fn dot(a: Point, b: Point) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// `v` turned, from the definition q v q*.
+/// Returns `v` rotated, by the definition q v q*.
 pub fn turned(q: Quat, v: Point) -> Point {
     let [x, y, z, w] = q.to_array().map(f64::from);
     let twice = cross([x, y, z], v).map(|c| 2.0 * c);
@@ -36,23 +36,23 @@ pub fn turned(q: Quat, v: Point) -> Point {
     core::array::from_fn(|i| v[i] + w * twice[i] + again[i])
 }
 
-/// The angle between two vectors, radians.
+/// Returns the angle between two vectors, radians.
 pub fn angle(a: Point, b: Point) -> f64 {
     length(cross(a, b)).atan2(dot(a, b))
 }
 
-/// The angle of a turn, the short way, radians.
+/// Returns the angle of a rotation along its shorter arc, radians.
 pub fn angle_of(turn: Quat) -> f64 {
     let [x, y, z, w] = turn.to_array().map(f64::from);
     2.0 * length([x, y, z]).atan2(w.abs())
 }
 
-/// What every solver owes, whatever it was given.
+/// Returns `true` if a rotation is finite and unit, which every solver must guarantee.
 pub fn is_sound(turn: Quat) -> bool {
     turn.is_finite() && (turn.length() - 1.0).abs() < 1e-6
 }
 
-/// Numbers of which some, or all, are of any bits.
+/// Returns random numbers, some or all of which have arbitrary bits.
 pub fn numbers<const N: usize>(rng: &mut super::Rng) -> [f32; N] {
     let share = [1, 4, 12][rng.below(3)];
     core::array::from_fn(|_| if rng.below(share) == 0 { rng.any() } else { rng.between(-1.0, 1.0) })

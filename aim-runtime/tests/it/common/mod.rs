@@ -1,5 +1,5 @@
-//! What the tests share: a rig whose kernels are written out by hand (geometrically, not derived), an independent
-//! forward kinematics in f64, random poses, and a small generator of random numbers.
+//! Shared test helpers: a rig with hand-written geometric kernels (not derived), independent forward kinematics in f64,
+//! random poses, and a small random number generator.
 #![allow(unreachable_pub, reason = "shared by the test modules through globs")]
 #![allow(clippy::cast_possible_truncation, reason = "rounding to f32 is meant")]
 
@@ -17,10 +17,10 @@ pub mod truth;
 
 pub const DEG: f32 = core::f32::consts::PI / 180.0;
 
-/// The bones of the XNA thug: +X up, +Y forward, +Z left.
+/// Bone axes of the XNA thug: +X up, +Y forward, +Z left.
 pub const THUG: Axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
 
-/// A character of a rig known at run time, with geometric kernels.
+/// Character with a rig known at run time and geometric kernels.
 #[derive(Clone, Debug)]
 pub struct NumericRig {
     pub infos: Vec<JointInfo>,
@@ -28,7 +28,7 @@ pub struct NumericRig {
     pub budgets: Budgets,
     pub joints: Vec<Joint>,
     pub memory: Memory,
-    /// The targets that the residual was asked for, where they are written down.
+    /// If present, records the targets that the residual is evaluated for.
     pub asked: Option<RefCell<Vec<[f32; 3]>>>,
     corrections: Vec<Quat>,
     other_eye_correction: Option<Quat>,
@@ -49,7 +49,7 @@ impl NumericRig {
         corrections.resize(self.infos.len(), Quat::IDENTITY);
         let outcome = (self as &dyn Rig).aim(&mut state, pose, call, &mut corrections);
         (self.joints, self.memory, self.corrections) = (state.joints, state.memory, corrections);
-        // Where the pose is unusable the last one is kept, as an engine does.
+        // If the pose is unusable, the last correction is kept, as an engine would.
         if outcome.status != Status::Degenerate || outcome.other_eye_correction.is_some() {
             self.other_eye_correction = outcome.other_eye_correction;
         }
@@ -101,17 +101,17 @@ impl NumericRig {
         *self = Self { effector: self.effector, budgets: self.budgets, ..Self::new(core::mem::take(&mut self.infos)) };
     }
 
-    /// The corrections of the last call.
+    /// Returns the corrections of the last call.
     pub fn corrections(&self) -> impl ExactSizeIterator<Item = (usize, Quat)> + '_ {
         self.corrections.iter().copied().enumerate()
     }
 
-    /// The other eye's correction of the last call.
+    /// Returns the other eye's correction of the last call.
     pub fn other_eye_correction(&self) -> Option<Quat> {
         self.other_eye_correction
     }
 
-    /// Eye, neck, spine as in the contract's example.
+    /// Returns a rig of eye, neck and spine.
     pub fn thug() -> Self {
         Self::thug_with(THUG)
     }
@@ -130,7 +130,7 @@ impl NumericRig {
         ])
     }
 
-    /// One joint that reaches nearly everything.
+    /// Returns a rig of one joint that reaches nearly everything.
     pub fn ball(axes: Axes) -> Self {
         Self::new(vec![
             JointInfo::new(axes, 900.0 * DEG)
@@ -139,7 +139,7 @@ impl NumericRig {
         ])
     }
 
-    /// A turret: a free yaw with an elevating barrel on it.
+    /// Returns a turret: a free yaw with an elevating barrel on it.
     pub fn turret() -> Self {
         Self::new(vec![
             JointInfo::new(THUG, 60.0 * DEG).with_pitch(-10.0 * DEG, 80.0 * DEG),
@@ -179,7 +179,7 @@ impl Rig for NumericRig {
     }
 }
 
-/// The kernels, in the precision that is asked for.
+/// Kernels, generic over the precision.
 impl NumericRig {
     pub fn joint_gradient<S: Scalar>(
         &self,
@@ -226,10 +226,10 @@ impl NumericRig {
 
 type V<S> = [S; 3];
 
-/// No rig of these tests has more joints.
+/// Largest number of joints in these tests.
 const MOST_JOINTS: usize = 8;
 
-/// The effector's origin and its forward, left and up, with their derivatives by the angles passed so far.
+/// Effector's origin, forward, left and up, with their derivatives by the angles of all joints passed so far.
 struct Swept<S> {
     value: [V<S>; 4],
     derivatives: [[V<S>; 4]; 2 * MOST_JOINTS],
@@ -241,7 +241,7 @@ impl<S: Scalar> Swept<S> {
         let forward = Vec3::from(effector.forward);
         let [up, ahead, left] = [axes.up, axes.forward, axes.left].map(Vec3::from);
         let handedness = up.cross(ahead).dot(left).signum();
-        // Looking along up, up is where the back of the head was.
+        // If forward is along the bone's up, the back of the head becomes up.
         let up = if up.cross(forward).length() > 0.0087 { up } else { ahead * -up.dot(forward).signum() };
         let up = (up - forward * up.dot(forward)).normalize();
         let left = up.cross(forward) * handedness;
@@ -341,7 +341,7 @@ fn sub<S: Scalar>(a: V<S>, b: V<S>) -> V<S> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// A transform in f64: columns and translation.
+/// Affine transform in f64: columns and translation.
 #[derive(Clone, Copy)]
 struct Transform64 {
     columns: [V<f64>; 3],
@@ -360,7 +360,7 @@ impl Transform64 {
     fn point(&self, v: V<f64>) -> V<f64> {
         add(self.vector(v), self.translation)
     }
-    /// By Cramer's rule.
+    /// Solves by Cramer's rule.
     fn inverse_vector(&self, v: V<f64>) -> V<f64> {
         let [a, b, c] = self.columns;
         let determinant = dot(a, cross(b, c));
@@ -371,15 +371,15 @@ impl Transform64 {
     }
 }
 
-/// The independent forward kinematics: effector `k`'s origin and unit direction in the pose's space, in f64. Each
-/// joint turns its vectors plane by plane, without matrices or quaternions.
+/// Independent forward kinematics in f64: returns effector `k`'s origin and unit direction in the pose's space. Each
+/// joint rotates its vectors plane by plane, without matrices or quaternions.
 pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) =
         if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes().forward) };
     carried64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
 }
 
-/// A point and a direction of joint `k`'s bone space in the pose's space, and the direction made a unit.
+/// Transforms a point and a direction from joint `k`'s bone space to the pose's space; normalises the direction.
 fn carried64(
     rig: &NumericRig,
     pose: &[Affine3A],
@@ -395,7 +395,7 @@ fn carried64(
     })
 }
 
-/// The same with any turns of the joints.
+/// Like [`carried64`], with `turn` rotating a vector by a joint's correction.
 fn carried_by(
     pose: &[Affine3A],
     k: usize,
@@ -416,8 +416,8 @@ fn carried_by(
     (origin, scale(forward, 1.0 / dot(forward, forward).sqrt()))
 }
 
-/// The other eye's origin and unit direction in the pose's space: its bone turned by its correction, and looking where
-/// joint 0 looks in the animation.
+/// Returns the other eye's origin and unit direction in the pose's space. Its bone is rotated by its correction; its
+/// forward is parallel to joint 0's in the animation.
 pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f64; 3], [f64; 3]) {
     let bone = Transform64::of(pair);
     let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes().forward.map(f64::from));
@@ -435,32 +435,33 @@ pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f6
     }
 }
 
-/// The angle left between a gaze and `target`, radians.
+/// Returns the angle between a gaze and the direction to `target`, radians.
 pub fn off64((origin, direction): ([f64; 3], [f64; 3]), target: Vec3) -> f64 {
     let v = sub(target.to_array().map(f64::from), origin);
     let off = cross(direction, v);
     dot(off, off).sqrt().atan2(dot(direction, v))
 }
 
-/// `v` turned in the plane of the square unit vectors `a` and `b`, from `a` towards `b`.
+/// Returns `v` rotated in the plane of the orthonormal vectors `a` and `b`, from `a` towards `b`, by an angle in
+/// radians.
 fn plane_turn(v: V<f64>, a: V<f64>, b: V<f64>, angle: f64) -> V<f64> {
     let (sin, cos) = angle.sin_cos();
     let (x, y) = (dot(v, a), dot(v, b));
     add(v, add(scale(a, x * (cos - 1.0) - y * sin), scale(b, x * sin + y * (cos - 1.0))))
 }
 
-/// The angle left between effector `k` and `target`, radians, by the independent forward kinematics.
+/// Returns the remaining angle between effector `k` and `target`, radians, by the independent forward kinematics.
 pub fn remaining64(rig: &NumericRig, pose: &[Affine3A], k: usize, target: Vec3) -> f64 {
     off64(gaze64(rig, pose, k), target)
 }
 
-/// The point `distance` along effector `k`'s direction.
+/// Returns the point at `distance` along effector `k`'s direction.
 pub fn ahead(rig: &NumericRig, pose: &[Affine3A], k: usize, distance: f32) -> Vec3 {
     let (origin, direction) = gaze64(rig, pose, k);
     Vec3::from(add(origin, scale(direction, distance.into())).map(|x| x as f32))
 }
 
-/// Every triple of signed axes: up, forward, left; and whether it is right-handed (up × forward = left).
+/// Returns all triples of signed axes, each with `true` if it is right-handed (up × forward = left).
 pub fn triples() -> Vec<(Axes, bool)> {
     let signed = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
     let mut triples = Vec::new();
@@ -478,23 +479,24 @@ pub fn triples() -> Vec<(Axes, bool)> {
     triples
 }
 
-/// The world's forward (−Z), up (+Y) and left (−X), as in XNA.
+/// World forward (−Z), up (+Y) and left (−X), as in XNA.
 pub const WORLD: [Vec3; 3] = [Vec3::NEG_Z, Vec3::Y, Vec3::NEG_X];
 
-/// A bone with these axes that stands in the world at `at` with the character's front, turned by `turn` in the world.
+/// Returns the transform of a bone with these axes at `at`, facing the character's front, then rotated by `turn` in
+/// world space.
 pub fn bone(axes: &Axes, turn: Quat, at: Vec3) -> Affine3A {
     let world = Mat3A::from_cols(WORLD[0].into(), WORLD[1].into(), WORLD[2].into());
     let own = Mat3A::from_cols(axes.forward.into(), axes.up.into(), axes.left.into());
     Affine3A { matrix3: Mat3A::from_quat(turn) * world * own.transpose(), translation: at.into() }
 }
 
-/// The thug's eye, neck and spine standing upright: metres.
+/// Returns the pose of the thug's eye, neck and spine standing upright, metres.
 pub fn upright(rig: &NumericRig) -> Vec<Affine3A> {
     let places = [Vec3::new(-0.03, 1.68, -0.10), Vec3::new(0.0, 1.55, 0.02), Vec3::new(0.0, 1.30, 0.03)];
     rig.infos.iter().zip(places).map(|(info, at)| bone(info.axes(), Quat::IDENTITY, at)).collect()
 }
 
-/// The same with every joint turned a little, as an animation would.
+/// Returns the upright pose with every joint randomly rotated, as in an animation.
 pub fn animated(rig: &NumericRig, rng: &mut Rng, amount: f32) -> Vec<Affine3A> {
     let mut pose = upright(rig);
     for joint in &mut pose {
@@ -505,7 +507,7 @@ pub fn animated(rig: &NumericRig, rng: &mut Rng, amount: f32) -> Vec<Affine3A> {
     pose
 }
 
-/// The parents that the concept tests run under: name, transform, and whether it is a similarity.
+/// Returns the parents that tests run under: name, transform, and `true` if it is a similarity.
 pub fn parents() -> Vec<(&'static str, Affine3A, bool)> {
     let scaled = |scale| Affine3A::from_scale(scale);
     vec![
@@ -519,12 +521,12 @@ pub fn parents() -> Vec<(&'static str, Affine3A, bool)> {
     ]
 }
 
-/// Whether random tests take all their cases, or the tenth that `cargo test` takes by itself.
+/// Returns `true` if random tests run all their cases. Plain `cargo test` runs a tenth.
 pub fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
-/// A small deterministic generator (splitmix64).
+/// Small deterministic random number generator (splitmix64).
 pub struct Rng(pub u64);
 
 impl Rng {
@@ -549,7 +551,7 @@ impl Rng {
             }
         }
     }
-    /// Any f32 at all, the awkward ones often.
+    /// Returns any `f32`, often a special value.
     pub fn any(&mut self) -> f32 {
         const AWKWARD: [f32; 14] = [
             0.0,
@@ -575,7 +577,7 @@ impl Rng {
     }
 }
 
-/// Whether every correction is finite and unit to 1e-6.
+/// Returns `true` if every correction is finite and unit to 1e-6.
 pub fn sound(rig: &NumericRig) -> bool {
     rig.corrections().all(|(_, q)| {
         let [x, y, z, w] = q.to_array().map(f64::from);

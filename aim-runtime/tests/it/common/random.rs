@@ -1,4 +1,4 @@
-//! Rigs, poses, animations and targets at random.
+//! Random rigs, poses, animations and targets.
 
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3, Vec3A};
 use aim_runtime::{Axes, JointInfo, LimitsFrom, Role};
@@ -6,12 +6,12 @@ use aim_runtime::{Axes, JointInfo, LimitsFrom, Role};
 use super::*;
 
 impl Rng {
-    /// Once in so many times.
+    /// Returns `true` in one of `times` cases.
     pub fn once_in(&mut self, times: usize) -> bool {
         self.below(times) == 0
     }
 
-    /// Of any order of magnitude between these.
+    /// Returns a number whose order of magnitude is uniformly distributed between these.
     pub fn of_any_size(&mut self, least: f32, most: f32) -> f32 {
         least * (most / least).powf(self.between(0.0, 1.0))
     }
@@ -21,7 +21,7 @@ impl Rng {
     }
 }
 
-/// One of the 48 conventions, or now and then a frame in between.
+/// Returns one of the 48 conventions or, in one of four cases, a general frame.
 pub fn axes(rng: &mut Rng) -> Axes {
     let (axes, _) = triples()[rng.below(48)];
     if !rng.once_in(4) {
@@ -32,14 +32,14 @@ pub fn axes(rng: &mut Rng) -> Axes {
     Axes { up, forward, left }
 }
 
-/// Around 0, each side on its own; now and then nothing to one side.
+/// Returns a range around 0 with independent ends, sometimes 0 on one side.
 pub fn range(rng: &mut Rng, most_deg: f32) -> [f32; 2] {
     let mut side =
         || if rng.once_in(8) { 0.0 } else { most_deg * DEG * rng.between(0.02, 1.0) * rng.between(0.2, 1.0) };
     [-side(), side()]
 }
 
-/// What can be declared of a joint.
+/// Returns a joint with random properties.
 pub fn joint(rng: &mut Rng, index: usize) -> JointInfo {
     let mut info = JointInfo::new(axes(rng), rng.of_any_size(0.1, 15.0)).with_stiffness(rng.of_any_size(0.1, 10.0));
     let declared = 1 + rng.below(3);
@@ -67,7 +67,7 @@ pub fn joint(rng: &mut Rng, index: usize) -> JointInfo {
     info.with_role(if index == 0 && !rng.once_in(3) { Role::Eye } else { roles[rng.below(5)] })
 }
 
-/// A rig of one to seven joints; chains of three are the most frequent.
+/// Returns a rig of one to seven joints, most often three.
 pub fn rig(rng: &mut Rng) -> NumericRig {
     let count = if rng.once_in(2) { 3 } else { 1 + rng.below(7) };
     let mut rig = NumericRig::new((0..count).map(|index| joint(rng, index)).collect());
@@ -89,19 +89,19 @@ pub fn rig(rng: &mut Rng) -> NumericRig {
     rig
 }
 
-/// An animation of a rig's bones in some world.
+/// Animation of a rig's bones in a random world.
 #[derive(Clone, Debug)]
 pub struct Animation {
-    /// Each joint's place, how it stands there, and its swing: axis, angle, speed.
+    /// Position, orientation and swing (axis, angle, speed) of each joint.
     joints: Vec<(Vec3, Quat, Vec3, f32, f32)>,
     world: Affine3A,
-    /// The other eye's convention and how it stands to joint 0, if there is one.
+    /// Other eye's axes and its orientation relative to joint 0, if present.
     pair: Option<(Axes, Quat)>,
-    /// Whether shapes are kept.
+    /// `true` if the world transform preserves shapes.
     pub similar: bool,
-    /// The length that stands for the rig, in the pose's space.
+    /// Characteristic length of the rig, in the pose's space.
     pub size: f32,
-    /// The character's up in the world.
+    /// Character's up in the pose's space.
     pub up: Vec3,
 }
 
@@ -131,13 +131,13 @@ impl Animation {
         let world = Affine3A::from_scale(Vec3::splat(scale)) * parent;
         let longest =
             [Vec3::X, Vec3::Y, Vec3::Z].map(|v| world.transform_vector3(v).length()).into_iter().fold(0.0, f32::max);
-        // A chain without a length has that of a bone's axis.
+        // A chain without length has that of a bone's axis.
         let size = longest * if extent > 0.0 { extent } else { 1.0 };
         let pair = rng.once_in(3).then(|| (axes(rng), rng.turn(0.1)));
         Self { joints, world, pair, similar, size, up: world.transform_vector3(Vec3::Y) }
     }
 
-    /// Each joint's transform after so many seconds.
+    /// Returns each joint's transform after this many seconds.
     pub fn at(&self, rig: &NumericRig, seconds: f32) -> Vec<Affine3A> {
         let mut pose = Vec::new();
         for (info, &(place, stands, axis, angle, speed)) in rig.infos.iter().zip(&self.joints) {
@@ -147,7 +147,7 @@ impl Animation {
         pose
     }
 
-    /// The other eye, 6 cm beside joint 0.
+    /// Returns the other eye's transform, 6 cm beside joint 0.
     pub fn pair_at(&self, rig: &NumericRig, seconds: f32) -> Option<Affine3A> {
         let (axes, turn) = self.pair.as_ref()?;
         let &(place, stands, axis, angle, speed) = &self.joints[0];
@@ -157,18 +157,18 @@ impl Animation {
         Some(self.world * bone(axes, swing * *turn, place + Vec3::from(aside)))
     }
 
-    /// A point of the world in the pose's space.
+    /// Transforms a point from the world to the pose's space.
     pub fn point(&self, point: Vec3) -> Vec3 {
         self.world.transform_point3(point)
     }
 
-    /// Where joint 0 is, in the world.
+    /// Returns joint 0's position in the world.
     pub fn eye(&self) -> Vec3 {
         self.joints[0].0
     }
 }
 
-/// Angles within the declared ranges, narrowed ones too.
+/// Returns random angles within the declared ranges, including coupled ones.
 pub fn state(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
     let mut pick = |[lo, hi]: [f64; 2]| rng.between(lo.max(-3.1) as f32, hi.min(3.1) as f32);
     let mut states = Vec::new();

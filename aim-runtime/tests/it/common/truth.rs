@@ -1,24 +1,24 @@
-//! What has to be true of a call, computed in f64 from the definitions: where the corrections point the bones, the
-//! ranges of motion, and a check of everything that is promised of one call.
+//! Expected results of a call, computed in f64 from the definitions: the directions of the corrected bones, the ranges
+//! of motion, and a check of everything that is promised of one call.
 
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::{Behind, JointInfo, LimitsFrom, Outcome, Settings, Status};
 
 use super::*;
 
-/// Effector `k` as the corrections turn the bones, levelled or not: what a user sees.
+/// Returns effector `k`'s origin and direction after applying the corrections, including upright tilts.
 pub fn seen64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) = declared_effector(rig, k);
     corrected64(rig, pose, k, origin, forward)
 }
 
-/// Effector `k` as the animation has it.
+/// Returns effector `k`'s origin and direction in the animation, without corrections.
 pub fn animated64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) = declared_effector(rig, k);
     carried_by(pose, k, origin, forward, |_, v| v)
 }
 
-/// The other eye's origin and direction as the corrections turn it.
+/// Returns the other eye's origin and direction after applying its correction.
 pub fn seen_pair64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f64; 3], [f64; 3]) {
     let bone = Transform64::of(pair);
     let forward = Transform64::of(&pose[0]).vector(rig.infos[0].axes().forward.map(f64::from));
@@ -57,8 +57,8 @@ fn turned64(turn: Quat, v: [f64; 3]) -> [f64; 3] {
     add(v, scale(add(scale(across, w), cross(axis, across)), 2.0))
 }
 
-/// The heading and pitch by which the animation turns a joint out of its bind pose, and how far from straight up or down
-/// it looks (the cosine of its pitch). For joints that are turned, scaled and mirrored alone.
+/// Returns the heading and pitch by which the animation turns a joint out of its bind pose, and the cosine of its
+/// pitch, which is small if it looks nearly straight up or down. For joints with similarity transforms only.
 pub fn animated_angles64(info: &JointInfo, joints: &[Affine3A], bind: &[Affine3A], index: usize) -> ([f64; 2], f64) {
     let [forward, up, left] = [info.axes().forward, info.axes().up, info.axes().left].map(|v| v.map(f64::from));
     let local = |pose: &[Affine3A], v| {
@@ -76,8 +76,8 @@ pub fn animated_angles64(info: &JointInfo, joints: &[Affine3A], bind: &[Affine3A
     ([aside.atan2(ahead), above.atan2(level)], level)
 }
 
-/// How far the correction of a joint is from the turn by its heading and pitch in its upright frame: the longest of what
-/// the axes are off.
+/// Returns the difference between a joint's correction and the rotation by its heading and pitch in its upright frame:
+/// the largest distance between their rotated axes.
 pub fn off_correction64(rig: &NumericRig, pose: &[Affine3A], up: Option<Vec3>, index: usize, correction: Quat) -> f64 {
     let info = &rig.infos[index];
     let [forward, above, left] = [info.axes().forward, info.axes().up, info.axes().left].map(|v| v.map(f64::from));
@@ -95,7 +95,7 @@ pub fn off_correction64(rig: &NumericRig, pose: &[Affine3A], up: Option<Vec3>, i
     off.into_iter().fold(0.0, f64::max)
 }
 
-/// The turn that sets a bone's frame upright: from its own up towards the character's.
+/// Rotation that makes a bone's frame upright: from its own up towards the character's.
 pub struct Tilt {
     from: [f64; 3],
     towards: [f64; 3],
@@ -108,8 +108,8 @@ impl Tilt {
     }
 }
 
-/// How a joint's upright frame stands in its bone; `None` for one whose heading is about the bone's own up. For joints
-/// that are turned, scaled and mirrored alone.
+/// Returns the tilt of a joint's upright frame relative to its bone, `None` if its heading is about the bone's own up.
+/// For joints with similarity transforms only.
 pub fn tilt64(rig: &NumericRig, pose: &[Affine3A], up: Option<Vec3>, index: usize) -> Option<Tilt> {
     let unit = |v: [f64; 3]| scale(v, 1.0 / dot(v, v).sqrt());
     let info = &rig.infos[index];
@@ -123,12 +123,12 @@ pub fn tilt64(rig: &NumericRig, pose: &[Affine3A], up: Option<Vec3>, index: usiz
     let lean = dot(from, wanted);
     let across = sub(wanted, scale(from, lean));
     let angle = dot(across, across).sqrt().atan2(lean);
-    // From a right angle on it is tilted less, and not at all from 120° on.
+    // Beyond a right angle the tilt is reduced, to none at 120°.
     let angle = angle * share * ((lean + 0.5) / 0.5).clamp(0.0, 1.0);
     (angle > 1e-7).then(|| Tilt { from, towards: unit(across), angle })
 }
 
-/// A declared range as it counts.
+/// Returns the effective range for a declared one.
 fn counted(range: Option<[f32; 2]>) -> [f64; 2] {
     let full = core::f64::consts::TAU;
     match range.map(|range| range.map(f64::from)) {
@@ -141,12 +141,12 @@ fn counted(range: Option<[f32; 2]>) -> [f64; 2] {
     }
 }
 
-/// What may be added where the animation is at `animated` of a range already.
+/// Returns the range that may be added if the animation is already at `animated`.
 fn counted_from([lo, hi]: [f64; 2], animated: Option<f64>) -> [f64; 2] {
     animated.map_or([lo, hi], |animated| [(lo - animated).min(0.0), (hi - animated).max(0.0)])
 }
 
-/// A joint's range of added headings.
+/// Returns a joint's range of added headings.
 pub fn heading_range(info: &JointInfo, animated: Option<[f64; 2]>) -> [f64; 2] {
     match info.heading {
         Some(_) => counted_from(counted(info.heading), animated.map(|[heading, _]| heading)),
@@ -154,7 +154,7 @@ pub fn heading_range(info: &JointInfo, animated: Option<[f64; 2]>) -> [f64; 2] {
     }
 }
 
-/// A joint's range of added pitches at an added heading.
+/// Returns a joint's range of added pitches at an added heading.
 pub fn pitch_range(info: &JointInfo, animated: Option<[f64; 2]>, heading: f64) -> [f64; 2] {
     if info.pitch.is_none() {
         return [0.0; 2];
@@ -169,7 +169,7 @@ pub fn pitch_range(info: &JointInfo, animated: Option<[f64; 2]>, heading: f64) -
     counted_from([kept(lo), kept(hi)], animated.map(|[_, pitch]| pitch))
 }
 
-/// One call as it was made, and what it was made on.
+/// Call with all its inputs.
 #[derive(Debug)]
 pub struct Call<'a> {
     pub joints: &'a [Affine3A],
@@ -179,14 +179,14 @@ pub struct Call<'a> {
     /// `None` for a snap.
     pub dt: Option<f32>,
     pub settings: &'a Settings,
-    /// Whether every joint is turned, scaled and mirrored alone.
+    /// `true` if every joint's transform is a similarity.
     pub similar: bool,
-    /// The length that stands for the rig, in the pose's space.
+    /// Characteristic length of the rig, in the pose's space.
     pub size: f32,
 }
 
 impl Call<'_> {
-    /// Checks everything that is promised of a call: `before` is the rig as it was.
+    /// Checks everything that is promised of a call. `before` is the rig before the call.
     pub fn check(&self, before: &NumericRig, rig: &NumericRig, outcome: &Outcome) -> Result<(), String> {
         let ok = |holds: bool, what: &dyn Fn() -> String| if holds { Ok(()) } else { Err(what()) };
         ok(sound(rig), &|| "a correction is not unit".into())?;
@@ -212,7 +212,7 @@ impl Call<'_> {
         self.check_status(rig, outcome)
     }
 
-    /// Checks what is promised whatever numbers a pose has.
+    /// Checks what is promised for arbitrary poses.
     pub fn check_any(&self, rig: &NumericRig, outcome: &Outcome) -> Result<(), String> {
         let ok = |holds: bool, what: &str| if holds { Ok(()) } else { Err(what.to_owned()) };
         ok(sound(rig), "a correction is not unit")?;
@@ -230,7 +230,7 @@ impl Call<'_> {
         self.check_gazes(rig, outcome)
     }
 
-    /// Ranges, rates, and which joints are said to be at a limit or recovering.
+    /// Checks ranges and rates, and which joints are reported at a limit or recovering.
     fn check_angles(
         &self,
         before: &NumericRig,
@@ -254,7 +254,7 @@ impl Call<'_> {
             let mut animated = None;
             if let (true, Some(bind)) = (info.limits_from == LimitsFrom::BindPose, self.bind) {
                 let (angles, level) = animated_angles64(&info, self.joints, bind, index);
-                // Which way a bone points that points straight up is known to few digits; a stretch is not taken out here.
+                // Near vertical, a bone's heading is ill-conditioned. Stretched poses are not handled here.
                 slack = if self.similar && level > 0.05 { 4e-6 / level } else { f64::INFINITY };
                 animated = Some(angles);
             }
@@ -300,8 +300,8 @@ impl Call<'_> {
         Ok(())
     }
 
-    /// How much of its digits a direction loses on the way through the bones' spaces: nothing in the animations of
-    /// characters, but an awkward number may make one axis of a bone a thousand times as long as another.
+    /// Returns the factor by which a direction loses precision on the way through the bones' spaces: 1 in the
+    /// animations of characters, but an awkward number may make one axis of a bone a thousand times as long as another.
     fn lost(&self) -> f64 {
         let stretch = |joint: &Affine3A| {
             let lengths = Transform64::of(joint).columns.map(|v| dot(v, v).sqrt());
@@ -311,9 +311,9 @@ impl Call<'_> {
         if longest > 10.0 { longest } else { 1.0 }
     }
 
-    /// The remaining angle, by forward kinematics.
+    /// Checks the remaining angles by forward kinematics.
     fn check_gazes(&self, rig: &NumericRig, outcome: &Outcome) -> Result<(), String> {
-        // The gaze of less weight goes to another point than the target.
+        // At a lower weight the gaze aims at another point than the target.
         if self.settings.weight.is_nan() || self.settings.weight < 1.0 {
             return Ok(());
         }
@@ -331,12 +331,12 @@ impl Call<'_> {
         Ok(())
     }
 
-    /// The status that follows from the remaining angle.
+    /// Checks that the status agrees with the remaining angle.
     fn check_status(&self, rig: &NumericRig, outcome: &Outcome) -> Result<(), String> {
         self.check_gazes(rig, outcome)?;
         let aimed = self.settings.effector.min(rig.infos.len() - 1);
         let tolerance = if self.settings.tolerance.is_nan() { 0.0 } else { self.settings.tolerance.max(0.0) };
-        // An eye that only follows has no say.
+        // An eye that only follows does not affect the status.
         let pair = outcome.other_eye_remaining.filter(|_| aimed == 0 && self.pair_leads(rig));
         let worst = outcome.remaining.max(pair.unwrap_or(0.0));
         if (outcome.status == Status::Reached) != (worst <= tolerance) {
@@ -351,8 +351,9 @@ impl Call<'_> {
         Ok(())
     }
 
-    /// The angle told, by forward kinematics to 1e-5 rad and four roundings of the largest coordinate as seen from as near
-    /// as the target is; nine of a target nearer than a thirtieth of that, where a chain's own roundings add up.
+    /// Checks a reported angle by forward kinematics, to 1e-5 rad plus four rounding errors of the largest coordinate,
+    /// as seen from the target's distance. For targets nearer than a thirtieth of that coordinate, nine: there a
+    /// chain's rounding errors accumulate.
     pub fn check_remaining(&self, (origin, direction): ([f64; 3], [f64; 3]), told: f32) -> Result<(), String> {
         let points = self.joints.iter().chain(self.pair).map(|joint| Vec3::from(joint.translation));
         let points = points.chain([self.target]);
@@ -374,7 +375,7 @@ impl Call<'_> {
         (aimed == 0).then_some(seen_pair64(rig, self.joints, self.pair?))
     }
 
-    /// Whether the pair is aimed with joint 0, and does not only follow it.
+    /// Returns `true` if the other eye is aimed itself instead of following joint 0.
     fn pair_leads(&self, rig: &NumericRig) -> bool {
         let info = &rig.infos[0];
         let leaning = matches!(info.role, aim_runtime::Role::Head | aim_runtime::Role::Neck);
@@ -384,7 +385,7 @@ impl Call<'_> {
             && (level <= 0.0 || level.is_nan())
     }
 
-    /// How precisely an angle to the target can be told in f32, radians.
+    /// Returns the precision of an angle to the target in f32, radians.
     fn blur(&self, origin: [f64; 3]) -> f64 {
         let v = sub(self.target.to_array().map(f64::from), origin);
         let near = f64::from(self.size) / dot(v, v).sqrt();
@@ -392,7 +393,7 @@ impl Call<'_> {
         self.lost().max(bent) * (3e-5 + 4e-6 * near)
     }
 
-    /// Whether there is nothing to aim, or nearly.
+    /// Returns `true` if the call may be degenerate: nothing to aim, or nearly so.
     fn may_be_degenerate(&self, rig: &NumericRig) -> bool {
         let aimed = self.settings.effector.min(rig.infos.len() - 1);
         let near = |(origin, _): ([f64; 3], [f64; 3])| {
@@ -401,7 +402,7 @@ impl Call<'_> {
         };
         let somewhere = self.joints.iter().chain(self.pair).all(Affine3A::is_finite) && self.target.is_finite();
         let weight = if self.settings.weight.is_nan() { 0.0 } else { self.settings.weight.clamp(0.0, 1.0) };
-        // With a pair the eye between them is aimed, and where the two are one that is nowhere near either.
+        // With a pair, the point between the eyes is aimed; if the target is there, it need not be near either eye.
         !somewhere
             || self.pair.is_some()
             || (weight > 0.0 && (near(seen64(rig, self.joints, aimed)) || near(animated64(rig, self.joints, aimed))))

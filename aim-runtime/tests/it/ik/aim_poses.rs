@@ -5,7 +5,7 @@ use aim_runtime::{Pose, Settings, Solver, Status};
 use crate::common::exact::*;
 use crate::common::{DEG, NumericRig, Rng, remaining64, upright};
 
-/// A chest, a neck and a head, each turned as an animator would: not evenly, and a little about other axes.
+/// Returns rotations of chest, neck and head as an animator would pose them: unevenly, and partly about other axes.
 fn pose_at([heading, pitch]: [f32; 2]) -> [Quat; 3] {
     let part = |share: f32, lean: f32| {
         Quat::from_rotation_y(share * heading)
@@ -15,7 +15,7 @@ fn pose_at([heading, pitch]: [f32; 2]) -> [Quat; 3] {
     [part(0.2, 0.3), part(0.35, -0.2), part(0.45, 0.1)]
 }
 
-/// Where the head looks; the barrel sits askew on it.
+/// Returns the gaze direction; the barrel is mounted at an angle to the head.
 fn gaze(rotations: &[Quat]) -> Vec3 {
     rotations.iter().fold(Quat::IDENTITY, |turn, rotation| turn * *rotation) * Vec3::new(0.1, 0.05, 1.0).normalize()
 }
@@ -31,7 +31,7 @@ impl Set {
         Self { rotations: cells.map(|(c, r)| pose_at([at(c, columns, 1.3), at(r, rows, 0.8)])).collect() }
     }
 
-    /// As even as an animator's, and on no lines.
+    /// Returns a set with the irregular spacing of an animator's poses, not on a grid.
     fn scattered(count: u8) -> Self {
         let at = |i: u8, step: f32, most: f32| most * (2.0 * (f32::from(i) * step).fract() - 1.0);
         Self { rotations: (1..=count).map(|i| pose_at([at(i, 0.754_877_7, 1.3), at(i, 0.569_840_3, 0.8)])).collect() }
@@ -50,7 +50,8 @@ fn apart(a: &[Quat], b: &[Quat]) -> f64 {
     a.iter().zip(b).map(|(a, b)| angle_of(*a * b.conjugate())).fold(0.0, f64::max)
 }
 
-/// All that is asked of a set; the share of directions within that its blends can be brought to aim at.
+/// Checks everything that is promised of a set. Returns the fraction of directions inside its triangles that its blends
+/// reach.
 fn judge(set: &Set, triangles: &[[usize; 3]], rng: &mut Rng) -> f32 {
     let poses = set.poses();
     let solver = AimPoses::new(&poses, triangles);
@@ -60,7 +61,7 @@ fn judge(set: &Set, triangles: &[[usize; 3]], rng: &mut Rng) -> f32 {
         assert_eq!((outcome.status, outcome.iterations), (AimPosesStatus::Reached, 0));
         assert!(apart(&blended, rotations) < 5e-6, "a pose's own direction: {:e}", apart(&blended, rotations));
     }
-    // Between them: reached, and a small step of the direction is a small step of the pose.
+    // Between the poses: the direction is reached, and small steps of the direction are small steps of the pose.
     let (mut most, mut met, mut all) = (0, 0, 0);
     for _ in 0..200 {
         let [from, to] = [0, 1].map(|_| {
@@ -105,12 +106,12 @@ fn scattered() {
         let set = Set::scattered(count);
         let mut triangles = [[0; 3]; 40];
         let triangles = triangulated(&set.directions(), &mut triangles).unwrap();
-        // Of a long thin triangle at the edge the blends may miss it altogether.
+        // In a long thin triangle at the edge, no blend may reach the direction.
         assert!(judge(&set, triangles, &mut rng) > 0.93);
     }
 }
 
-/// Triangles cover what the directions enclose once: also where all are on circles, and all round.
+/// Triangles cover the hull of the directions exactly once, also if all are on circles or surround the origin.
 #[test]
 fn triangles_cover_once() {
     let octahedron = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
@@ -142,7 +143,7 @@ fn triangles_cover_once() {
     assert_eq!(triangulated(&[Vec3::X, Vec3::Y], &mut [[0; 3]; 4]), None);
 }
 
-/// Beyond the poses the blend stays at their edge and goes on without a jump, all the way round.
+/// Outside the poses, the blend stays at their edge and remains continuous all the way round.
 #[test]
 fn beyond_the_edge() {
     let set = Set::grid(5, 3);
@@ -165,12 +166,12 @@ fn beyond_the_edge() {
     }
 }
 
-/// The aim solver finishes what poses begin, limits and directions beyond the poses included.
+/// The aim solver completes blended poses, including limits and directions outside the poses.
 #[test]
 fn finished_by_the_aim_solver() {
     let rig = NumericRig::thug();
     let animated = upright(&rig);
-    // Locals from the spine outward, as an animator would pose them, by the exact solver.
+    // Local rotations from the spine outward, posed by the exact solver.
     let exact_solver = Settings::default().with_solver(Solver::Exact);
     let at = |heading: f32, pitch: f32| {
         let mut rig = NumericRig::thug();
@@ -200,7 +201,7 @@ fn finished_by_the_aim_solver() {
     let mut rng = Rng(4);
     let mut left = 0.0_f32;
     for case in 0..200 {
-        // A little beyond the poses, too.
+        // Slightly outside the poses, too.
         let turn = Quat::from_rotation_y(rng.between(-85.0, 85.0) * DEG)
             * Quat::from_rotation_x(rng.between(-24.0, 24.0) * DEG);
         let wanted = turn * Vec3::NEG_Z;

@@ -4,7 +4,7 @@ use aim_runtime::ik::{Ccd, CcdJoint, CcdLimit, CcdOutcome, CcdStatus};
 use crate::common::Rng;
 use crate::common::exact::*;
 
-/// Where the tip is with the joints turned, from the definitions; judges what the outcome says of itself.
+/// Returns the tip's position with the joints rotated, by the definitions, and checks the outcome against it.
 fn posed(joints: &[CcdJoint], tip: Vec3, target: Vec3, outcome: &CcdOutcome) -> Point {
     let mut at = exact(joints[0].position);
     let mut size = 0.0;
@@ -21,7 +21,7 @@ fn posed(joints: &[CcdJoint], tip: Vec3, target: Vec3, outcome: &CcdOutcome) -> 
     at
 }
 
-/// What the limits bound, from the turns themselves: how each joint is turned in the one before.
+/// Returns the largest violation of a limit, radians, from each joint's rotation relative to the one before it.
 fn beyond_limits(joints: &[CcdJoint]) -> f64 {
     let mut worst = 0.0_f64;
     let mut before = Quat::IDENTITY;
@@ -35,7 +35,7 @@ fn beyond_limits(joints: &[CcdJoint]) -> f64 {
                 let [x, y, z, w] = added.to_array().map(f64::from);
                 let axis = exact(axis).map(|c| c / length(exact(axis)));
                 let along = dot([x, y, z], axis);
-                // About no other axis.
+                // The rotation must be about the hinge's axis alone.
                 worst = worst.max(length(cross([x, y, z], axis)));
                 let angle = 2.0 * (along * w.signum()).atan2(w.abs());
                 worst = worst.max(f64::from(least_rad) - angle).max(angle - f64::from(most_rad));
@@ -70,7 +70,7 @@ fn bones(joints: &[CcdJoint], tip: Vec3) -> Vec<f32> {
     joints.iter().zip(ends).map(|(joint, end)| joint.position.distance(end)).collect()
 }
 
-/// Without limits nearly every target that the bones reach is met; the rest is on its way, slowly.
+/// Without limits, nearly every reachable target is met; the others still converge, slowly.
 #[test]
 fn reachable_targets() {
     for (iterations, share) in [(50, 0.84), (200, 0.96)] {
@@ -86,7 +86,7 @@ fn reachable_targets() {
             let at = posed(&joints, tip, target, &outcome);
             let is_met = outcome.status == CcdStatus::Reached;
             assert!(is_met || outcome.status == CcdStatus::IterationLimit, "{outcome:?}");
-            // But for what rounding adds.
+            // Up to rounding errors.
             let of_tolerance = (length(minus(at, exact(target))) - 2e-6) / (1e-4 * f64::from(sum));
             assert!(if is_met { of_tolerance <= 1.0 } else { of_tolerance > 0.9 }, "{outcome:?}");
             (met, passes) = (met + u32::from(is_met), passes + outcome.iterations);
@@ -123,7 +123,7 @@ fn limits_hold() {
     assert!(statuses.iter().all(|&count| count > 100), "{statuses:?}");
 }
 
-/// The tip never ends further off than the animation had it.
+/// The tip never ends further from the target than in the animation.
 #[test]
 fn never_worse() {
     let mut rng = Rng(3);
@@ -135,7 +135,7 @@ fn never_worse() {
     }
 }
 
-/// A straight chain with its target on its own line, which no joint alone sees a way to.
+/// A straight chain with its target on its own line, where no single joint sees a way to get nearer.
 #[test]
 fn out_of_the_straight() {
     for count in [2_u8, 3, 5] {
@@ -148,7 +148,7 @@ fn out_of_the_straight() {
     }
 }
 
-/// However straight the chain, what is wholly stiff stays, and what is nearly so is bent by its share.
+/// In a straight chain, fully stiff joints are not bent, and nearly stiff ones only a little.
 #[test]
 fn stiff_joints_are_not_bent_out_of_the_straight() {
     let hinge = |least_rad, most_rad| CcdLimit::Hinge { axis: Vec3::Z, least_rad, most_rad };
@@ -180,7 +180,7 @@ fn stiff_joints_are_not_bent_out_of_the_straight() {
     }
 }
 
-/// A bend that brings the tip no nearer is taken back.
+/// A trial bend that does not bring the tip nearer is undone.
 #[test]
 fn a_bend_for_nothing_is_taken_back() {
     let (tip, target) = (Vec3::X * 2.0, Vec3::X * 1.5);
@@ -221,7 +221,7 @@ fn a_bend_for_nothing_is_taken_back() {
     }
 }
 
-/// A chain longer than there are numbers has no turns to tell.
+/// If a chain's length exceeds the range of f32, no rotations can be found.
 #[test]
 fn a_chain_of_infinite_length_is_degenerate() {
     let mut joints = [CcdJoint::new(Vec3::ZERO), CcdJoint::new(Vec3::X * 3e38)];
@@ -257,7 +257,7 @@ fn says_what_it_hit() {
     assert_eq!(Ccd::new().solve(&mut point, tip, Vec3::ZERO).status, CcdStatus::Degenerate);
 }
 
-/// A chain in centimetres behaves as one in metres.
+/// A chain in centimetres behaves like one in metres.
 #[test]
 fn of_any_size() {
     let mut rng = Rng(4);
@@ -265,7 +265,7 @@ fn of_any_size() {
         let (mut joints, tip) = any_chain(&mut rng, true);
         let target = joints[0].position + rng.direction();
         let outcome = Ccd::new().solve(&mut joints, tip, target);
-        // A power of two has the same bits.
+        // Scaled by a power of two, the result has the same bits.
         let mut large = joints.clone();
         large.iter_mut().for_each(|joint| joint.position *= 128.0);
         let other = Ccd::new().solve(&mut large, tip * 128.0, target * 128.0);
@@ -299,7 +299,7 @@ fn whatever_the_bits() {
     }
 }
 
-/// A leg that is all but straight, below a pelvis that leans: hip, knee, ankle.
+/// Returns a nearly straight leg below a leaning pelvis: hip, knee, ankle.
 fn leg(bend: f32) -> ([CcdJoint; 3], Vec3) {
     let knee = CcdLimit::Hinge { axis: Vec3::X, least_rad: -bend, most_rad: 2.4 };
     let joints = [
@@ -310,7 +310,7 @@ fn leg(bend: f32) -> ([CcdJoint; 3], Vec3) {
     (joints, Vec3::new(0.1, 0.1, 0.0))
 }
 
-/// A walking leg that goes up a step, nearly straight: by two bones in one iteration, without them in forty.
+/// A nearly straight leg steps up: in one iteration with the two-bone step, in over thirty on average without it.
 #[test]
 fn a_leg_goes_up_a_step_by_two_bones() {
     let (mut with, mut without) = (0, 0);
@@ -333,7 +333,7 @@ fn a_leg_goes_up_a_step_by_two_bones() {
     assert!(with * 30 < without);
 }
 
-/// A free chain of two bones is met in one iteration, whatever it is.
+/// With the two-bone step, a free chain of two bones always takes one iteration.
 #[test]
 fn two_bones_alone_take_one_iteration() {
     let mut rng = Rng(8);
@@ -351,7 +351,7 @@ fn two_bones_alone_take_one_iteration() {
     }
 }
 
-/// Limits hold and no call ends farther away, with any stiffness and two bones anywhere.
+/// Limits hold and no call ends farther away, for any stiffness and with two-bone steps at any joint.
 #[test]
 fn limits_hold_with_stiffness_and_two_bones() {
     let mut rng = Rng(9);
@@ -368,7 +368,7 @@ fn limits_hold_with_stiffness_and_two_bones() {
     }
 }
 
-/// Stiff joints leave the movement to others: an elbow before the shoulder.
+/// Stiff joints leave the movement to others: the elbow bends before the shoulder turns.
 #[test]
 fn stiff_joints_move_later() {
     let mut rng = Rng(10);

@@ -1,5 +1,5 @@
-//! A chain authored in every convention: 24 right-handed and 24 left-handed triples of bone axes, the latter as mirrored
-//! bones, and all of them in a mirrored world too, give the same picture.
+//! A chain authored in each convention gives the same picture: 24 right-handed and 24 left-handed triples of bone axes,
+//! the latter as mirrored bones, and all of them in a mirrored world, too.
 
 use aim_runtime::Axes;
 use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
@@ -10,7 +10,7 @@ use aim_runtime::ik::{
 
 use crate::common::{Rng, bone, triples};
 
-/// Chest, upper arm or neck, forearm or head, hand or eye: each the parent of the next.
+/// Positions of chest, upper arm or neck, forearm or head, hand or eye: each the parent of the next.
 const PLACES: [Vec3; 4] =
     [Vec3::new(0.0, 1.3, 0.0), Vec3::new(-0.2, 1.4, 0.05), Vec3::new(-0.5, 1.3, -0.1), Vec3::new(-0.7, 1.2, 0.1)];
 
@@ -20,7 +20,7 @@ fn chain(axes: &Axes, turns: &[Quat; 4]) -> Chain {
     core::array::from_fn(|i| bone(axes, turns[i], PLACES[i]))
 }
 
-/// Where a bone points, and where it is: what a picture shows.
+/// Returns what a picture shows of each bone: its position and its axes.
 fn picture(axes: &Axes, chain: &Chain) -> [Vec3; 12] {
     core::array::from_fn(|i| match i % 3 {
         0 => chain[i / 3].translation.into(),
@@ -29,7 +29,7 @@ fn picture(axes: &Axes, chain: &Chain) -> [Vec3; 12] {
     })
 }
 
-/// A bone, and all that hangs on it, turned in the world.
+/// Rotates a bone in world space, together with all of its descendants.
 fn turn(chain: &mut Chain, which: usize, by: Quat) {
     let carried = chain[which].inverse();
     let mut posed = chain[which];
@@ -37,13 +37,13 @@ fn turn(chain: &mut Chain, which: usize, by: Quat) {
     chain[which..].iter_mut().for_each(|bone| *bone = posed * (carried * *bone));
 }
 
-/// Each bone's scale, rotation and translation in its parent's space.
+/// Returns each bone's scale, rotation and translation in its parent's space.
 fn parts(chain: &Chain) -> [(Vec3, Quat, Vec3); 4] {
     let parent = |i: usize| if i == 0 { Affine3A::IDENTITY } else { chain[i - 1].inverse() };
     core::array::from_fn(|i| (parent(i) * chain[i]).to_scale_rotation_translation())
 }
 
-/// One bone and all that hangs on it, so that bones carry each other: the turns of a limb in the world, outward.
+/// Applies the world-space rotations of a limb's bones, from the root outward, each with all descendants.
 fn turn_limb(chain: &mut Chain, first: usize, turns: &[Quat]) {
     let mut before = Quat::IDENTITY;
     for (index, by) in turns.iter().enumerate() {
@@ -52,7 +52,7 @@ fn turn_limb(chain: &mut Chain, first: usize, turns: &[Quat]) {
     }
 }
 
-/// Every solver, one after another on the same chain.
+/// Runs every solver, one after another, on the same chain.
 fn solved(axes: &Axes, mut chain: Chain, target: Vec3) -> Chain {
     let places = chain.map(|bone| Vec3::from(bone.translation));
     let limb = Limb { root: places[1], middle: places[2], tip: places[3] };
@@ -84,7 +84,7 @@ fn solved(axes: &Axes, mut chain: Chain, target: Vec3) -> Chain {
     chain
 }
 
-/// The chain blended of poses that are authored with its own bones.
+/// Returns the chain blended from poses that are authored with its own bones.
 fn blended(axes: &Axes, turns: &[Quat; 4], wanted: Vec3) -> Chain {
     let base = chain(axes, turns);
     let rest = parts(&base);
@@ -148,7 +148,7 @@ fn the_same_picture_in_every_convention() {
     assert!(worst < 2e-4, "{worst}");
 }
 
-/// The mirror image of a chain looks at the mirror image of the target.
+/// In a mirrored world, the mirror image of a chain looks at the mirror image of the target.
 #[test]
 fn the_mirror_image_in_a_mirrored_world() {
     let mirror = Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));

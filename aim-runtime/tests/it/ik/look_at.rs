@@ -18,8 +18,8 @@ fn turn(head: &mut Affine3A, outcome: &LookAtOutcome) {
     head.matrix3 = Mat3A::from_quat(outcome.turn) * head.matrix3;
 }
 
-/// Heading, pitch and roll of a head on its neck, radians, by the definitions: of forward along the neck's axes, and of up
-/// about forward from where the neck's up is.
+/// Returns heading, pitch and roll of a head on its neck, radians, by the definitions: of its forward along the neck's
+/// axes, and of its up about forward, relative to the neck's up.
 fn angles(axes: &Axes, neck: &Affine3A, head: &Affine3A) -> Point {
     let stands = |bone: &Affine3A, axis: [f32; 3]| {
         let v = exact(bone.transform_vector3(axis.into()));
@@ -33,7 +33,7 @@ fn angles(axes: &Axes, neck: &Affine3A, head: &Affine3A) -> Point {
     [heading, pitch, angle(side, level)]
 }
 
-/// Lying, hanging, upside down, mirrored: the same look, upright on its neck.
+/// Lying, hanging, upside down or mirrored: the gaze is the same, and the head is upright on its neck.
 #[test]
 fn upright_on_its_neck_however_the_neck_lies() {
     let mut rng = Rng(1);
@@ -60,7 +60,7 @@ fn upright_on_its_neck_however_the_neck_lies() {
     }
 }
 
-/// Limits, speed and the level hold in every frame, through targets that jump anywhere.
+/// Limits and speed hold and no roll is added in any frame, for targets that jump anywhere.
 #[test]
 fn limits_and_rate_hold_and_no_roll_is_induced() {
     let mut rng = Rng(2);
@@ -89,7 +89,7 @@ fn limits_and_rate_hold_and_no_roll_is_induced() {
     assert!(fastest < 3.0 * (1.0 + 1e-5) && rolled < 1e-5 && furthest < 1e-5);
 }
 
-/// Each angle goes to its goal at its own speed, as three ramps that know nothing of each other.
+/// Each angle moves to its goal at its own speed, like three independent ramps.
 #[test]
 fn each_angle_at_its_own_speed() {
     let mut rng = Rng(6);
@@ -98,7 +98,7 @@ fn each_angle_at_its_own_speed() {
         let neck = Affine3A::from_quat(Quat::from_axis_angle(rng.direction(), rng.between(-3.0, 3.0)));
         let speeds = [rng.between(0.3, 4.0), rng.between(0.3, 4.0), rng.between(0.3, 4.0)];
         let look = limited().with_speed(f32::INFINITY).with_angle_speeds(speeds[0], speeds[1], speeds[2]);
-        // Forward is +y: heading turns it to +z, about +x; pitch to +x, about −z.
+        // Forward is +y. Heading turns it towards +z, about +x; pitch towards +x, about −z.
         let start = [rng.between(-1.1, 0.9), rng.between(-0.6, 0.5), rng.between(-0.5, 0.5)];
         let [heading, pitch, roll] = start;
         let leaning = Quat::from_rotation_z(-pitch) * Quat::from_rotation_y(roll);
@@ -122,14 +122,14 @@ fn each_angle_at_its_own_speed() {
         }
     }
     println!("off the ramps by at most {off:.1e} rad");
-    // The turn as a whole is held beside them.
+    // The total rotation is limited in addition to the angles.
     let quick = limited().with_angle_speeds(f32::INFINITY, 2.0, f32::INFINITY);
     let [neck, target] = [Affine3A::IDENTITY, Affine3A::from_translation(Vec3::new(0.6, 1.0, 0.9))];
     let outcome = quick.solve(&neck, &neck, target.translation.into(), DT);
     assert!((angle_of(outcome.turn) - f64::from(3.0 * DT)).abs() < 1e-5);
 }
 
-/// The quickest way is as quick as it may be; what it costs in roll and limits is why it is not the default.
+/// The shortest path runs at full speed; it may add roll and exceed limits, so it is not the default.
 #[test]
 fn the_short_way_round_at_constant_speed() {
     let mut rng = Rng(3);
@@ -154,7 +154,7 @@ fn the_short_way_round_at_constant_speed() {
                     break;
                 }
             }
-            // One turn, about one axis, at full speed but for the last frame.
+            // A single rotation about one axis, at full speed except in the last frame.
             assert!((gone - whole).abs() < 1e-4, "{gone} of {whole}");
             assert!(f64::from(frames) <= (whole / f64::from(3.0 * DT)).ceil() + 1.0);
         }
@@ -166,7 +166,7 @@ fn the_short_way_round_at_constant_speed() {
 #[test]
 fn beyond_the_limits() {
     let neck = Affine3A::IDENTITY;
-    // Far to the left and behind.
+    // In front; far to the left; behind.
     for (local, beyond) in [(Vec3::new(0.0, 1.0, 0.5), false), (Vec3::Z, true), (Vec3::new(0.1, -1.0, 0.2), true)] {
         let mut head = neck;
         let refused = limited().with_beyond(Beyond::Refuse).solve(&neck, &head, local, DT);
@@ -183,7 +183,7 @@ fn beyond_the_limits() {
     }
 }
 
-/// A head that the animation left rolled and beyond its limits comes back, no faster than it may.
+/// A head that the animation left rolled and beyond its limits returns, no faster than allowed.
 #[test]
 fn recovers() {
     let mut rng = Rng(4);
@@ -202,7 +202,7 @@ fn recovers() {
     }
 }
 
-/// Heading leads to the left and pitch up, in every convention of bones, mirrored ones too.
+/// Positive heading turns left and positive pitch turns up, in every convention of bones, including mirrored ones.
 #[test]
 fn signs_are_those_of_the_rigs() {
     for (axes, _) in triples() {

@@ -1,4 +1,4 @@
-//! The solvers beside the aim solvers, judged by forward kinematics in f64.
+//! Solvers other than the aim solvers, checked by forward kinematics in f64.
 
 mod aim_poses;
 mod ccd;

@@ -31,7 +31,7 @@ fn any_bone_along_any_direction_under_any_parent() {
                         assert!((angle_of(outcome.turn) - shortest).abs() < 1e-5, "{name}");
                     }
                     Roll::Up { bone: side, .. } => {
-                        // Up, the direction and the bone's own up are in one plane: no roll.
+                        // Up, the direction and the bone's own up are coplanar: no roll.
                         let side = turned(outcome.turn, exact(in_space(&bone, side)));
                         let normal = cross(aimed, exact(up));
                         if length(normal) > 0.1 && length(cross(aimed, side)) > 0.1 {
@@ -45,7 +45,7 @@ fn any_bone_along_any_direction_under_any_parent() {
     }
 }
 
-/// The nearest and the furthest there is, where products of unit vectors have no digits left.
+/// Nearly aligned and nearly opposite directions, where products of unit vectors lose all precision.
 #[test]
 fn a_little_off_and_nearly_opposite() {
     let mut rng = Rng(2);

@@ -1,4 +1,4 @@
-//! The cases that ozz-animation tests its two-bone solver by, name by name.
+//! Test cases of ozz-animation's two-bone solver, under the same names.
 
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::ik::{Hinge, Limb, TwoBone, TwoBoneOutcome, TwoBoneStatus};
@@ -6,7 +6,7 @@ use aim_runtime::ik::{Hinge, Limb, TwoBone, TwoBoneOutcome, TwoBoneStatus};
 use crate::common::exact::*;
 use crate::common::{DEG, parents};
 
-/// A unit up, then a unit along x: bent by 90°, in the plane of x and y.
+/// Limb of one unit up, then one unit along x: bent by 90° in the xy plane.
 const BENT: Limb = Limb { root: Vec3::ZERO, middle: Vec3::Y, tip: Vec3::new(1.0, 1.0, 0.0) };
 
 fn under(parent: &Affine3A, limb: &Limb) -> Limb {
@@ -14,7 +14,7 @@ fn under(parent: &Affine3A, limb: &Limb) -> Limb {
     Limb { root, middle, tip }
 }
 
-/// The middle joint and the tip by forward kinematics; sound whatever else.
+/// Returns middle joint and tip by forward kinematics, after checking that both rotations are valid.
 fn posed(limb: &Limb, outcome: &TwoBoneOutcome) -> [Point; 2] {
     assert!(is_sound(outcome.upper) && is_sound(outcome.lower));
     let [root, middle, tip] = [limb.root, limb.middle, limb.tip].map(exact);
@@ -22,7 +22,7 @@ fn posed(limb: &Limb, outcome: &TwoBoneOutcome) -> [Point; 2] {
     [new_middle, plus(new_middle, turned(outcome.lower, minus(tip, middle)))]
 }
 
-/// Solved, reached, and so by forward kinematics; where the middle joint is then.
+/// Solves, asserts that the target is reached by forward kinematics, and returns the middle joint's position.
 fn reached(solver: &TwoBone, limb: &Limb, target: Vec3) -> Point {
     let outcome = solver.solve(limb, target);
     assert_eq!(outcome.status, TwoBoneStatus::Reached, "{limb:?} to {target}");
@@ -54,7 +54,7 @@ fn job_validity() {
         assert_eq!(outcome.status, TwoBoneStatus::Degenerate, "{limb:?} {target}");
         assert_eq!((outcome.upper, outcome.lower), (Quat::IDENTITY, Quat::IDENTITY));
     }
-    // A hinge without an axis, and limits that are none, still leave a solver.
+    // A hinge without an axis still leaves a working solver.
     let hinge = Hinge { axis: Vec3::ZERO, least_rad: 0.0, most_rad: 3.0 };
     reached(&TwoBone::new().with_hinge(hinge), &BENT, Vec3::new(1.0, 0.5, 0.2));
 }
@@ -73,7 +73,7 @@ fn start_joint_correction() {
                 let target = parent.transform_point3(target);
                 let [upper, lower] = [limb.middle - limb.root, limb.tip - limb.middle].map(Vec3::length);
                 let distance = target.distance(limb.root);
-                // Uneven scale puts some out of reach.
+                // Non-uniform scale puts some targets out of reach.
                 if distance > (upper - lower).abs() && distance < upper + lower {
                     reached(&TwoBone::new(), &limb, target);
                 } else {
@@ -119,16 +119,16 @@ fn soften() {
         let [_, tip] = posed(&BENT, &outcome);
         (outcome.status, length(tip))
     };
-    // Reachable, without and with softening before it sets in.
+    // Reachable, without softening and before softening begins.
     assert_eq!(at(1.0, 1.9).0, TwoBoneStatus::Reached);
     assert_eq!(at(0.5, 0.9).0, TwoBoneStatus::Reached);
-    // Softened, twice.
+    // Softened, with two settings.
     for soften in [0.5, 0.2] {
         let (status, distance) = at(soften, 1.5);
         assert_eq!(status, TwoBoneStatus::Partial);
         assert!(distance < 1.5 && distance > 2.0 * f64::from(soften));
     }
-    // Not reachable, at the most, beyond, a bit too far.
+    // Too far; exactly at full extent; beyond with softening; slightly too far.
     assert_eq!(at(1.0, 3.0).0, TwoBoneStatus::TooFar);
     assert_eq!(at(1.0, 2.0).0, TwoBoneStatus::Reached);
     assert!(at(0.5, 3.0).1 < 2.0 && at(0.5, 3.0).0 == TwoBoneStatus::TooFar);
@@ -163,7 +163,7 @@ fn weight() {
 
 #[test]
 fn pole_target_alignment() {
-    // The pole on the way to the target, and a thousandth beside it; at full extent.
+    // The pole exactly on the line to the target, and a thousandth beside it, also at full extent.
     for pole in [Vec3::X, Vec3::new(1.0, 0.001, 0.0), Vec3::new(-1.0, 0.001, 0.0)] {
         reached(&TwoBone::new().with_pole(pole), &BENT, Vec3::X * 1.2);
         reached(&TwoBone::new().with_pole(pole), &BENT, Vec3::X * 2.0);
@@ -178,7 +178,7 @@ fn mid_axis() {
     for axis in [Vec3::Z, Vec3::NEG_Z] {
         let hinge = Hinge { axis, least_rad: 0.0, most_rad: 3.0 };
         reached(&TwoBone::new().with_hinge(hinge), &BENT, target);
-        // Aligned joints have no plane: the hinge says which way they bend.
+        // Collinear joints define no plane: the hinge determines the direction of the bend.
         let straight = Limb { tip: Vec3::Y * 2.0, ..BENT };
         let middle = reached(&TwoBone::new().with_hinge(hinge), &straight, Vec3::Y);
         assert!(middle[0] * f64::from(axis.z) > 0.5, "{middle:?}");
@@ -200,7 +200,7 @@ fn aligned_joints_and_target() {
 fn zero_length_start_target() {
     let outcome = TwoBone::new().solve(&BENT, BENT.root);
     let [_, tip] = posed(&BENT, &outcome);
-    // Bones of one length fold up.
+    // Bones of equal length can fold completely.
     assert!(outcome.status == TwoBoneStatus::Reached && is_near(tip, BENT.root), "{outcome:?}");
 }
 

@@ -1,11 +1,11 @@
-//! Sweeps: whatever a target passes, no angle moves faster than its rate; nobody else states such a bound.
+//! Sweeps: whatever a target passes, no angle moves faster than its rate.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::{Behind, Pose, Settings, Status};
 
 use super::*;
 
-/// Every solver with every policy for targets behind.
+/// Returns every solver with every policy for targets behind.
 fn ways() -> impl Iterator<Item = Settings> {
     SOLVERS.into_iter().flat_map(|solver| {
         [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release]
@@ -13,7 +13,8 @@ fn ways() -> impl Iterator<Item = Settings> {
     })
 }
 
-/// Aims at each target in turn; each frame's corrections turn no bone by more than both its angles' rates allow.
+/// Aims at each target in turn; asserts that no frame's correction changes by more than both of its angles' rates
+/// allow.
 fn sweep(rig: &mut NumericRig, targets: impl Iterator<Item = Vec3>, settings: &Settings, case: &str) -> f32 {
     let pose = upright(rig);
     let posed = Pose::new(pose.clone());
@@ -22,7 +23,7 @@ fn sweep(rig: &mut NumericRig, targets: impl Iterator<Item = Vec3>, settings: &S
         let (before, turned): (_, Vec<Quat>) = (rig.joints.clone(), rig.corrections().map(|(_, q)| q).collect());
         let outcome = rig.aim_with(&posed, target, DT, settings);
         held(rig, &before, DT, case);
-        // Nearer than a centimetre f32 does not tell the angle as finely.
+        // Nearer than a centimetre, f32 does not resolve the angle that finely.
         if settings.weight == 1.0 && (target - Vec3::from(seen64(rig, &pose, 0).0.map(|x| x as f32))).length() > 0.01 {
             is_true(rig, &pose, 0, target, &outcome, case);
         }
@@ -35,7 +36,7 @@ fn sweep(rig: &mut NumericRig, targets: impl Iterator<Item = Vec3>, settings: &S
     largest
 }
 
-/// Theirs turns by up to 27.6° in such a step.
+/// Past the effector's up and down. Another solver turns by up to 27.6° in such a step.
 #[test]
 fn past_the_pole() {
     for settings in ways() {
@@ -52,7 +53,7 @@ fn past_the_pole() {
     }
 }
 
-/// Theirs jumps by 179.9° at half the weight.
+/// Past straight behind. Another solver jumps by 179.9° at half the weight.
 #[test]
 fn past_behind() {
     for settings in ways() {
@@ -83,7 +84,7 @@ fn round_and_round() {
     }
 }
 
-/// Through the effector itself and out of it again.
+/// Through the effector's origin and out again.
 #[test]
 fn through_the_effector() {
     for settings in ways() {
@@ -98,7 +99,7 @@ fn through_the_effector() {
     }
 }
 
-/// On, off and on again with the target gone elsewhere meanwhile: no jerk to where it was.
+/// Off and on again while the target has moved elsewhere: no jerk towards its old position.
 #[test]
 fn weight_off_and_on() {
     for settings in ways() {

@@ -1,11 +1,11 @@
-//! What is aimed need not be joint 0's own forward from its own origin.
+//! Effectors other than joint 0's own forward at its own origin.
 
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::{Axes, Effector, Joint, Pose, Settings, Status};
 
 use super::*;
 
-/// An effector beside the joint's axis, a barrel say: aimed by its own line, not the joint's.
+/// An effector beside the joint's axis, such as a barrel, is aimed by its own line.
 #[test]
 fn offset() {
     for (world, parent, _) in worlds() {
@@ -16,7 +16,7 @@ fn offset() {
                 reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {origin:?}, {target}"));
             }
         }
-        // Nearer than the line ever passes: out of reach, and said so.
+        // Nearer to the joint than the effector's line: out of reach, and reported as such.
         let rig = offset_ball([0.5, 0.0, 0.5]);
         let pose = moved(&parent, &alone());
         for (_, outcome, case) in every_way(&rig, &pose, parent.transform_point3(Vec3::new(0.1, 0.0, -0.1)), &world) {
@@ -25,10 +25,10 @@ fn offset() {
     }
 }
 
-/// The head instead of the eye: its own forward is aimed from its own origin, and the eye goes back to rest.
+/// With the head as effector, its own forward is aimed from its own origin, and the eye returns to rest.
 #[test]
 fn head_as_effector() {
-    // An eye with other axes than its head's, and an effector that is not even its forward.
+    // An eye with other axes than its head's, and an effector that need not be the eye's forward.
     let eye_axes = Axes { up: [0.0, 0.0, 1.0], forward: [1.0, 0.0, 0.0], left: [0.0, 1.0, 0.0] };
     for (world, parent, _) in worlds() {
         for (forward, solver) in
@@ -61,7 +61,7 @@ fn head_as_effector() {
     }
 }
 
-/// An index past the chain aims the innermost joint.
+/// An effector index beyond the chain selects the innermost joint.
 #[test]
 fn effector_past_the_chain() {
     for solver in SOLVERS {
@@ -111,7 +111,7 @@ fn forward_up_pairs() {
     }
 }
 
-/// Round a joint that stands anywhere, as an animation has it.
+/// With an effector on a joint anywhere in the world.
 #[test]
 fn translated_joint() {
     for at in [Vec3::new(0.5, 0.0, 0.0), Vec3::new(-7.0, 30.0, 2.0)] {

@@ -1,12 +1,12 @@
-//! What the list does not ask, and where those who follow it fail.
+//! Cases missing from other solvers' tests, in which these solvers fail.
 
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::{Pose, Settings, Status};
 
 use super::*;
 
-/// Twist and weight together: theirs then takes the long way round a quarter of the time. Half the weight is half the arc,
-/// level or not, and a correction is never longer than the whole turn.
+/// Twist and weight together, for which another solver takes the long way round in a quarter of the cases. Half the
+/// weight is half the arc, upright or not, and a correction is never larger than the whole rotation.
 #[test]
 fn twist_times_weight() {
     let mut rng = Rng(41);
@@ -31,11 +31,11 @@ fn twist_times_weight() {
     }
 }
 
-/// Near is not the same as too near: theirs does nothing for what is nearer than 10 cm to a rig in centimetres.
+/// Near targets are still aimed at. Another solver ignores targets nearer than 10 cm, even for a rig in centimetres.
 #[test]
 fn near_targets() {
     for (world, parent, similar) in worlds() {
-        // Far away in f32 there is nothing finer to say.
+        // Far from the origin, f32 resolves nothing finer.
         if world.starts_with("translated") {
             continue;
         }
@@ -48,7 +48,7 @@ fn near_targets() {
                 assert!(!similar || (heading - 45.0 * DEG).abs() < 2e-3, "{case}, {near}: {heading}");
             }
         }
-        // Of a whole chain, with the nose in the way.
+        // A whole chain, with a target right in front of the eye.
         let rig = person();
         let pose = moved(&parent, &upright(&rig));
         let eye = upright(&rig)[0].translation;
@@ -59,7 +59,7 @@ fn near_targets() {
     }
 }
 
-/// Every number of a call at every awkward value, one at a time.
+/// Each number of a call replaced by each awkward value, one at a time.
 #[test]
 fn awkward_numbers() {
     const AWKWARD: [f32; 12] = [
@@ -79,7 +79,7 @@ fn awkward_numbers() {
     let good = Vec3::new(-1.0, 1.8, -2.0);
     for solver in SOLVERS {
         for awkward in AWKWARD {
-            // Twelve numbers of each of three joints, the target's, and dt, weight, attention, tolerance.
+            // Twelve numbers of each of three joints, three of the target, then dt, weight, attention and tolerance.
             for which in 0..3 * 12 + 3 + 4 {
                 let mut rig = person();
                 let mut settings = Settings::default().with_solver(solver);
@@ -109,7 +109,7 @@ fn awkward_numbers() {
                 if which < 39 && !awkward.is_finite() {
                     assert_eq!((outcome.status, &rig.joints), (Status::Degenerate, &before), "{case}");
                 }
-                // And then all is well again.
+                // Afterwards valid input works as usual.
                 let settings = Settings::default().with_solver(solver);
                 let pose = upright(&rig);
                 let outcome = aim_for(&mut rig, &pose, good, 3.0, &settings);
@@ -119,7 +119,7 @@ fn awkward_numbers() {
     }
 }
 
-/// Theirs is off by 3e-4 where it is weighted.
+/// Weighted corrections are unit; in another solver they are off by 3e-4.
 #[test]
 fn weighted_corrections_are_unit() {
     let mut rng = Rng(43);

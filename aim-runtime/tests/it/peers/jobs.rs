@@ -1,13 +1,13 @@
-//! ozz-animation's list for its aim job, test by test under the same names.
+//! Test cases of ozz-animation's aim job, under the same names.
 
 use aim_runtime::glam::{Affine3A, Quat, Vec3, Vec3A};
 use aim_runtime::{Effector, Joint, Pose, Settings, Status};
 
 use super::*;
 
-/// Their job is refused for a missing joint or output and for a forward that is not unit. Here a missing joint is a
-/// degenerate call, outputs cannot be missing, and a declared forward is checked when compiling; of a rig known only at
-/// run time one of another length aims all the same.
+/// ozz's job is invalid if a joint or an output is missing or if forward is not unit. Here, too few joints are a
+/// degenerate call, outputs cannot be missing, and a declared forward is checked at compile time. For a rig known only
+/// at run time, a forward of another length still aims.
 #[test]
 fn job_validity() {
     let target = Vec3::new(-1.0, 1.9, -2.0);
@@ -53,7 +53,7 @@ fn correction() {
     }
 }
 
-/// Their sample of several joints, which has no test.
+/// Chains of several joints, for which ozz has a sample but no test.
 #[test]
 fn correction_of_a_chain() {
     let mut rng = Rng(7);
@@ -66,7 +66,7 @@ fn correction_of_a_chain() {
             let turn = Quat::from_rotation_y(heading) * Quat::from_rotation_x(pitch);
             let eye = Vec3::from(pose[0].translation);
             let target = eye + turn * (WORLD[0] * rng.between(0.5, 10.0));
-            // A stretched world stretches the angles too: keep to what stays well within the ranges.
+            // A stretched world stretches angles, too: keep to targets well within the ranges.
             let target = if similar { target } else { eye + (target - eye) * Vec3::new(0.5, 0.2, 1.0) };
             let pose = moved(&parent, &pose);
             reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, case {case}"));
@@ -74,7 +74,7 @@ fn correction_of_a_chain() {
     }
 }
 
-/// The sense of the angles: left is positive heading, up is positive pitch, whatever the parent does.
+/// Signs of the angles: positive heading is left, positive pitch is up, under every parent.
 #[test]
 fn sense_of_the_angles() {
     for (world, parent, _) in worlds() {
@@ -96,14 +96,14 @@ fn sense_of_the_angles() {
     }
 }
 
-/// The effector's direction may be any of the bone's.
+/// The effector's direction may be any direction of the bone.
 #[test]
 fn forward() {
     for (world, parent, _) in worlds() {
         for forward in [Vec3::Y, -Vec3::Y, Vec3::Z, -Vec3::Z, Vec3::X, -Vec3::X, Vec3::new(0.6, 0.0, 0.8)] {
             let mut rig = NumericRig::ball(THUG);
             rig.effector.forward = forward.to_array();
-            // From an effector along the bone's up, heading alone is a roll: look where pitch gets it.
+            // If the effector is along the bone's up, heading alone is a roll: choose a target that pitch reaches.
             let gaze = Vec3::from(animated64(&rig, &alone(), 0).1.map(|x| x as f32));
             let target = Quat::from_axis_angle(WORLD[2], 20.0 * DEG) * gaze * 3.0;
             let pose = moved(&parent, &alone());
@@ -112,8 +112,8 @@ fn forward() {
     }
 }
 
-/// Their up is a vector of the bone that is kept towards the pole. Here it is declared with the bone's axes, and kept by
-/// there being no roll: an eye turned to a target at its own height keeps its up, from every order of arriving.
+/// ozz's up is a bone vector that is kept towards the pole. Here it is declared with the bone's axes and kept by
+/// avoiding roll: an eye turned to a target at its own height keeps its up, whatever the path.
 #[test]
 fn up() {
     for (world, parent, similar) in worlds() {
@@ -133,22 +133,22 @@ fn up() {
     }
 }
 
-/// A head that leans forward by 30°, level or not, and its pose.
+/// Returns a head that leans forward by 30°, with this `upright` setting, and its pose.
 fn leaning(level: f32) -> (NumericRig, Vec<Affine3A>) {
     let mut rig = NumericRig::ball(THUG);
     rig.infos[0] = rig.infos[0].with_upright(level);
     (rig, vec![bone(&THUG, Quat::from_rotation_x(-30.0 * DEG), Vec3::ZERO)])
 }
 
-/// How far the bone's left is above the horizon, degrees.
+/// Returns the angle of the bone's left above the horizon, degrees.
 fn roll_deg(rig: &NumericRig, pose: &[Affine3A], parent: &Affine3A) -> f32 {
     let (_, q) = rig.corrections().next().unwrap();
     let left = parent.inverse().transform_vector3(pose[0].transform_vector3(q * Vec3::from(THUG.left)));
     left.normalize().dot(Vec3::Y).asin() / DEG
 }
 
-/// Their pole is what the up vector is turned towards. Here it is the pose's up, which level headings turn about: of any
-/// length, and of none at all when there is nothing to say.
+/// ozz's pole is the direction that the up vector is turned towards. Here it is the pose's up, about which upright
+/// headings turn. Its length does not matter; without a usable one, the bone's own up is used.
 #[test]
 fn pole() {
     for (world, parent, similar) in worlds() {
@@ -174,22 +174,22 @@ fn pole() {
                 let (_, turn) = aimed(Some(length * up));
                 assert!(turn.angle_between(reference) < 2e-3, "{world}, {length}: {turn} for {reference}");
             }
-            // Nothing to turn about but the bone's own up: no pole, none of any length, and one that is no direction.
+            // Without a pole, or with one that has no direction, headings turn about the bone's own up.
             let (_, own) = aimed(None);
             for pole in [Vec3::ZERO, Vec3::NAN, Vec3::INFINITY] {
                 assert_eq!(aimed(Some(pole)).1, own, "{world}, {pole}");
             }
-            // Upside down there is no shortest way up, and none is taken.
+            // For an up that is upside down, the shortest tilt is undefined, so the bone is not tilted.
             assert!(aimed(Some(-up)).1.angle_between(own) < 2e-3, "{world}");
-            // To the side: still aimed, and finite.
+            // For an up to the side, the result is still aimed and finite.
             aimed(Some(parent.transform_vector3(Vec3::Z)));
             aimed(Some(parent.transform_vector3(Vec3::X)));
         }
     }
 }
 
-/// Their twist is a roll about the aimed direction, put in by hand. Here roll is what a heading about a leaning bone's own
-/// up makes, and `level` takes out.
+/// ozz's twist is an explicit roll about the aimed direction. Here a roll results from turning about a leaning bone's
+/// own up, and `upright` removes it.
 #[test]
 fn twist() {
     for (world, parent, similar) in worlds() {
@@ -216,7 +216,7 @@ fn twist() {
     }
 }
 
-/// Already aimed at: nothing moves.
+/// A target already aimed at: nothing moves.
 #[test]
 fn aligned_target() {
     for (world, parent, _) in worlds() {
@@ -232,7 +232,7 @@ fn aligned_target() {
     }
 }
 
-/// The target along the effector's up: where heading turns nothing. Finite, true, and as near as pitch comes.
+/// A target along the effector's up, where heading has no effect: finite, reported correctly, as near as pitch gets.
 #[test]
 fn aligned_target_up() {
     for (world, parent, similar) in worlds() {
@@ -259,7 +259,7 @@ fn aligned_target_up() {
     }
 }
 
-/// The target along the pole, above a leaning head: level headings turn about the very direction it is in.
+/// A target along the pole, above a leaning head: upright headings turn about the direction of the target itself.
 #[test]
 fn aligned_target_pole() {
     for (world, parent, similar) in worlds() {
@@ -276,14 +276,14 @@ fn aligned_target_pole() {
                 held(&rig, &before, DT, &world);
             }
             let outcome = rig.snap_with(&posed, target, &settings);
-            // Leaning 30° forward, it is lifted by 89° of the 120° that there are.
+            // Leaning forward by 30°, the head would have to pitch up by 120° but can by 89°.
             let out_of_reach = if above > 0.0 { 31.0 * DEG } else { 0.0 };
             assert!(!similar || (outcome.remaining - out_of_reach).abs() < 0.1 * DEG, "{world}: {outcome:?}");
         }
     }
 }
 
-/// On the effector there is no direction.
+/// A target on the effector has no direction.
 #[test]
 fn target_too_close() {
     for (world, parent, _) in worlds() {
@@ -292,13 +292,13 @@ fn target_too_close() {
             rig.joints = vec![Joint::from_angles(0.1, -0.1), Joint::from_angles(0.2, 0.1), Joint::default()];
             let pose = moved(&parent, &upright(&rig));
             let settings = Settings::default().with_solver(solver);
-            // The levelled frames settle first.
+            // Let the upright frames settle first.
             rig.aim_with(&Pose::new(pose.clone()), Vec3::splat(1e3), 1e-9, &settings);
             let before = rig.joints.clone();
             let on_effector = Vec3::from(seen64(&rig, &pose, 0).0.map(|x| x as f32));
             let outcome = rig.aim_with(&Pose::new(pose.clone()), on_effector, DT, &settings);
             if solver == Solver::Natural && outcome.status != Status::Degenerate {
-                // The head went on its way and took the eye off the target, by a hair: so there is something to aim.
+                // The head moved on and took the eye slightly off the target, so there is a direction again.
                 held(&rig, &before, DT, &world);
                 continue;
             }
@@ -352,7 +352,7 @@ fn zero_scale() {
     }
 }
 
-/// Forward parallel to up is a mistake of a declaration for bones, and no mistake for an effector: a lamp on a head.
+/// Forward parallel to up is an error in a bone's axes but valid for an effector, such as a lamp on a head.
 #[test]
 fn forward_parallel_to_up() {
     for (world, parent, _) in worlds() {
@@ -366,7 +366,8 @@ fn forward_parallel_to_up() {
                 let target = from + Quat::from_axis_angle(axis, angle * DEG) * gaze * 3.0;
                 reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, {angle}"));
             }
-            // Round the other axis only heading and pitch together get there, as far as they do: no more than true.
+            // About the other axis, heading and pitch are both needed, if it is reachable at all: only check the
+            // outcome.
             let target = from + Quat::from_axis_angle(WORLD[0], 10.0 * DEG) * gaze * 3.0;
             every_way(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, aside"));
         }

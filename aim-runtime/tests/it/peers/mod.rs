@@ -1,6 +1,6 @@
-//! What other aiming solvers are tested for, by the names of those tests, and where they were found to fail: under
-//! identity, translated, rotated, scaled, stretched and mirrored parents, for rigs of a hundredth to a hundred times their
-//! size, for every solver. Judged by an independent forward kinematics in f64 of the corrections that come out.
+//! Tests of other aiming solvers, under their names, and cases in which those solvers fail. Run under identity,
+//! translated, rotated, scaled, stretched and mirrored parents, for rigs of a hundredth to a hundred times their size,
+//! with every solver. The corrections are checked by independent forward kinematics in f64.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted, f64 is rounded")]
 
 mod continuity;
@@ -19,7 +19,7 @@ const SCALES: [f32; 3] = [0.01, 1.0, 100.0];
 const SOLVERS: [Solver; 3] = [Solver::Exact, Solver::Natural, Solver::Ascent];
 const DT: f32 = 1.0 / 60.0;
 
-/// Every parent at every scale: a name, the transform and whether it keeps shapes.
+/// Returns every parent at every scale: a name, the transform, and `true` if it preserves shapes.
 fn worlds() -> impl Iterator<Item = (String, Affine3A, bool)> {
     parents().into_iter().flat_map(|(name, parent, similar)| {
         SCALES
@@ -32,7 +32,7 @@ fn moved(parent: &Affine3A, pose: &[Affine3A]) -> Vec<Affine3A> {
     pose.iter().map(|joint| *parent * *joint).collect()
 }
 
-/// Eye, neck and spine that know what they are, so that the natural solver has something to share.
+/// Returns eye, neck and spine with roles, so that the natural solver can share turns.
 fn person() -> NumericRig {
     let mut rig = NumericRig::thug();
     for (info, role) in rig.infos.iter_mut().zip([Role::Eye, Role::Neck, Role::Chest]) {
@@ -47,12 +47,12 @@ fn offset_ball(origin: [f32; 3]) -> NumericRig {
     rig
 }
 
-/// The ball's one bone, standing at the world's origin.
+/// Returns the ball's single bone, at the world's origin.
 fn alone() -> [Affine3A; 1] {
     [bone(&THUG, Quat::IDENTITY, Vec3::ZERO)]
 }
 
-/// Aims for some seconds, as a game would, or until nothing changes any more.
+/// Aims frame by frame for some seconds, or until nothing changes any more.
 fn aim_for(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, seconds: f32, settings: &Settings) -> Outcome {
     let pose = Pose::new(pose.to_vec());
     let (mut outcome, mut unchanged) = (rig.aim_with(&pose, target, DT, settings), 0);
@@ -69,7 +69,7 @@ fn aim_for(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, seconds: f32, 
     outcome
 }
 
-/// No angle has left its range, and none has moved faster than its rate.
+/// Asserts that no angle has left its range or moved faster than its rate.
 fn held(rig: &NumericRig, before: &[Joint], dt: f32, case: &str) {
     for (index, ((info, old), new)) in rig.infos.iter().zip(before).zip(&rig.joints).enumerate() {
         for (range, old, new) in [(info.heading, old.heading(), new.heading()), (info.pitch, old.pitch(), new.pitch())]
@@ -82,7 +82,7 @@ fn held(rig: &NumericRig, before: &[Joint], dt: f32, case: &str) {
     assert!(sound(rig), "{case}");
 }
 
-/// Every way of aiming: every solver, at once and frame by frame; each outcome is true.
+/// Aims with every solver, by snap and frame by frame, and checks each outcome.
 fn every_way(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) -> Vec<(NumericRig, Outcome, String)> {
     let mut ways = Vec::new();
     for solver in SOLVERS {
@@ -99,7 +99,7 @@ fn every_way(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) -> V
     ways
 }
 
-/// What is said of a call is so.
+/// Asserts that the outcome of a call is right.
 fn is_true(rig: &NumericRig, pose: &[Affine3A], effector: usize, target: Vec3, outcome: &Outcome, case: &str) {
     assert!(sound(rig), "{case}");
     if outcome.status == Status::Degenerate {

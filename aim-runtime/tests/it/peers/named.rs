@@ -1,4 +1,4 @@
-//! What users of other solvers reported, as far as it can be said of this one.
+//! Problems reported by users of other solvers, as far as they apply to this one.
 
 use crate::common::truth::seen_pair64;
 use aim_runtime::glam::{Affine3A, Quat, Vec3};
@@ -6,7 +6,7 @@ use aim_runtime::{Axes, Behind, Pose, Settings, Status};
 
 use super::*;
 
-/// A parent turned by a quarter, about any axis, changes nothing (godot#104216).
+/// A parent turned by a quarter about any axis changes nothing (godot#104216).
 #[test]
 fn parent_turned_by_a_quarter() {
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
@@ -27,7 +27,7 @@ fn parent_turned_by_a_quarter() {
     }
 }
 
-/// Bones that stand otherwise to each other at rest, each with axes of its own (godot#115584, UniVRM#2159).
+/// Bones with different orientations at rest, each with axes of its own (godot#115584, UniVRM#2159).
 #[test]
 fn neck_rest_other_than_head_rest() {
     let conventions = triples();
@@ -51,7 +51,7 @@ fn neck_rest_other_than_head_rest() {
     }
 }
 
-/// Facing anywhere at the start (UniVRM#2801).
+/// Any initial heading of the character (UniVRM#2801).
 #[test]
 fn facing_anywhere() {
     for heading in 0..12_u8 {
@@ -64,7 +64,7 @@ fn facing_anywhere() {
     }
 }
 
-/// A target behind at part of the influence: no flip, and the gaze stays on its side (godot PR#99619).
+/// A target behind at partial influence: no flip, and the gaze stays on its side (godot PR#99619).
 #[test]
 fn influence_below_one_behind() {
     for solver in SOLVERS {
@@ -89,7 +89,7 @@ fn influence_below_one_behind() {
     }
 }
 
-/// Eyes whose bones stand at +90° and −90° about the up at rest, on a head that is turned at rest (three-vrm#1096).
+/// Eyes whose bones are turned by +90° and −90° about up at rest, on a head that is turned at rest (three-vrm#1096).
 #[test]
 fn eyes_of_different_rests() {
     let quarter = |axes: &Axes, by: f32| {

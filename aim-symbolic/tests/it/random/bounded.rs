@@ -1,4 +1,4 @@
-//! Running error analysis: a double with a bound of its distance from the true value.
+//! Running error analysis: doubles with a bound on their distance from the true value.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,12 +6,12 @@ use aim_symbolic::{Function, Number};
 
 use super::dual::Oracle;
 
-/// Half of the distance of two doubles, and something for the rounding of the bounds themselves.
+/// Unit roundoff, enlarged slightly for the rounding of the bounds themselves.
 const ROUNDING: f64 = 1.0001 * f64::EPSILON / 2.0;
-/// What the functions of the mathematical library may be wrong by, relatively.
+/// Relative error bound of mathematical library functions.
 const LIBRARY: f64 = 2.0 * f64::EPSILON;
 
-/// A value and how far it may be from the true one; infinitely where nothing is known.
+/// Value with a bound on its error, infinite if nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounded {
     pub(crate) value: f64,
@@ -27,7 +27,7 @@ impl Bounded {
         Self { value: 0.0, error: f64::INFINITY }
     }
 
-    /// `value` was rounded and has come by `error` before.
+    /// Creates a rounded value with the error accumulated before rounding.
     fn new(value: f64, error: f64) -> Self {
         Self::with(value, error, ROUNDING)
     }
@@ -41,7 +41,7 @@ impl Bounded {
         self.error.is_finite()
     }
 
-    /// Whether both may be the same number.
+    /// Returns `true` if both may be the same number.
     pub(crate) fn meets(self, other: Self) -> bool {
         (self.value - other.value).abs() <= self.error + other.error
     }
@@ -94,7 +94,7 @@ impl Neg for Bounded {
 }
 
 impl Number for Bounded {
-    /// Constants count as rounded: rules compute with them.
+    /// Constants other than whole numbers are treated as rounded, since rules compute with them.
     fn constant(value: f64) -> Self {
         let whole = value == value.trunc() && value.abs() < 1e15;
         if whole { Self::exact(value) } else { Self::new(value, 4.0 * ROUNDING * value.abs()) }
@@ -129,7 +129,7 @@ impl Number for Bounded {
         }
         let Self { value: x, error } = self;
         let value = x.call(function);
-        // The steepest slope within the bounds.
+        // Largest slope within the error bounds.
         let slope = match function {
             Function::Sin | Function::Cos => 1.0,
             Function::Tan => {
@@ -148,7 +148,7 @@ impl Number for Bounded {
             Function::Floor if (x - error).floor() == (x + error).floor() => 0.0,
             Function::Floor => f64::INFINITY,
         };
-        // A number of the size of 1 is what arguments are reduced by.
+        // Constants of the order of 1 are used in argument reduction.
         let along = if error == 0.0 { 0.0 } else { slope * error };
         Self::with(value, along + f64::MIN_POSITIVE, LIBRARY)
     }
@@ -157,7 +157,7 @@ impl Number for Bounded {
         let y = self;
         let error = y.error + x.error;
         let distance = y.value.hypot(x.value) - error;
-        // Across the negative axis the angle jumps.
+        // The angle jumps across the negative axis.
         let jumps = x.value - x.error <= 0.0 && y.value.abs() <= y.error;
         if distance <= 0.0 || jumps || !error.is_finite() {
             return Self::unknown();

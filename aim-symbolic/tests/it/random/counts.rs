@@ -1,4 +1,4 @@
-//! What rules do to operation counts.
+//! Effect of rules on operation counts.
 
 use std::cell::RefCell;
 
@@ -9,8 +9,8 @@ use super::judge::{Verdict, for_each, single_rules, smallest_failure};
 use super::plain;
 use super::recipe::{Recipe, Stated};
 
-/// Rules that only take away, or write the same in other words. Of the others each may raise a count by itself: what it
-/// takes apart is shared, or others finish what it begins.
+/// Rules that only simplify or rephrase. Each other rule may raise a count when applied alone: it may take apart shared
+/// expressions, or rely on other rules to finish.
 const TAKE_AWAY: [&str; 8] = [
     "the root of a square is a norm",
     "fold zero and one",
@@ -26,7 +26,7 @@ fn operations(program: &Program) -> usize {
     program.count().total() + program.count().call
 }
 
-/// How rules change a count, over many statements.
+/// Effect of rules on a count, over many statements.
 #[derive(Clone, Default)]
 struct Change {
     applied: usize,
@@ -58,7 +58,7 @@ fn texts(g: &aim_symbolic::Graph, all: &[Scalar]) -> String {
     texts.join(" ; ")
 }
 
-/// Each of the rules alone, those that change anything: its place, the counts before and after, and what it made.
+/// Applies each rule alone and reports those that change something: index, counts before and after, and the result.
 fn each_alone(recipe: &Recipe, mut tell: impl FnMut(usize, usize, usize, String)) {
     let mut stated = recipe.build();
     let g = &mut stated.pools.g;
@@ -91,7 +91,7 @@ fn rules_that_take_away_never_raise_the_count() {
     });
 }
 
-/// Also tells of each rule how often it raises and lowers counts, and the smallest example of a raise.
+/// Also prints how often each rule raises and lowers counts, with the smallest example that raises one.
 #[test]
 #[ignore = "some rules alone raise counts; the choices between them decide"]
 fn no_rule_alone_raises_the_count() {
@@ -119,7 +119,7 @@ fn no_rule_alone_raises_the_count() {
     assert!(changes.borrow().iter().all(|change| change.raised == 0), "rules raise counts: see above");
 }
 
-/// Derivations beside the same without rules.
+/// Comparison of derivations with and without rules.
 pub(crate) struct Comparison {
     off: Vec<Rule>,
     change: RefCell<Change>,
@@ -127,15 +127,15 @@ pub(crate) struct Comparison {
 
 impl Default for Comparison {
     fn default() -> Self {
-        // Those of limits are no matter of counts.
+        // Limit rules do not aim at smaller counts.
         let of_counts = single_rules().into_iter().filter(|(set, ..)| *set != "limits");
         Self { off: of_counts.map(|(_, rule, _)| rule).collect(), change: RefCell::default() }
     }
 }
 
 impl Comparison {
-    /// That `program` takes no more operations than what is derived without the rules. How far that rival is arranged while deriving is
-    /// bounded, so that this may be missed: by none of the statements that are tested.
+    /// Checks that `program` needs no more operations than a derivation without rules. The rearrangement of the latter
+    /// is bounded, so the check could fail in principle; it does for none of the tested statements.
     pub(crate) fn is_no_larger(&self, stated: &Stated, wanted: &[Want], program: &Program) -> Verdict {
         let plain = Program::derive_without(&stated.pools.g, wanted, &self.off);
         let (without, with) = (operations(&plain), operations(program));

@@ -1,5 +1,5 @@
-//! Whole derivations: values, first and second derivatives by the program are those by dual numbers, it is no larger than without
-//! the rules, and the same statement always leads to the same program.
+//! Whole derivations: a program's values and first and second derivatives agree with dual numbers, it is no larger than
+//! without the rules, and the same statement always leads to the same program.
 
 use std::cell::Cell;
 
@@ -17,7 +17,7 @@ use super::material::moving;
 use super::plain;
 use super::recipe::{Recipe, Stated};
 
-/// Random questions: values, their derivatives by one to three variables, or second derivatives.
+/// Returns random wanted outputs: values, their derivatives by one to three variables, or second derivatives.
 pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
     let mut variables = stated.pools.variables.clone();
     random.shuffle(&mut variables);
@@ -41,7 +41,8 @@ pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
     wanted
 }
 
-/// What dual numbers say; `None` for second derivatives of what counts as a constant but is none.
+/// Returns the result by dual numbers; `None` for second derivatives through something that is treated as constant but
+/// is not.
 fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
     let g = &stated.pools.g;
     match want {
@@ -67,7 +68,7 @@ fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
     }
 }
 
-/// That the program gives what dual numbers say.
+/// Checks that the program agrees with dual numbers.
 fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, what: &str) -> Verdict {
     let mut results = vec![Field::ZERO; wanted.len()];
     program.run(inputs, &mut results);
@@ -79,10 +80,10 @@ fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, 
     Ok(())
 }
 
-/// So many statements are compared with what is derived without rules.
+/// Number of statements that are compared with derivations without rules.
 const COMPARED: u64 = 10_000;
 
-/// Each statement is derived once, and all is asked of that program: the rest costs little beside it.
+/// Derives each statement once and runs all checks on that program; the derivation dominates the cost.
 #[test]
 fn derived_programs_are_right_small_and_the_same_each_time() {
     let (exact, rounded, comparison) = (Tally::default(), Tally::default(), Comparison::default());
@@ -129,7 +130,7 @@ fn programs_derived_without_some_rules_agree_too() {
         tally.judge();
         let mut random = Rng::with_seed(recipe.seed);
         let wanted = wanted(&stated, &mut random);
-        // Every rule alone in turn, and sometimes others with it.
+        // Omit every rule in turn, and sometimes others with it.
         let mut without = vec![all[turn.replace(turn.get() + 1) % all.len()]];
         if random.u8(..4) == 0 {
             without.extend((0..4).map(|_| all[random.usize(..all.len())]));
@@ -141,7 +142,7 @@ fn programs_derived_without_some_rules_agree_too() {
     tally.assert_few_discards();
 }
 
-/// The point as the library's evaluation takes it.
+/// Returns the point in the form that the library's evaluation takes.
 fn bindings(g: &Graph, inputs: &[Bounded]) -> Bindings {
     let given = g.inputs().iter().zip(inputs).filter(|((_, kind), _)| *kind == InputKind::Given);
     let given: Vec<f64> = given.map(|(_, x)| x.value).collect();
@@ -187,7 +188,7 @@ fn agree_within_rounding(
     Ok(())
 }
 
-/// That the same statement, made anew, leads to the same program, which reads the same.
+/// Checks that building and deriving the same statement again gives the same program and the same text.
 fn derives_again(recipe: &Recipe, wanted: &[Want], program: &Program) -> Verdict {
     let again = Program::derive_wanted(&recipe.build().pools.g, wanted);
     let prints: [fn(&Program) -> String; 3] = [plain::program, plain::latex, |p| print::maxima("f", p)];

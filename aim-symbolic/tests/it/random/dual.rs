@@ -1,4 +1,4 @@
-//! Numbers with a derivative, over any numbers; and what the oracle asks of a number type.
+//! Dual numbers over any number type, and the operations that the reference evaluation needs.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -6,17 +6,17 @@ use aim_symbolic::{Function, Number};
 
 use super::field::Field;
 
-/// A number type that expressions are evaluated in.
+/// Number type in which expressions can be evaluated.
 pub(crate) trait Oracle: Number {
-    /// Whether it is 0, by its value.
+    /// Returns `true` if the value is 0.
     fn is_zero(self) -> bool;
 
-    /// True if it behaves as a length does, by its value: roots of its square times others are its multiples.
+    /// Returns `true` if the value behaves like a length: the root of its square times something is a multiple of it.
     fn is_length(self) -> bool {
         true
     }
 
-    /// The same value as a constant, and whether a derivative was lost.
+    /// Returns the value as a constant, and `true` if a derivative was dropped.
     fn frozen(self) -> (Self, bool);
 }
 
@@ -34,7 +34,7 @@ impl Oracle for Field {
     }
 }
 
-/// A value and its derivative.
+/// Value and its derivative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Dual<T> {
     pub(crate) value: T,
@@ -117,7 +117,7 @@ impl<T: Number> Number for Dual<T> {
             Function::Asin => self.slope / (one - x * x).sqrt(),
             Function::Acos => -self.slope / (one - x * x).sqrt(),
             Function::Exp => self.slope * value,
-            // Outside of its domain the slope is 0 by convention.
+            // Outside the domain the slope is 0 by convention.
             Function::Ln => T::select_less(T::constant(0.0), x, self.slope / x, T::constant(0.0)),
             Function::Sinh => self.slope * x.call(Function::Cosh),
             Function::Cosh => self.slope * x.call(Function::Sinh),

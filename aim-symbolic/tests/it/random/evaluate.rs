@@ -1,6 +1,7 @@
-//! The meaning of expressions, in any number type: written from the definitions, with matrices for all rotations.
+//! Reference evaluation of expressions in any number type, written from the definitions, with matrices for all
+//! rotations.
 //!
-//! Each expression is evaluated once, and stays known while the graph grows: what rules add shares what was there.
+//! Each expression is evaluated once and cached while the graph grows, since rewritten expressions share existing ones.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
@@ -11,7 +12,7 @@ use aim_symbolic::{
 
 use super::dual::Oracle;
 
-/// A hash for keys of one number.
+/// Hasher for keys that are a single number.
 #[derive(Default)]
 pub(crate) struct OneNumber(u64);
 
@@ -35,19 +36,19 @@ type Known<K, V> = HashMap<K, V, BuildHasherDefault<OneNumber>>;
 
 type Triple<T> = [T; 3];
 
-/// The values of expressions of one graph at one point.
+/// Cached values of a graph's expressions at one point.
 pub(crate) struct Evaluation<T> {
     inputs: Vec<T>,
     scalars: Known<Scalar, T>,
     vectors: Known<Vector, Triple<T>>,
     rotations: Known<Rotation, Triple<Triple<T>>>,
-    /// Whether something of no length was divided by, the root of 0 was taken, or a function has no slope.
+    /// `true` after a division by a zero length, the root of 0, or a function without a slope.
     pub(crate) singular: bool,
-    /// Whether a rotation's axis has no length: what that means is nobody's business.
+    /// `true` after a rotation about an axis of length 0, whose meaning is undefined.
     pub(crate) no_axis: bool,
-    /// True if a root is no length, or the square of a vector no square.
+    /// `true` if a root does not behave like a length, or the square of a vector is no square in the field.
     pub(crate) no_length: bool,
-    /// Whether something that counts as a constant has a derivative.
+    /// `true` if something treated as a constant has a derivative.
     pub(crate) frozen: bool,
 }
 
@@ -75,7 +76,7 @@ fn minus<T: Oracle>(v: Triple<T>, w: Triple<T>) -> Triple<T> {
     [v[0] - w[0], v[1] - w[1], v[2] - w[2]]
 }
 
-/// A row vector by a matrix.
+/// Multiplies a row vector by a matrix.
 fn image<T: Oracle>(v: Triple<T>, rows: Triple<Triple<T>>) -> Triple<T> {
     plus(plus(times(v[0], rows[0]), times(v[1], rows[1])), times(v[2], rows[2]))
 }
@@ -92,12 +93,12 @@ fn axes(plane: Plane) -> (usize, usize) {
     (plane.from.into(), plane.towards.into())
 }
 
-/// The matrix of `v → a × v` for row vectors.
+/// Returns the matrix of `v → a × v` for row vectors.
 fn crossing<T: Oracle>(a: Triple<T>) -> Triple<Triple<T>> {
     identity().map(|axis| cross(a, axis))
 }
 
-/// The closed form: cos r, sin r / r, and by (1/k! − cₖ)/r².
+/// Closed form: cos r, sin r / r, and higher orders by (1/k! − cₖ)/r².
 fn stumpff<T: Oracle>(Stumpff { hyperbolic, order }: Stumpff, s: T) -> T {
     let r = s.sqrt();
     let mut k = order % 2;
@@ -115,7 +116,7 @@ fn stumpff<T: Oracle>(Stumpff { hyperbolic, order }: Stumpff, s: T) -> T {
     value
 }
 
-/// atan2(r, w)/r, and its derivatives by 2 d/d(r²) by s aⱼ₊₁ = w (−2)ʲ j!/(s + w²)ʲ⁺¹ − (2j + 1) aⱼ.
+/// atan2(r, w)/r and its derivatives by 2 d/d(r²), from s aⱼ₊₁ = w (−2)ʲ j!/(s + w²)ʲ⁺¹ − (2j + 1) aⱼ.
 fn arc<T: Oracle>(order: u8, s: T, w: T) -> T {
     let r = s.sqrt();
     let q = s + w * w;
@@ -194,7 +195,7 @@ impl<T: Oracle> Evaluation<T> {
             ScalarNode::Op(Op::Atan2(y, x)) => {
                 let (y, x) = (self.scalar(g, y), self.scalar(g, x));
                 self.singular |= (y * y + x * x).is_zero();
-                // A fraction has its own sign.
+                // A fraction has a sign of its own.
                 self.no_length |= !(y * y).sqrt().is_length();
                 y.atan2(x)
             }
@@ -223,7 +224,7 @@ impl<T: Oracle> Evaluation<T> {
                 self.singular |= s.is_zero();
                 arc(order, s, w)
             }
-            // Where a point moves with a step, that stands after its inputs.
+            // If the point moves with a step, its components follow the inputs.
             ScalarNode::Step(component) => {
                 let place = g.inputs().len() + component as usize;
                 self.inputs.get(place).copied().unwrap_or_else(|| T::constant(0.0))
@@ -304,7 +305,7 @@ impl<T: Oracle> Evaluation<T> {
                 rows
             }
             RotationNode::About(axis, angle) => {
-                // 1 + sin K + (1 − cos) K², where K takes v to axis × v.
+                // 1 + sin K + (1 − cos) K², where K maps v to axis × v.
                 let (sin, cos) = g.sin_cos(angle);
                 let (sin, cos) = (self.scalar(g, sin), self.scalar(g, cos));
                 let axis = self.vector(g, axis).map(|c| self.constant_part(c));
@@ -328,7 +329,7 @@ impl<T: Oracle> Evaluation<T> {
             }
             RotationNode::Moving(motions) => match g.attitude_of(motions) {
                 Attitude::Quaternion(u, w) => {
-                    // 1 + 2 (w K + K²)/(w² + u²), where K takes v to u × v; of a quaternion of length 0 no turn.
+                    // 1 + 2 (w K + K²)/(w² + u²), where K maps v to u × v; the identity for a quaternion of length 0.
                     let (u, w) = (self.vector(g, u), self.scalar(g, w));
                     let twice = T::constant(2.0) * self.reciprocal(w * w + dot(u, u));
                     let (one, crossing) = (identity(), crossing(u));
@@ -350,7 +351,8 @@ impl<T: Oracle> Evaluation<T> {
                 }
             },
             RotationNode::Step(step) => {
-                // 1 + K + ½ K², where K takes v to step × v: all that a step of 0 has of its exponential.
+                // 1 + K + ½ K², where K maps v to step × v: the exponential up to second order, exact for derivatives
+                // at a step of 0.
                 let step = self.vector(g, step);
                 let crossing = crossing(step);
                 let twice = crossing.map(|row| image(row, crossing));

@@ -1,32 +1,32 @@
-//! Exact numbers: the field of p² elements with p = 2⁶¹ − 1 and i² = −1, in which every element of the prime field has a
-//! root.
+//! Exact numbers: the field of p² elements with p = 2⁶¹ − 1 and i² = −1, in which every element of the prime field has
+//! a square root.
 //!
-//! Two rational expressions that differ agree at a random point by chance once in 2⁶¹ / their degree. What has no value
-//! here (a division by 0, a root outside the field, a constant that is no simple fraction) is *gone*, and so is all that
-//! is made of it.
+//! Two different rational expressions agree at a random point with a probability of their degree / 2⁶¹. Operations
+//! without a result in the field (division by 0, a root outside the field, a constant that is not a simple fraction)
+//! yield a *gone* value, which propagates.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use aim_symbolic::{Function, Number};
 
 const P: u64 = (1 << 61) - 1;
-/// The mark of what is no element: `re` is this, `im` tells why.
+/// Marks a value that is not an element: `re` is this, `im` holds the reason.
 const MARK: u64 = u64::MAX;
 
-/// Why a number is gone.
+/// Reason why a number is gone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Gone {
-    /// Divided by 0.
+    /// Division by 0.
     Divided = 1,
-    /// A root that the field does not have.
+    /// Root that does not exist in the field.
     Root = 2,
-    /// A constant that is no simple fraction.
+    /// Constant that is not a simple fraction.
     Constant = 3,
-    /// An operation on the smallest length.
+    /// Operation on the smallest length.
     Tiny = 4,
 }
 
-/// re + im i, or a mark.
+/// Element re + im i, or a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Field {
     re: u64,
@@ -69,7 +69,7 @@ fn inverse(a: u64) -> u64 {
     power(a, P - 2)
 }
 
-/// One of the roots in the prime field.
+/// Returns one of the square roots in the prime field.
 fn root(a: u64) -> Option<u64> {
     let mut root = a;
     for _ in 0..59 {
@@ -78,7 +78,7 @@ fn root(a: u64) -> Option<u64> {
     (mul(root, root) == a).then_some(root)
 }
 
-/// The fraction of two numbers below 2²⁴ that `a` is, if it is one.
+/// Returns numerator and denominator, both below 2²⁴, if `a` is such a fraction.
 fn fraction(a: u64) -> Option<(i64, i64)> {
     const SMALL: i64 = 1 << 24;
     let [mut r0, mut r1] = [P, a].map(|x| i64::try_from(x).expect("61 bits"));
@@ -91,7 +91,7 @@ fn fraction(a: u64) -> Option<(i64, i64)> {
     (t1.abs() < SMALL).then_some((r1 * t1.signum(), t1.abs()))
 }
 
-/// A number that looks random but depends on `seeds` alone.
+/// Returns a pseudorandom number that depends on `seeds` alone.
 pub(crate) fn hash(seeds: &[u64]) -> u64 {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     for &seed in seeds {
@@ -102,7 +102,7 @@ pub(crate) fn hash(seeds: &[u64]) -> u64 {
     state
 }
 
-/// The simple fraction that `value` is nearest to.
+/// Returns the simple fraction that `value` is nearest to.
 fn simple_fraction(value: f64) -> Option<(u64, u64)> {
     let tolerance = 1e-13 * value.max(1.0);
     let (mut h0, mut h1, mut k0, mut k1) = (0.0, 1.0, 1.0, 0.0);
@@ -111,7 +111,7 @@ fn simple_fraction(value: f64) -> Option<(u64, u64)> {
         let whole = rest.floor();
         (h0, h1) = (h1, whole * h1 + h0);
         (k0, k1) = (k1, whole * k1 + k0);
-        // Of fractions with larger denominators than this, one is near any number by chance.
+        // With larger denominators, some fraction is near any number by chance.
         if tolerance * k1 * k1 > 1e-5 || h1 > 1e12 {
             return None;
         }
@@ -126,7 +126,7 @@ fn simple_fraction(value: f64) -> Option<(u64, u64)> {
 impl Field {
     pub(crate) const ZERO: Self = Self { re: 0, im: 0 };
 
-    /// An element of the prime field.
+    /// Creates an element of the prime field.
     pub(crate) fn new(re: u64) -> Self {
         Self { re: reduced(re), im: 0 }
     }
@@ -135,7 +135,7 @@ impl Field {
         Self { re: MARK, im: why as u64 }
     }
 
-    /// Why it is no element.
+    /// Returns the reason if it is not an element.
     pub(crate) fn gone(self) -> Option<Gone> {
         if self.re != MARK {
             return None;
@@ -143,7 +143,7 @@ impl Field {
         [Gone::Divided, Gone::Root, Gone::Constant, Gone::Tiny].into_iter().find(|&why| why as u64 == self.im)
     }
 
-    /// What is gone of either.
+    /// Returns the first of both that is gone.
     fn gone_of(self, other: Self) -> Option<Self> {
         if self.re == MARK {
             Some(self)
@@ -154,8 +154,8 @@ impl Field {
         }
     }
 
-    /// One of x and −x: the positive one of fractions; else of the prime field the one that is a square, so that products of
-    /// positive numbers are positive; else any, but the same for both.
+    /// Selects one of x and −x. For fractions, the positive one; otherwise in the prime field, the one that is a
+    /// square, so that products of positive numbers are positive; otherwise either, but the same one for x and −x.
     fn is_positive(self) -> bool {
         match (self.im, fraction(self.re)) {
             (0, Some((numerator, _))) => numerator >= 0,
@@ -165,7 +165,7 @@ impl Field {
         }
     }
 
-    /// True of the square of an element of the prime field, of which −1 is none.
+    /// Returns `true` for squares of elements of the prime field. −1 is not one.
     pub(crate) fn is_square(self) -> bool {
         self.im == 0 && root(self.re).is_some()
     }
@@ -178,12 +178,12 @@ impl Field {
         if self.is_positive() { (false, self) } else { (true, -self) }
     }
 
-    /// A number that stands for `function(self)`: nothing is known of it but that it is the same for the same argument.
+    /// Returns a number that represents `function(self)`: arbitrary, but the same for the same argument.
     fn atom(self, tag: u64) -> Self {
         Self::new(hash(&[tag, self.re, self.im]) >> 3)
     }
 
-    /// The tangent of half of an angle, odd.
+    /// Returns the tangent of half of an angle, as an odd function.
     fn half_tangent(self) -> Self {
         if self == Self::ZERO {
             return self;
@@ -193,7 +193,7 @@ impl Field {
         if negative { -t } else { t }
     }
 
-    /// The sine and the cosine of the angle with this half tangent.
+    /// Returns sine and cosine of the angle with this half tangent.
     pub(crate) fn sin_cos_of_half_tangent(t: Self) -> (Self, Self) {
         let (one, two) = (Self::new(1), Self::new(2));
         let scale = one / (one + t * t);
@@ -290,13 +290,13 @@ impl Number for Field {
         };
         match found {
             None => Self::gone_by(Gone::Root),
-            // Programs come with the root of a constant as a double.
+            // In programs, such a root is a constant rounded to a double.
             Some(root) if self.is_fraction() && !root.is_fraction() => Self::gone_by(Gone::Constant),
             Some(root) => root.unsigned().1,
         }
     }
 
-    /// Everything but 0 is above the smallest length, fractions are in order, and the rest is in some order.
+    /// Everything except 0 is above the smallest length, fractions are ordered, and the rest is in an arbitrary order.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
         let less = match (a.gone(), b.gone()) {
             (Some(Gone::Tiny), None) => b != Self::ZERO,
@@ -331,7 +331,7 @@ impl Number for Field {
             Function::Sin => sin,
             Function::Cos => cos,
             Function::Tan => sin / cos,
-            // The angles of the points with this sine or cosine, so that they agree with atan2.
+            // Angles of the points with this sine or cosine, so that they agree with `atan2`.
             Function::Asin => self.atan2((one - self * self).sqrt()),
             Function::Acos => (one - self * self).sqrt().atan2(self),
             Function::Ln if self == one => zero,
@@ -340,7 +340,7 @@ impl Number for Field {
             Function::Exp => self.atom(4) * self.atom(4),
             Function::Ln => self.atom(5),
             Function::Sinh | Function::Cosh | Function::Tanh => {
-                // As of circular functions, of i times the argument.
+                // Like circular functions, of i times the argument.
                 let t = self.half_tangent();
                 let (sinh, cosh) = (two * t, one + t * t);
                 match function {
@@ -362,7 +362,7 @@ impl Number for Field {
             return self;
         }
         let (negative, y) = self.unsigned();
-        // The same of all multiples by a length.
+        // The same for all multiples by a length.
         let ratio = x / y;
         let value = Self::new(hash(&[6, ratio.re, ratio.im]) >> 3);
         if negative { -value } else { value }

@@ -1,6 +1,7 @@
-//! Runs tests on random statements and judges what became of them.
+//! Runs tests on random statements and compares results.
 //!
-//! `AIM_RANDOM_TIMES=20` runs twenty times as many cases, `AIM_RANDOM_SEED=7` other ones, `AIM_RANDOM_STEPS=16` larger ones.
+//! `AIM_RANDOM_TIMES=20` runs twenty times as many cases, `AIM_RANDOM_SEED=7` different ones, `AIM_RANDOM_STEPS=16`
+//! larger ones.
 
 use std::cell::Cell;
 use std::sync::LazyLock;
@@ -18,7 +19,7 @@ use super::field::{Field, Gone, hash};
 use super::material::{Sample, point};
 use super::recipe::{Recipe, Recipes, Stated};
 
-/// The sets of rules in the order in which they are applied.
+/// Rule sets in the order in which they are applied.
 pub(crate) const SETS: [(&str, RuleSet); 8] = [
     ("limits", LIMITS),
     ("wording", WORDING),
@@ -34,28 +35,28 @@ fn setting(name: &str) -> Option<u64> {
     std::env::var(name).ok()?.parse().ok()
 }
 
-/// True where all cases are tested, as by `.ci/run`; `cargo test` by itself takes a sixteenth of them.
+/// Returns `true` if all cases are tested, as in `.ci/run`. Plain `cargo test` runs a sixteenth.
 pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
-/// So many of these are tested.
+/// Returns the number of cases to run.
 fn scaled(cases: u64) -> u64 {
     let part = if in_full() { cases } else { cases.div_ceil(16) };
     part * setting("AIM_RANDOM_TIMES").unwrap_or(1)
 }
 
-/// What a test says of a recipe.
+/// Result of a test on a recipe.
 pub(crate) type Verdict = Result<(), String>;
 
-/// Tests `cases` random statements of at most `most` steps. The smallest that fails is told.
+/// Tests `cases` random statements of at most `most` steps; panics with the smallest failing one.
 pub(crate) fn for_each(cases: u64, most: usize, test: impl Fn(&Recipe) -> Verdict) {
     if let Err((recipe, reason)) = smallest_failure(cases, most, test) {
         panic!("{reason}\nin the statement {recipe:?}");
     }
 }
 
-/// The smallest statement found that fails, and why.
+/// Returns the smallest failing statement and the reason.
 pub(crate) fn smallest_failure(
     cases: u64,
     most: usize,
@@ -77,7 +78,7 @@ pub(crate) fn smallest_failure(
     }
 }
 
-/// The rule sets of one rule each: the set's name, the rule, the set.
+/// Returns a rule set for each single rule: the original set's name, the rule, the set.
 pub(crate) fn single_rules() -> Vec<(&'static str, Rule, RuleSet)> {
     let mut single = Vec::new();
     for (name, set) in SETS {
@@ -88,14 +89,14 @@ pub(crate) fn single_rules() -> Vec<(&'static str, Rule, RuleSet)> {
     single
 }
 
-/// Where a statement has a value that is not singular.
+/// Point at which a statement has a value and is not singular.
 pub(crate) struct Regular {
     pub(crate) evaluation: Evaluation<Field>,
     pub(crate) values: Vec<Field>,
 }
 
-/// Looks for a regular point, where roots are lengths if there is one; roots have to exist, which half of the points grant a
-/// root of a root.
+/// Looks for a regular point, preferably one at which roots are lengths. The required roots must exist, which holds for
+/// half of the points per nested root.
 pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
     let mut found = None;
     for attempt in 0..16 {
@@ -119,12 +120,12 @@ pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
 }
 
 impl Regular {
-    /// The rules that need not hold here.
+    /// Returns the rules that need not hold here.
     pub(crate) fn without(&self) -> &'static [Rule] {
         if self.evaluation.no_length { &OF_LENGTHS } else { &[] }
     }
 
-    /// The sets of the rules that hold here.
+    /// Returns the sets of rules that hold here.
     pub(crate) fn sets(&self) -> &'static [(&'static str, RuleSet)] {
         static OF_ANYTHING: LazyLock<Vec<(&str, RuleSet)>> = LazyLock::new(|| {
             let holds = |rule: &Rule| !OF_LENGTHS.contains(rule);
@@ -138,16 +139,16 @@ impl Regular {
     }
 }
 
-/// Rules that hold of lengths, where other roots are as good as their opposites.
+/// Rules that hold for lengths only; other roots have an arbitrary sign.
 pub(crate) const OF_LENGTHS: [Rule; 4] = [ANGLE_OF_SCALED, DIRECTION_OF_SCALED, CANCELLED_DIVISION, CANCELLED_SCALE];
 
-/// Any point, for numbers that have all roots.
+/// Returns a random point, for number types that have all roots.
 pub(crate) fn anywhere<T: Sample>(seed: u64) -> Evaluation<T> {
     Evaluation::new(point(&mut Rng::with_seed(seed)))
 }
 
 impl Regular {
-    /// That `rewritten` means the same.
+    /// Checks that `rewritten` has the same values.
     pub(crate) fn same_values(&mut self, stated: &Stated, rewritten: &[Scalar], what: &str) -> Verdict {
         for (i, &s) in rewritten.iter().enumerate() {
             let value = self.evaluation.scalar(&stated.pools.g, s);
@@ -156,7 +157,7 @@ impl Regular {
         Ok(())
     }
 
-    /// That `program` gives the same.
+    /// Checks that `program` gives the same results.
     pub(crate) fn same_results(&self, program: &Program, what: &str) -> Verdict {
         let mut results = vec![Field::ZERO; self.values.len()];
         program.run(self.evaluation.inputs(), &mut results);
@@ -164,7 +165,7 @@ impl Regular {
     }
 }
 
-/// That `found` is `expected`. What is lost to roots or constants that the field does not have is not judged.
+/// Checks that `found` equals `expected`. Values lost to missing roots or constants are not compared.
 pub(crate) fn same(expected: Field, found: Field, what: &str) -> Verdict {
     let lost = matches!(expected.gone(), Some(Gone::Root | Gone::Constant)) || found.gone() == Some(Gone::Constant);
     if lost || (expected == found && expected.gone().is_none()) {
@@ -173,7 +174,7 @@ pub(crate) fn same(expected: Field, found: Field, what: &str) -> Verdict {
     Err(format!("{what}: {found:?} instead of {expected:?}"))
 }
 
-/// How many statements were judged, and how many could not be.
+/// Number of statements that were judged, and of those that could not be.
 #[derive(Default)]
 pub(crate) struct Tally {
     judged: Cell<u32>,

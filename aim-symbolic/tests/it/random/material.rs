@@ -1,4 +1,4 @@
-//! What random statements are made of: inputs of every kind, constants, and points where to evaluate them.
+//! Building blocks of random statements: inputs of every kind, constants, and points at which to evaluate them.
 
 use aim_symbolic::{Angle, Function, Graph, Plane, Rotation, Scalar, Unit, Variable, Vector};
 use fastrand::Rng;
@@ -7,10 +7,10 @@ use super::bounded::Bounded;
 use super::dual::{Dual, Oracle};
 use super::field::Field;
 
-/// Numbers, the simplest and most frequent first.
+/// Constants, with the simplest and most frequent first.
 pub(crate) const NUMBERS: [f64; 12] = [0.0, 1.0, -1.0, 2.0, 0.5, 1.0, -2.0, 3.0, -0.25, 0.0, 0.75, -1.5];
 
-/// Vectors whose length is a whole number, the first ones of length 1.
+/// Vectors of whole length, with unit vectors first.
 pub(crate) const VECTORS: [[f64; 3]; 9] = [
     [0.0, 1.0, 0.0],
     [-1.0, 0.0, 0.0],
@@ -23,7 +23,7 @@ pub(crate) const VECTORS: [[f64; 3]; 9] = [
     [0.5, 0.0, 0.0],
 ];
 
-/// Constant vectors of length 1.
+/// Constant unit vectors.
 pub(crate) const UNITS: [[f64; 3]; 5] =
     [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.6, 0.0, -0.8], [0.0, -0.8, 0.6]];
 
@@ -50,7 +50,7 @@ pub(crate) const BASES: [[[f64; 3]; 3]; 5] = [
     [[1.0, 0.0, 0.0], [0.0, 0.28, 0.96], [0.0, -0.96, 0.28]],
 ];
 
-/// What there is to build from, the simplest first: pools that statements add to.
+/// Pools of expressions to build from, simplest first. Statements add to them.
 #[derive(Clone)]
 pub(crate) struct Pools {
     pub(crate) g: Graph,
@@ -59,11 +59,11 @@ pub(crate) struct Pools {
     pub(crate) units: Vec<Unit>,
     pub(crate) rotations: Vec<Rotation>,
     pub(crate) angles: Vec<Angle>,
-    /// What derivatives can be taken by.
+    /// Variables that derivatives can be taken by.
     pub(crate) variables: Vec<Variable>,
 }
 
-/// The kinds of inputs in the order in which [`Pools::new`] declares them.
+/// Names of scalar inputs. Inputs are declared in the order of these constants by [`Pools::new`].
 const SCALARS: [&str; 2] = ["x", "y"];
 const POINTS: [&str; 3] = ["a", "b", "c"];
 const MATRICES: [&str; 2] = ["m", "n"];
@@ -84,12 +84,12 @@ impl Pools {
                 variables.extend(c.map(Variable::from));
             }
         }
-        // Along some of them at once, with components that are none.
+        // A direction along several variables, including components that are not variables themselves.
         if let aim_symbolic::VectorNode::Components(c) = g.vector_node(vectors[2]) {
             let components = [(variables[0], c[0]), (variables[3], c[1]), (variables[4], c[2])];
             variables.push(g.direction(&components).into());
         }
-        // On the manifold of rotations from each side.
+        // Steps on the rotation manifold, from each side.
         let steps = [g.step(), g.step()];
         for &step in &steps {
             if let aim_symbolic::VectorNode::Components(c) = g.vector_node(step) {
@@ -109,7 +109,7 @@ impl Pools {
     }
 }
 
-/// A number type with points to evaluate at.
+/// Number type with random points to evaluate at.
 pub(crate) trait Sample: Oracle {
     fn random(random: &mut Rng) -> Self;
 }
@@ -130,8 +130,8 @@ fn sum<T: Sample>(terms: [T; 4]) -> T {
     terms[0] + terms[1] + terms[2] + terms[3]
 }
 
-/// A random point: a value for each input. Matrices and quaternions from fractions of random quaternions, sines and cosines
-/// from half tangents.
+/// Returns a random point: a value for each input. Matrices and quaternions are fractions of random quaternions; sines
+/// and cosines come from half tangents.
 pub(crate) fn point<T: Sample>(random: &mut Rng) -> Vec<T> {
     let mut inputs: Vec<T> = (0..SCALARS.len() + 3 * POINTS.len()).map(|_| T::random(random)).collect();
     let (one, two) = (T::constant(1.0), T::constant(2.0));
@@ -153,7 +153,7 @@ pub(crate) fn point<T: Sample>(random: &mut Rng) -> Vec<T> {
         let scale = one / (one + t * t);
         inputs.extend([two * t * scale, (one - t * t) * scale]);
     }
-    // The square of a quaternion over its square's length.
+    // Square of a quaternion divided by its squared length: a unit quaternion with rational components.
     let [a, b, c, d] = [0; 4].map(|_| T::random(random));
     let scale = one / sum([a * a, b * b, c * c, d * d]);
     inputs.extend([b, c, d].map(|part| two * a * part * scale));
@@ -161,11 +161,11 @@ pub(crate) fn point<T: Sample>(random: &mut Rng) -> Vec<T> {
     inputs
 }
 
-/// The same point, moving with `variable`.
+/// Returns the same point, moving with `variable`.
 pub(crate) fn moving<T: Oracle>(g: &Graph, point: &[T], variable: Variable) -> Vec<Dual<T>> {
     let count = g.inputs().len();
     let mut inputs: Vec<Dual<T>> = point.iter().map(|&value| Dual::fixed(value)).collect();
-    // The components of steps, which are 0.
+    // Components of steps, which are 0.
     inputs.resize(count + g.step_components(), Dual::fixed(T::constant(0.0)));
     let place = |s: Scalar| match g.scalar_node(s) {
         aim_symbolic::ScalarNode::Op(aim_symbolic::Op::Input(place)) => place as usize,

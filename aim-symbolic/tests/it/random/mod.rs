@@ -1,4 +1,4 @@
-//! Random statements over all kinds of nodes, judged exactly: modulo a large prime, where equal is equal.
+//! Random statements over all kinds of nodes, compared exactly by arithmetic modulo a large prime.
 
 mod bounded;
 mod counts;

@@ -7,7 +7,7 @@ use aim_symbolic::{
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// The program, one operation a line.
+/// Formats a program with one operation per line.
 pub(crate) fn program(program: &Program) -> String {
     let (steps, outputs) = steps(program, &Plain { inputs: program.inputs() });
     let steps: String = steps.iter().map(|(name, right)| format!("{name} = {right}\n")).collect();
@@ -44,7 +44,7 @@ impl Dialect for Plain<'_> {
     }
 }
 
-/// The expression.
+/// Formats a scalar expression.
 pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
     let s = |e| scalar(g, e);
     let v = |e| vector(g, e);
@@ -117,7 +117,7 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
     }
 }
 
-/// The program's steps and outputs in LaTeX.
+/// Formats a program's steps and outputs in LaTeX.
 pub(crate) fn latex(program: &Program) -> String {
     let told = print::told(program, &Notation::default());
     let steps: String = told.steps.iter().map(|(_, name, right)| line(&[name, right])).collect();

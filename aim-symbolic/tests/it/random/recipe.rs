@@ -1,4 +1,4 @@
-//! Random statements as recipes, which shrink: a step becomes what is there already, a part something simpler.
+//! Random statements as recipes that can shrink: steps become existing expressions, and parts become simpler ones.
 
 use std::fmt;
 
@@ -12,28 +12,28 @@ use super::material::Pools;
 use super::plain;
 use super::steps::{PARTS, Sort, Step, WEIGHTS, What};
 
-/// How a statement is built.
+/// Recipe for building a statement.
 #[derive(Clone, PartialEq, Eq)]
 pub(crate) struct Recipe {
     steps: Vec<Step>,
-    /// Places in the pool of scalars.
+    /// Indices into the pool of scalars.
     outputs: Vec<u16>,
-    /// What else is random about it: the points where it is evaluated, what derivatives are taken by.
+    /// Seed for everything else: the points of evaluation, and the variables of derivatives.
     pub(crate) seed: u64,
 }
 
-/// A built recipe.
+/// Statement built from a recipe.
 pub(crate) struct Stated {
     pub(crate) pools: Pools,
     pub(crate) outputs: Vec<Scalar>,
 }
 
 thread_local! {
-    /// What all recipes begin with.
+    /// Initial pools of all recipes.
     static START: Pools = Pools::new();
 }
 
-/// How much is in each pool.
+/// Number of expressions in each pool.
 #[derive(Clone, Copy)]
 struct Sizes([u16; 5]);
 
@@ -65,7 +65,7 @@ impl Recipe {
         let count = random.usize(1..=most);
         let steps = (0..count)
             .map(|i| {
-                // The last step makes a number of what is there.
+                // The last step makes a scalar from what exists.
                 let last = i + 1 == count;
                 let mut left = random.u32(..if last { numbers } else { all });
                 let mut kinds = WEIGHTS.iter().filter(|(what, _)| !last || is_result(*what));
@@ -79,7 +79,7 @@ impl Recipe {
                 let mut parts = [0; PARTS];
                 for (part, &sort) in parts.iter_mut().zip(what.parts()) {
                     let size = *sizes.of(sort);
-                    // What came last is most likely wanted, but anything may be.
+                    // Recent results are most likely used, but anything may be.
                     *part = if random.bool() { random.u16(..size) } else { size - 1 - random.u16(..size.min(3)) };
                 }
                 *sizes.of(what.sort()) += 1;
@@ -94,7 +94,7 @@ impl Recipe {
         Self { steps, outputs, seed }
     }
 
-    /// The statement.
+    /// Builds the statement.
     pub(crate) fn build(&self) -> Stated {
         let mut pools = START.with(Pools::clone);
         for &step in &self.steps {
@@ -108,14 +108,14 @@ impl Recipe {
         Stated { pools, outputs }
     }
 
-    /// Each simpler recipe has less of this.
+    /// Returns the recipe's size. Simpler recipes have a smaller one.
     fn size(&self) -> (usize, usize, usize) {
         let steps = self.steps.iter().filter(|step| !matches!(step.what, What::Same(_))).count();
         let parts = self.steps.iter().flat_map(|s| s.parts.iter().map(|&p| usize::from(p)).chain([s.number.into()]));
         (self.outputs.len(), steps, parts.sum())
     }
 
-    /// Recipes that are a little simpler.
+    /// Returns recipes that are one change simpler.
     fn simpler(&self) -> Vec<Self> {
         let mut found = Vec::new();
         for (place, _) in self.outputs.iter().enumerate().filter(|_| self.outputs.len() > 1) {
@@ -165,13 +165,13 @@ impl fmt::Debug for Recipe {
     }
 }
 
-/// Recipes of at most so many steps.
+/// Strategy for recipes of at most `most` steps.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Recipes {
     pub(crate) most: usize,
 }
 
-/// A recipe and what it may shrink to.
+/// A recipe and its candidates for shrinking.
 pub(crate) struct Shrinking {
     best: Recipe,
     current: Recipe,
@@ -195,14 +195,14 @@ impl ValueTree for Shrinking {
         self.current.clone()
     }
 
-    /// The current recipe fails: something simpler than that.
+    /// The current recipe fails: try simpler ones.
     fn simplify(&mut self) -> bool {
         self.best = self.current.clone();
         self.candidates = self.best.simpler().into_iter();
         self.complicate()
     }
 
-    /// The current recipe does not fail: another one that is simpler than what does.
+    /// The current recipe passes: try another one that is simpler than the best failing one.
     fn complicate(&mut self) -> bool {
         let next = self.candidates.next();
         let found = next.is_some();

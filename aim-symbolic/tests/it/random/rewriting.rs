@@ -1,4 +1,4 @@
-//! Rewriting ends where it would end again, and derivatives need none of it first.
+//! Rewriting is idempotent, and derivatives do not require it.
 
 use std::cell::Cell;
 
@@ -15,7 +15,8 @@ use super::plain;
 fn rewriting_settles() {
     for_each(20_000, 8, |recipe| {
         let mut stated = recipe.build();
-        // A sum that was shared may no longer be after its users were rewritten: those sets may find more.
+        // Only sets with `Sums::Open`: for others, rewriting the users of a shared sum may leave it unshared, so that a
+        // second pass finds more.
         for (name, set) in SETS.into_iter().filter(|(_, set)| set.sums == Sums::Open) {
             let once = stated.pools.g.rewrite_by(&stated.outputs, &set);
             let twice = stated.pools.g.rewrite_by(&once, &set);
@@ -28,7 +29,7 @@ fn rewriting_settles() {
     });
 }
 
-/// Both sweeps on what is stated, with rotations where they stand.
+/// Forward and reverse mode on unsimplified statements, with rotations placed early or late.
 #[test]
 fn derivatives_need_no_rewriting_first() {
     let tally = Tally::default();
@@ -57,7 +58,7 @@ fn derivatives_need_no_rewriting_first() {
     tally.assert_few_discards();
 }
 
-/// The judge can say no: a sign that is flipped somewhere in a program changes its results.
+/// The comparison can fail: flipping a sign anywhere in a program changes its results.
 #[test]
 fn a_flipped_sign_is_noticed() {
     let (noticed, flipped) = (Cell::new(0), Cell::new(0));
@@ -65,7 +66,7 @@ fn a_flipped_sign_is_noticed() {
         let stated = recipe.build();
         let Some(regular) = regular(&stated, recipe.seed) else { return Ok(()) };
         let program = Program::derive::<Variable>(&stated.pools.g, &stated.outputs, &[]);
-        // Exact numbers take the closed form: a series is judged elsewhere.
+        // Exact numbers use the closed form; series are tested elsewhere.
         let places = if program.count().series > 0 { 0 } else { program.ops().len() };
         for place in 0..places {
             let wrong = program.with_sign_flipped(place);

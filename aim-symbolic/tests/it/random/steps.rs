@@ -1,11 +1,11 @@
-//! The steps that statements are built by: the constructors of the graph, and idioms that rules look for.
+//! Steps that build statements: the graph's constructors, and idioms that rules look for.
 
 use aim_symbolic::{Attitude, Graph, Matrix, Stumpff};
 
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
 use Sort::{Angle, Rotation, Scalar, Unit, Vector};
 
-/// What a step makes or needs: one of the pools.
+/// Pool that a step takes from or adds to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sort {
     Scalar,
@@ -15,10 +15,11 @@ pub(crate) enum Sort {
     Angle,
 }
 
-/// The most parts that a step needs.
+/// Largest number of parts of a step.
 pub(crate) const PARTS: usize = 5;
 
-/// Adds to a pool what it makes of `parts`, places in the pools; `number` chooses between constants, planes, functions.
+/// Step that makes an expression from `parts`, indices into the pools. `number` selects constants, planes and
+/// functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Step {
     pub(crate) what: What,
@@ -28,19 +29,19 @@ pub(crate) struct Step {
 
 macro_rules! steps {
     ($($name:ident: $weight:literal [$($part:ident),*] => $sort:ident,)*) => {
-        /// A kind of step.
+        /// Kind of step.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub(crate) enum What {
-            /// What is there already: what steps shrink to.
+            /// An existing expression, which steps shrink to.
             Same(Sort),
             $($name,)*
         }
 
-        /// How often each kind comes.
+        /// Relative frequency of each kind.
         pub(crate) const WEIGHTS: &[(What, u32)] = &[$((What::$name, $weight),)*];
 
         impl What {
-            /// What it makes.
+            /// Returns the pool that the result is added to.
             pub(crate) fn sort(self) -> Sort {
                 match self {
                     Self::Same(sort) => sort,
@@ -48,7 +49,7 @@ macro_rules! steps {
                 }
             }
 
-            /// What it needs.
+            /// Returns the pools that the parts are taken from.
             pub(crate) fn parts(self) -> &'static [Sort] {
                 match self {
                     Self::Same(Scalar) => &[Scalar],
@@ -151,7 +152,7 @@ fn choice<T: Copy>(all: &[T], number: u8) -> T {
     all[usize::from(number) % all.len()]
 }
 
-/// Two numbers that vanish where `x` does, like the same power of it.
+/// Returns two numbers that vanish where `x` does, with the same order.
 fn vanishing(
     g: &mut Graph,
     x: aim_symbolic::Scalar,
@@ -192,7 +193,8 @@ fn vanishing(
     }
 }
 
-/// A sine and a cosine of the angle between two vectors that are square to a third, alike too long; the last ones are none.
+/// Returns multiples of the sine and cosine of the angle between two vectors perpendicular to a third, by the same
+/// factor. For the last values of `number` they are no such pair.
 fn in_plane(g: &mut Graph, [a, b, c]: [aim_symbolic::Vector; 3], number: u8) -> [aim_symbolic::Scalar; 2] {
     let (length, axis) = (g.norm(b), g.normalize(b));
     let (m, n) = if number % 2 == 0 { (g.cross(a, b), g.cross(b, c)) } else { (g.cross(b, a), g.cross(c, b)) };
@@ -222,7 +224,7 @@ fn in_plane(g: &mut Graph, [a, b, c]: [aim_symbolic::Vector; 3], number: u8) -> 
     }
 }
 
-/// What a step has made.
+/// Result of a step.
 enum Made {
     Scalar(aim_symbolic::Scalar),
     Vector(aim_symbolic::Vector),
@@ -243,7 +245,7 @@ macro_rules! made {
 made!(Scalar, Vector, Unit, Rotation, Angle);
 
 impl Pools {
-    /// Takes a step.
+    /// Applies a step.
     pub(crate) fn take(&mut self, step: Step) {
         match self.make(step) {
             Made::Scalar(made) => self.scalars.push(made),
@@ -302,10 +304,10 @@ impl Pools {
             What::Select => {
                 let plain = g.select_less(s(0), s(1), s(2), s(3));
                 match number % 6 {
-                    // Within another, on either side.
+                    // Nested in another select, on either side.
                     0 => g.select_less(s(3), s(1), plain, s(0)).into(),
                     1 => g.select_less(s(0), s(2), s(1), plain).into(),
-                    // By the same condition again.
+                    // With the same condition again.
                     2 => {
                         let quotient = g.div(s(2), s(3));
                         let other = g.select_less(s(0), s(1), s(3), quotient);
@@ -325,7 +327,7 @@ impl Pools {
             }
             What::Atan2 => g.atan2(s(0), s(1)).into(),
             What::PlaneAngle => {
-                // Most axes are constant, of whole length: the field has no roots of half of the others.
+                // Most axes are constants of whole length, since half of the others have no length in the field.
                 let axis = if number % 3 == 0 { v(1) } else { g.constant_vector(choice(&VECTORS, number)) };
                 let [y, x] = in_plane(g, [v(0), axis, v(2)], number);
                 g.atan2(y, x).into()
@@ -337,7 +339,7 @@ impl Pools {
                 let square = g.dot(v(0), v(0));
                 g.sqrt(square).into()
             }
-            // The number's sign, over a length.
+            // The number's sign, divided by a length.
             What::OverRoot => {
                 let square = g.mul(s(0), s(0));
                 let (aside, one) = (g.mul(s(1), s(1)), g.constant(1.0));

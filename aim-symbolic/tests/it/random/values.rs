@@ -1,4 +1,4 @@
-//! Rules keep the value: each alone, each set, one set after the other.
+//! Rules preserve values: each alone, each set, and all sets in sequence.
 
 use std::cell::RefCell;
 
@@ -20,8 +20,9 @@ fn every_rule_is_named_once() {
     }
 }
 
-/// How often each rule has to apply, of so many statements; once, where fewer are tested.
+/// Number of statements for each rule in full test runs.
 const CASES: u64 = 80_000;
+/// Number of statements, out of [`CASES`], that each rule must apply to. In shorter runs it is 1.
 const LEAST: usize = 50;
 
 #[test]
@@ -76,7 +77,7 @@ fn sets_keep_the_value() {
     tally.assert_few_discards();
 }
 
-/// Where something has no direction, only this rule gives another value: |v × 0| is 0, |v − (v · 0) 0| is |v|.
+/// The only rule that changes a value if a vector has no direction: |v × 0| is 0, but |v − (v · 0) 0| is |v|.
 const NEEDS_A_DIRECTION: Rule = ACROSS_FOR_CROSS;
 
 #[test]
@@ -93,7 +94,7 @@ fn rules_keep_the_value_where_something_has_no_direction() {
         }
         tally.judge();
         let mut regular = Regular { evaluation, values };
-        // A limit is something else than the 0 of a guard, on purpose.
+        // A limit differs from a guard's 0 on purpose.
         let may_apply = |rule: &Rule| *rule != NEEDS_A_DIRECTION && !OF_LENGTHS.contains(rule);
         for (set, rule, alone) in rules.iter().filter(|(_, rule, _)| may_apply(rule)) {
             let rewritten = stated.pools.g.rewrite_by(&stated.outputs, alone);
