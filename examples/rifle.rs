@@ -1,4 +1,4 @@
-//! A character walks over bumps, aims a rifle in both hands and its gaze at a target that moves, and is hit by a ray: `rifle [OUT.glb]`.
+//! A character walks over bumps, aims a rifle and its gaze at a moving target, and is shot: `rifle [OUT.glb]`.
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{AimRig, Joint, animation::*};
 use aim_character::{Mannequin, PAPER_AXES};
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bone = |name: &str| skeleton.find(name).expect("a bone of the mannequin");
     let limb = |side: &str, bones: [&str; 3]| bones.map(|name| bone(&format!("{side}_{name}")));
     let (hips, chest, hand) = (bone("hips"), bone("spine3"), bone("right_hand"));
-    // The clip tells when the balls of its feet come down and leave; what moves it on is the place's.
+    // Events mark when the ball of each foot lands and lifts. The clip's root motion moves the character's place.
     let walk = document.clip("walk_ahead")?.clone().with_event(0.121, "left down")?.with_event(0.682, "left up")?;
     let walk = walk.with_event(0.671, "right down")?.with_event(0.132, "right up")?;
     let way = RootPath::new(&walk, skeleton, Root::Shadow { bone: hips, up: Vec3::Y }, 60.0)?;
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         assert!(feet.feet().iter().all(|foot| foot.slip(&figure) < 1e-3), "a foot slips at {time} s");
         frames.push((hero.place, figure.local().to_vec()));
     }
-    // A shot at its chest from the left, in the space of the model.
+    // A shot at the chest from its left, in model space.
     let mut matrices = vec![Affine3A::IDENTITY; skin.len()];
     skin.matrices(figure.model(), &mut matrices)?;
     let chest = Vec3::from(figure.model()[chest].translation);

@@ -1,4 +1,4 @@
-//! A character made in code: it walks, then runs, is moved by its own steps, and looks at a lamp that it passes.
+//! A character made in code walks, then runs, driven by root motion, and looks at a lamp as it passes.
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{AimRig, DynAim, Joint, Settings, Status, animation::*};
 
@@ -11,7 +11,7 @@ struct Walker {
     chest: Joint,
 }
 
-/// Two steps: the hips bob and go forward, the chest swings.
+/// Makes a gait cycle of two steps: the hips bob and move forward at `speed` m/s, the chest swings.
 fn gait(length_s: f32, speed: f32, swing_rad: f32) -> Result<Clip, TrackError> {
     let times: Vec<f32> = (0..=24_u8).map(|key| length_s * f32::from(key) / 24.0).collect();
     let phase = |time: &f32| std::f32::consts::TAU * time / length_s;
@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let on_the_spot = [0, 1].map(|gait| motions[gait].removed_from(&clips[gait], &skeleton, 60.0));
     let gaits = Node::line(BlendLine::new([1.4, 4.2])?, Parameter::Input(0), [Node::source(0), Node::source(1)]);
     let (tree, chain) = (Tree::new(&skeleton, gaits)?, AimChain::named(&skeleton, Walker::RIG)?);
-    // Of each character: memory, where it is in its cycle and in the world, and what its gaze remembers.
+    // Per character: buffers, phase in the gait cycle, place in the world, and the state of the gaze.
     let (mut scratch, mut cursors, mut frame) = (tree.scratch(), clips.each_ref().map(Clip::cursor), chain.frame());
     let (mut phase, mut place, mut gaze) = (Phase::new(), Transform::IDENTITY, DynAim::new(Walker::RIG));
     let (mut local, mut model, mut shares) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 3], [0.0; 2]);

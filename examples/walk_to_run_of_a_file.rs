@@ -1,5 +1,5 @@
-//! A character of a glTF file walks, then runs, is moved by its own steps, and looks at a lamp that it passes; written back as a
-//! clip: `walk_to_run_of_a_file IN.glb WALK RUN OUT.glb`. The example `mannequin` of `aim-character` writes an IN.glb.
+//! A glTF character walks, then runs, driven by root motion, and looks at a lamp; the result is written as a clip:
+//! `walk_to_run_of_a_file IN.glb WALK RUN OUT.glb`. The example `mannequin` of `aim-character` writes an IN.glb.
 use aim::glam::Affine3A;
 use aim::{DynAim, Settings, Status, animation::*};
 use aim_character::{InterpretedRig, Measurement, Role, chain_nodes, propose};
@@ -8,14 +8,14 @@ use aim_gltf::{Document, write_file};
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [input, walk, run, output] = &words[..] else { return Err("give IN.glb WALK RUN OUT.glb".into()) };
-    // What is up and where the hips are is measured, and so is a rig: an eye, the head, neck and spine, their axes and limits.
+    // Measure the character's up axis and hips, and propose a rig: an eye, head, neck and spine with axes and limits.
     let document = Document::load(input)?;
     let (measured, skeleton) = (Measurement::of(&document), document.skeleton());
     let spec = propose(&document, &measured, None)?.spec;
     let (nodes, rig) = (chain_nodes(&spec, skeleton)?, InterpretedRig::new(&spec));
     let chain = AimChain::new(skeleton, nodes.joints)?;
     let chain = if let Some(eye) = nodes.other_eye { chain.with_following_eye(eye)? } else { chain };
-    // The way of each gait, made steady; a cycle begins with one foot, and the other one is down half of it later.
+    // Each gait's root motion, at constant velocity. Marks: one foot at the start of the cycle, the other one half-way.
     let clips = [document.clip(walk)?, document.clip(run)?];
     let (bone, up) = (measured.with_role(Role::Hips).ok_or("no hips are found")?.node, measured.up.as_vec3());
     let motion = |clip| RootPath::new(clip, skeleton, Root::Shadow { bone, up }, 60.0).map(|way| Motion::linear(&way));
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let marks = [Marks::new(lengths[0], [0.0, lengths[0] / 2.0])?, Marks::new(lengths[1], [0.0, lengths[1] / 2.0])?];
     let speeds = motions.each_ref().map(|motion| motion.screw().speed_s());
     let tree = Tree::new(skeleton, Node::line(BlendLine::new(speeds)?, Parameter::Input(0), [0, 1].map(Node::source)))?;
-    // Of each character: memory, where it is in its cycle and in the world, and what its gaze remembers.
+    // Per character: buffers, phase in the gait cycle, place in the world, and the state of the gaze.
     let (mut scratch, mut cursors, mut frame) = (tree.scratch(), clips.map(Clip::cursor), chain.frame());
     let (mut phase, mut place, mut gaze) = (Phase::new(), Transform::IDENTITY, DynAim::new(rig));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; skeleton.len()]);

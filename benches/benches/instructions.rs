@@ -1,7 +1,7 @@
-//! Instruction counts, by valgrind: the same on every run, whatever else the machine does.
+//! Instruction counts, taken with valgrind: the same on every run, whatever the load of the machine.
 //!
-//! Needs valgrind and `gungraun-runner`. With `-- --save-summary=json` the counts are kept for `bench_table`, which finds
-//! them by the names below: what is computed, by whom, in which number type.
+//! Needs valgrind and `gungraun-runner`. With `-- --save-summary=json` the counts are saved for `bench_table`, which
+//! looks them up by the names below: problem, implementation, number type.
 #![expect(missing_docs, unused_qualifications, reason = "what gungraun's macros emit")]
 
 #[expect(unreachable_pub, reason = "shared with the other benchmark")]
@@ -50,7 +50,7 @@ use gungraun::prelude::*;
 #[bench::jacobian_given_derived_f64(chains::<f64>(), derived::jacobian_given::<f64>)]
 #[bench::jacobian_given_by_hand_f32(chains::<f32>(), chain_by_hand::jacobian_given::<f32>)]
 #[bench::jacobian_given_by_hand_f64(chains::<f64>(), chain_by_hand::jacobian_given::<f64>)]
-// Gives the poses back: freeing them is not measured.
+// Returns the poses, so that freeing them is not measured.
 fn each<P, O>(poses: Vec<P>, way: impl Fn(&P) -> O) -> Vec<P> {
     for pose in &poses {
         black_box(way(black_box(pose)));

@@ -1,6 +1,6 @@
-//! Times, by criterion, and before each the check that what is measured is right.
+//! Wall-clock times, measured with criterion. Each implementation is first checked against the expected values.
 //!
-//! With `-- --test` only the checks are made. A time is that of a hundred poses.
+//! With `-- --test`, only the checks run. One reported time covers a hundred poses.
 
 #[expect(unreachable_pub, reason = "shared with the other benchmark")]
 mod contenders;
@@ -57,7 +57,7 @@ fn of_type<S: Real>(
         .way("by_hand", chain_by_hand::jacobian_given);
 }
 
-/// What is computed of which poses, and what should come out.
+/// A benchmark group: the poses, the expected result for each, and the tolerance of the check.
 struct Problem<'c, 'p, P, O> {
     group: BenchmarkGroup<'c, WallTime>,
     poses: &'p [P],
@@ -78,7 +78,7 @@ impl<'c, 'p, P, S: Float, const N: usize> Problem<'c, 'p, P, [S; N]> {
         Self { group, poses, expected, tolerance }
     }
 
-    /// Checks one way to compute it, then measures it.
+    /// Checks one implementation on every pose, then measures it.
     fn way(mut self, name: &str, f: impl Fn(&P) -> [S; N]) -> Self {
         let poses = self.poses;
         for pose in poses {

@@ -1,5 +1,5 @@
-//! How bakes look: characters with the rigs that are proposed for them, aimed at what moves, stands aside, behind and overhead,
-//! and measured on what was written.
+//! Plausibility of bakes: characters with automatically proposed rigs aim at targets that move, stand aside, behind and
+//! overhead, and the written clips are measured.
 
 use aim::glam::DVec3;
 use aim::{DynAim, Settings};
@@ -8,10 +8,11 @@ use aim_gltf::Document;
 
 use crate::solver::row::{Row, number};
 
-/// A target's heading and elevation over time, degrees, to the left and up.
+/// Heading (to the left) and elevation of a target, degrees, as a function of time in seconds.
 type Course = fn(f64) -> [f64; 2];
 
-/// Bakes by their names: how long they are, how far away the target is, metres of a character of 1.7 m, and where it is.
+/// The bakes: name, length in seconds, distance of the target in metres for a character 1.7 m tall, and the target's
+/// course.
 const BAKES: [(&str, f32, f64, Course); 7] = [
     ("orbit", 10.0, 3.0, |t| [36.0 * t, 0.0]),
     ("10° and back", 4.5, 5.0, |t| [if (1.5..3.0).contains(&t) { 10.0 } else { 0.0 }, 0.0]),
@@ -22,10 +23,11 @@ const BAKES: [(&str, f32, f64, Course); 7] = [
     ("overhead", 4.5, 5.0, |t| [0.0, if t < 1.5 { 0.0 } else { 90.0 }]),
 ];
 
-/// The worst value of each criterion in all bakes of a character over its default clip, with the bake that has it.
+/// Returns the worst value of each criterion over all bakes of a character's default clip, with the name of the bake
+/// that has it.
 ///
 /// # Errors
-/// A character without a chain or without anything that can be baked.
+/// Fails if the character has no chain or nothing that can be baked.
 pub fn looks(name: &str, document: &Document) -> Result<Vec<Row>, String> {
     let measured =
         BAKES.iter().map(|bake| Ok((bake.0, measure(document, bake).map_err(|error| format!("{name}: {error}"))?)));

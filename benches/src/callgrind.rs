@@ -1,4 +1,4 @@
-//! Instructions of whole programs and of single calls, counted by valgrind's callgrind.
+//! Instruction counts of whole programs and of single calls, by valgrind's callgrind.
 
 use std::path::Path;
 use std::process::{Command, Output};
@@ -10,10 +10,10 @@ fn callgrind(program: &Path, options: &[String], arguments: &[String]) -> Result
     command.output().map_err(|error| format!("valgrind: {error}"))
 }
 
-/// Instructions of a program from its start to its end.
+/// Returns the instructions of a program from its start to its end.
 ///
 /// # Errors
-/// No valgrind, or one that counts nothing.
+/// Fails if valgrind cannot be run or reports no count.
 pub fn instructions(program: &Path, arguments: &[String]) -> Result<f64, String> {
     let output = callgrind(program, &["--callgrind-out-file=/dev/null".into()], arguments)?;
     let said = String::from_utf8_lossy(&output.stderr);
@@ -22,11 +22,11 @@ pub fn instructions(program: &Path, arguments: &[String]) -> Result<f64, String>
         .ok_or_else(|| format!("valgrind counted nothing:\n{said}"))
 }
 
-/// Instructions of each call of a function, in the order of the `calls` that this very program makes when it is run with these
-/// arguments.
+/// Returns the instructions of each of the `calls` calls of `function`, in order, that this program makes when it is
+/// run again with `arguments`.
 ///
 /// # Errors
-/// No valgrind, one that counts nothing, or a program that fails.
+/// Fails if valgrind cannot be run or reports no counts, or if the program fails.
 pub fn instructions_of_calls(function: &str, calls: usize, arguments: &[String]) -> Result<Vec<u64>, String> {
     let io = |error: std::io::Error| error.to_string();
     let folder = env::temp_dir().join(format!("callgrind-{}", process::id()));

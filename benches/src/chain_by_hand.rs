@@ -1,42 +1,45 @@
-//! A chain's gradient and Jacobian by hand: the target goes inward to the effector once, covectors come back outward.
+//! A chain's gradient and Jacobian by hand, in reverse mode: one pass takes the target from the root to the effector, a
+//! second one takes covectors back from the effector to the root.
 
 use crate::Float;
 use crate::by_hand::reciprocal;
 use crate::float::sin_cos;
 use crate::pose::ChainPose;
 
-/// The chain's aim and six derivatives, from its angles.
+/// Returns the chain's aim and six derivatives, from its angles.
 #[inline(always)]
 pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     value_gradient(&pose.links, &pose.target, &pose.angles.map(sin_cos))
 }
 
-/// The chain's aim and six derivatives, sines and cosines given.
+/// Returns the chain's aim and six derivatives, from given sines and cosines.
 #[inline(always)]
 pub fn gradient_given<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     value_gradient(&pose.links, &pose.target, &pose.sin_cos)
 }
 
-/// The chain's residual and Jacobian, from its angles.
+/// Returns the chain's residual and Jacobian, from its angles.
 #[inline(always)]
 pub fn jacobian<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     residual_jacobian(&pose.links, &pose.target, &pose.angles.map(sin_cos))
 }
 
-/// The chain's residual and Jacobian, sines and cosines given.
+/// Returns the chain's residual and Jacobian, from given sines and cosines.
 #[inline(always)]
 pub fn jacobian_given<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     residual_jacobian(&pose.links, &pose.target, &pose.sin_cos)
 }
 
-/// What a joint's derivatives need of the way in: the target after the heading was undone, and after the pitch was.
+/// Intermediate results of one joint in the first pass: `w` after the heading is undone, `q` the target after both
+/// angles are undone.
 #[derive(Clone, Copy)]
 struct Turned<S> {
     w: S,
     q: [S; 3],
 }
 
-/// The target seen from the effector, in joint 0's space before its added rotation, and what each joint saw of it.
+/// Runs the first pass. Returns the vector from the effector to the target, in joint 0's space before its added
+/// rotation, and each joint's intermediate results.
 #[inline(always)]
 fn inward<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]) -> ([S; 3], [Turned<S>; 3]) {
     let mut seen = [Turned { w: S::ZERO, q: [S::ZERO; 3] }; 3];
@@ -54,7 +57,8 @@ fn inward<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]
     (point, seen)
 }
 
-/// The derivatives by pitch and heading of every joint, of what changes by `g` per unit of `d` at the effector.
+/// Runs the second pass. Returns the derivatives by pitch and heading of every joint, for a function whose gradient by
+/// the vector `d` at the effector is `g`.
 #[inline(always)]
 fn outward<S: Float>(g: [S; 3], links: &[[S; 12]; 3], sin_cos: &[[S; 4]; 3], seen: &[Turned<S>; 3]) -> [S; 6] {
     let mut derivatives = [S::ZERO; 6];
@@ -85,7 +89,7 @@ fn dot<S: Float>(a: [S; 3], b: [S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The chain's aim, then its derivatives, pitch before heading.
+/// Returns the chain's aim, then its derivatives, joint by joint from the effector inward, pitch before heading.
 #[inline]
 pub fn value_gradient<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]) -> [S; 7] {
     let (d, seen) = inward(links, target, sin_cos);
@@ -98,7 +102,7 @@ pub fn value_gradient<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: 
     [aim, a, b, c, d, e, f]
 }
 
-/// The stereographic residual (left, up), then the derivatives of each.
+/// Returns the stereographic residual (left, up), then the six derivatives of the first and of the second.
 #[inline]
 pub fn residual_jacobian<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]) -> [S; 14] {
     let (d, seen) = inward(links, target, sin_cos);
@@ -107,7 +111,7 @@ pub fn residual_jacobian<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_co
     let r = reciprocal(length);
     let u = reciprocal(length + dot(f, d));
     let two_u = u + u;
-    // How the denominator changes with d.
+    // The gradient of the denominator |d| + f·d.
     let below: [S; 3] = std::array::from_fn(|i| d[i] * r + f[i]);
     let of = |axis: [S; 3]| {
         let s = two_u * dot(axis, d);
@@ -124,14 +128,14 @@ pub fn residual_jacobian<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_co
     out
 }
 
-/// The chain's aim alone: what central differences are taken of.
+/// Returns the chain's aim alone: the function that the central differences evaluate.
 #[inline]
 pub fn aim<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]) -> S {
     let (d, _) = inward(links, target, sin_cos);
     dot(row(&links[0], 1), d) * reciprocal(dot(d, d).sqrt())
 }
 
-/// The chain's residual alone: what central differences are taken of.
+/// Returns the chain's residual alone: the function that the central differences evaluate.
 #[inline]
 pub fn residual<S: Float>(links: &[[S; 12]; 3], target: &[S; 3], sin_cos: &[[S; 4]; 3]) -> [S; 2] {
     let (d, _) = inward(links, target, sin_cos);

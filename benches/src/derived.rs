@@ -1,4 +1,4 @@
-//! The rig under measurement: the thug of `rigs/thug.toml`, by the derive.
+//! The benchmarked rig: that of `rigs/thug.toml`, declared with the derive macro.
 
 use aim::{AimRig, Joint};
 
@@ -6,7 +6,7 @@ use crate::Float;
 use crate::float::sin_cos;
 use crate::pose::{ChainPose, JointPose};
 
-/// +X up, +Y forward, +Z left.
+/// A left eye, neck and upper spine joint, with +X up, +Y forward, +Z left.
 #[derive(Debug, AimRig)]
 #[aim(
     axes(up = +X, forward = +Y, left = +Z),
@@ -21,19 +21,19 @@ pub struct Thug {
     spine3: Joint,
 }
 
-/// One joint, sines and cosines given.
+/// Returns aim, ∂aim/∂pitch, ∂aim/∂heading of one joint, from given sines and cosines.
 #[inline(always)]
 pub fn joint_given<S: Float>(pose: &JointPose<S>) -> [S; 3] {
     Thug::aim_gradient(0, &pose.link, &pose.target, &pose.sin_cos)
 }
 
-/// One joint, from its angles.
+/// Returns aim, ∂aim/∂pitch, ∂aim/∂heading of one joint, from its angles.
 #[inline(always)]
 pub fn joint<S: Float>(pose: &JointPose<S>) -> [S; 3] {
     Thug::aim_gradient(0, &pose.link, &pose.target, &sin_cos(pose.angles))
 }
 
-/// The chain's aim and six derivatives, sines and cosines given.
+/// Returns the chain's aim and six derivatives, from given sines and cosines.
 #[inline(always)]
 pub fn gradient_given<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     let mut out = [S::ZERO; 7];
@@ -41,7 +41,7 @@ pub fn gradient_given<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     out
 }
 
-/// The chain's aim and six derivatives, from its angles.
+/// Returns the chain's aim and six derivatives, from its angles.
 #[inline(always)]
 pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     let mut out = [S::ZERO; 7];
@@ -49,7 +49,7 @@ pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     out
 }
 
-/// The chain's residual and Jacobian, sines and cosines given.
+/// Returns the chain's residual and Jacobian, from given sines and cosines.
 #[inline(always)]
 pub fn jacobian_given<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     let mut out = [S::ZERO; 14];
@@ -57,7 +57,7 @@ pub fn jacobian_given<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     out
 }
 
-/// The chain's residual and Jacobian, from its angles.
+/// Returns the chain's residual and Jacobian, from its angles.
 #[inline(always)]
 pub fn jacobian<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     let mut out = [S::ZERO; 14];

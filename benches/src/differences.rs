@@ -1,13 +1,13 @@
 //! Central differences of the hand-written functions: two evaluations for each angle, and one for the value.
 //!
-//! As cheap as they can be made: a moved angle's sine and cosine are all that is computed anew for its evaluations.
+//! They are made as cheap as possible: an evaluation recomputes only the sine and cosine of the angle that it moves.
 
 use crate::Float;
 use crate::float::sin_cos;
 use crate::pose::{ChainPose, JointPose};
 use crate::{by_hand, chain_by_hand};
 
-/// One joint, from its angles.
+/// Returns aim, ∂aim/∂pitch, ∂aim/∂heading of one joint, from its angles.
 #[inline(always)]
 pub fn joint<S: Float>(pose: &JointPose<S>) -> [S; 3] {
     let [pitch, heading] = pose.angles;
@@ -25,7 +25,7 @@ fn central<S: Float>(angle: S, f: impl Fn((S, S)) -> S) -> S {
     (ahead - behind) * (S::constant(0.5) / S::STEP)
 }
 
-/// The chain's aim and six derivatives, from its angles.
+/// Returns the chain's aim and six derivatives, from its angles.
 #[inline(always)]
 pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     let at_rest = pose.angles.map(sin_cos);
@@ -34,7 +34,7 @@ pub fn gradient<S: Float>(pose: &ChainPose<S>) -> [S; 7] {
     [aim(&at_rest)[0], a, b, c, d, e, f]
 }
 
-/// The chain's residual and Jacobian, from its angles.
+/// Returns the chain's residual and Jacobian, from its angles.
 #[inline(always)]
 pub fn jacobian<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     let at_rest = pose.angles.map(sin_cos);
@@ -49,7 +49,7 @@ pub fn jacobian<S: Float>(pose: &ChainPose<S>) -> [S; 14] {
     })
 }
 
-/// The derivatives of `f` by each angle, pitch before heading.
+/// Returns the derivatives of `f` by each angle, joint by joint, pitch before heading.
 #[inline(always)]
 fn columns<S: Float, const R: usize>(
     pose: &ChainPose<S>,

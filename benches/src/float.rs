@@ -1,13 +1,14 @@
-//! The two number types, with the sine and cosine that the runtime's `Scalar` does without.
+//! The two number types, with the sine and cosine that the runtime's `Scalar` does not have.
 
 use aim::Scalar;
 
-/// f32 or f64.
+/// A number type of the benchmarks: `f32` or `f64`.
 pub trait Float: Scalar + std::fmt::Debug + Into<f64> {
-    /// A step for central differences: near the cube root of the type's rounding, where their error is least.
+    /// Step of the central differences, radians: near the cube root of the type's precision, where their error is
+    /// smallest.
     const STEP: Self;
 
-    /// Sine and cosine of an angle in radians.
+    /// Returns the sine and cosine of an angle in radians.
     fn sin_cos(self) -> (Self, Self);
 }
 
@@ -29,7 +30,7 @@ impl Float for f64 {
     }
 }
 
-/// sin p, cos p, sin h, cos h.
+/// Returns `[sin p, cos p, sin h, cos h]` of `[pitch, heading]`.
 #[inline(always)]
 pub(crate) fn sin_cos<S: Float>([pitch, heading]: [S; 2]) -> [S; 4] {
     let ((sin_p, cos_p), (sin_h, cos_h)) = (pitch.sin_cos(), heading.sin_cos());

@@ -1,8 +1,8 @@
-//! What the benchmarks and the accuracy test share: a derived rig, the same mathematics written by hand, central
-//! differences, seeded poses, and the table that is made of gungraun's counts.
+//! Code shared by the benchmarks and the accuracy test: a derived rig, the same mathematics written by hand, central
+//! differences, seeded poses, and the table built from gungraun's counts.
 //!
-//! One joint's aim and both its derivatives are `[aim, ∂aim/∂pitch, ∂aim/∂heading]` throughout, as the derived kernel
-//! gives them; a chain's are those of `AimRig`.
+//! The aim of one joint and its derivatives are `[aim, ∂aim/∂pitch, ∂aim/∂heading]` throughout, in the order of the
+//! derived kernel; the outputs for a chain are ordered as in `AimRig`.
 #![forbid(unsafe_code)]
 
 pub mod bakes;

@@ -1,47 +1,48 @@
-//! Seeded poses of a person in metres: what the kernels are measured on, the same everywhere.
+//! Seeded random poses of a person, in metres: the inputs of the benchmarks, the same on every machine.
 
 use crate::Float;
 
-/// One joint, what it carries, and its target.
+/// One joint, the link to its effector, and its target.
 #[derive(Clone, Copy, Debug)]
 pub struct JointPose<S> {
-    /// Effector space to joint space: three rows and a translation.
+    /// Transform from effector space to joint space: three rows and a translation.
     pub link: [S; 12],
     /// The target in joint space.
     pub target: [S; 3],
-    /// Pitch and heading.
+    /// Pitch and heading, radians.
     pub angles: [S; 2],
-    /// sin p, cos p, sin h, cos h.
+    /// Sines and cosines of the angles: sin p, cos p, sin h, cos h.
     pub sin_cos: [S; 4],
 }
 
 /// Three joints, from the effector inward, and their target.
 #[derive(Clone, Copy, Debug)]
 pub struct ChainPose<S> {
-    /// `links[0]` leads from effector space to joint 0, `links[i]` from joint i−1 to joint i.
+    /// Transforms between neighbouring spaces: `links[0]` leads from effector space to joint 0, `links[i]` from joint
+    /// i−1 to joint i.
     pub links: [[S; 12]; 3],
     /// The target in the last joint's space.
     pub target: [S; 3],
-    /// Pitch and heading of each joint.
+    /// Pitch and heading of each joint, radians.
     pub angles: [[S; 2]; 3],
-    /// sin p, cos p, sin h, cos h of each joint.
+    /// Sines and cosines of each joint's angles: sin p, cos p, sin h, cos h.
     pub sin_cos: [[S; 4]; 3],
 }
 
-/// How many poses one run of a benchmark goes through: enough that calling it does not count.
+/// Number of poses in one run of a benchmark: enough to make the overhead of the call negligible.
 pub const MEASURED: usize = 100;
 
-/// What one joint is measured on: targets at 2 m.
+/// Returns the poses on which one joint is measured: targets at 2 m.
 pub fn measured_joints<S: Float>() -> Vec<JointPose<S>> {
     joints(1, MEASURED, 2.0)
 }
 
-/// What a chain is measured on: targets at 2 m.
+/// Returns the poses on which a chain is measured: targets at 2 m.
 pub fn measured_chains<S: Float>() -> Vec<ChainPose<S>> {
     chains(2, MEASURED, 2.0)
 }
 
-/// `count` poses of one joint whose target is `distance_m` from the effector, no more than 80° off its forward.
+/// Returns `count` poses of one joint whose target is `distance_m` from the effector and at most 80° off its forward.
 pub fn joints<S: Float>(seed: u64, count: usize, distance_m: f64) -> Vec<JointPose<S>> {
     let mut random = fastrand::Rng::with_seed(seed);
     (0..count)
@@ -54,7 +55,8 @@ pub fn joints<S: Float>(seed: u64, count: usize, distance_m: f64) -> Vec<JointPo
         .collect()
 }
 
-/// `count` poses of three joints whose target is `distance_m` from the effector, no more than 80° off its forward.
+/// Returns `count` poses of three joints whose target is `distance_m` from the effector and at most 80° off its
+/// forward.
 pub fn chains<S: Float>(seed: u64, count: usize, distance_m: f64) -> Vec<ChainPose<S>> {
     let mut random = fastrand::Rng::with_seed(seed);
     (0..count)
@@ -71,7 +73,7 @@ pub fn chains<S: Float>(seed: u64, count: usize, distance_m: f64) -> Vec<ChainPo
         .collect()
 }
 
-/// A pose before it is rounded to a number type.
+/// A pose in f64, before it is rounded to a number type.
 struct Exact {
     links: Vec<[f64; 12]>,
     target: [f64; 3],
@@ -81,7 +83,7 @@ struct Exact {
 fn chain(random: &mut fastrand::Rng, joints: usize, distance_m: f64) -> Exact {
     let links: Vec<[f64; 12]> = (0..joints).map(|_| link(random)).collect();
     let angles: Vec<[f64; 2]> = (0..joints).map(|_| [within(random, 0.7), within(random, 1.0)]).collect();
-    // Forward is +Y; the target goes from effector space through every link and rotation.
+    // Forward is +Y. Place the target in effector space, then transform it outward through every link and rotation.
     let (off, around) = (within(random, 1.4), within(random, std::f64::consts::PI));
     let mut target = [off.sin() * around.cos(), off.cos(), off.sin() * around.sin()].map(|x| distance_m * x);
     for (link, angles) in links.iter().zip(&angles) {
@@ -94,7 +96,8 @@ fn within(random: &mut fastrand::Rng, limit: f64) -> f64 {
     limit * (2.0 * random.f64() - 1.0)
 }
 
-/// A bone's length away, and turned: in real rigs the axes of neighbours often differ.
+/// Returns a random link: a short offset and any rotation, since the axes of neighbouring bones often differ in real
+/// rigs.
 fn link(random: &mut fastrand::Rng) -> [f64; 12] {
     let [a, b, c, d] = [0; 4].map(|_| within(random, 1.0));
     let n = a * a + b * b + c * c + d * d;
@@ -123,7 +126,7 @@ fn moved([x, y, z]: [f64; 3], link: &[f64; 12]) -> [f64; 3] {
     std::array::from_fn(|k| x * link[k] + y * link[3 + k] + z * link[6 + k] + link[9 + k])
 }
 
-/// Pitch turns +Y towards +X, then heading turns +Y towards +Z.
+/// Rotates a vector: pitch turns +Y towards +X, then heading turns +Y towards +Z.
 fn turned([x, y, z]: [f64; 3], [pitch, heading]: [f64; 2]) -> [f64; 3] {
     let (x, y) = (x * pitch.cos() + y * pitch.sin(), y * pitch.cos() - x * pitch.sin());
     [x, y * heading.cos() - z * heading.sin(), y * heading.sin() + z * heading.cos()]

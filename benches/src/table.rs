@@ -1,4 +1,4 @@
-//! Instruction counts as gungraun left them, the limits they are held to, and the table that the README shows.
+//! Instruction counts saved by gungraun, their limits, and the table in the README.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,10 +8,10 @@ use serde_json::Value;
 
 use crate::pose::MEASURED;
 
-/// Instructions per evaluation, by benchmark and number type.
+/// Instructions per evaluation, keyed by benchmark and number type.
 pub type Counts = BTreeMap<(String, String), f64>;
 
-/// The rows of the table: a problem, then each way to solve it by the name of its benchmark.
+/// Rows of the table: each problem with its implementations, each by label and benchmark name.
 const PROBLEMS: &[(&str, &[(&str, &str)])] = &[
     (
         "one joint from its angles: aim and both derivatives",
@@ -51,10 +51,10 @@ const PROBLEMS: &[(&str, &[(&str, &str)])] = &[
     ),
 ];
 
-/// What may not be exceeded: one benchmark's count over another's, in f32 and in f64.
+/// Limits of the ratio of one benchmark's count to another's, in f32 and in f64.
 ///
-/// Sines and cosines are half of a joint's instructions in f32 and three quarters in f64, the same in every way to
-/// compute it: against num-dual in f64 even the hand-written code is at 0.65.
+/// Sines and cosines take half of a joint's instructions in f32 and three quarters in f64, the same for every
+/// implementation. In f64, even the hand-written code is therefore at 0.65 of num-dual.
 const LIMITS: &[(&str, &str, f64, f64)] = &[
     ("joint_derived", "joint_by_hand", 1.05, 1.05),
     ("joint_given_derived", "joint_given_by_hand", 1.05, 1.05),
@@ -69,17 +69,17 @@ const LIMITS: &[(&str, &str, f64, f64)] = &[
     ("jacobian_derived", "jacobian_differences", 0.35, 0.35),
 ];
 
-/// Where the README's table begins and ends.
+/// Lines of the README that enclose the table.
 const MARKERS: [&str; 2] = ["<!-- benchmarks: begin -->\n", "<!-- benchmarks: end -->\n"];
 
-/// How far a count may be from the README's before the table is stale. Counts follow the compiler's version and the
-/// C library's sines a little; what they say does not.
+/// Relative difference of a count from the README's above which the table is stale. Counts vary a little with the
+/// compiler's version and the C library's sines.
 const DRIFT: f64 = 0.05;
 
 /// Reads every `summary.json` below `folder`.
 ///
 /// # Errors
-/// What could not be read, or is no summary.
+/// Fails if a file cannot be read or is not a summary.
 pub fn read(folder: &Path) -> Result<Counts, String> {
     let mut counts = Counts::new();
     let mut folders = vec![folder.to_owned()];
@@ -103,16 +103,16 @@ pub fn read(folder: &Path) -> Result<Counts, String> {
     Ok(counts)
 }
 
-/// The benchmark's name, its number type, and the instructions of one evaluation.
+/// Parses a summary: the benchmark's name, its number type, and the instructions of one evaluation.
 fn summary(text: &str) -> Option<((String, String), f64)> {
     let summary: Value = serde_json::from_str(text).ok()?;
-    // Beside `old`, where the run compared with an earlier one.
+    // `new` is this run's count; `old` stands beside it if gungraun compared with an earlier run.
     let total = summary["profiles"][0]["data"]["total"]["metrics"]["Ir"]["values"]["new"].as_f64()?;
     let (name, float) = summary["id"].as_str()?.rsplit_once('_')?;
     Some(((name.to_owned(), float.to_owned()), total / MEASURED as f64))
 }
 
-/// The limits that the counts exceed, one line each; also those that cannot be judged.
+/// Returns a line for each limit that the counts exceed or that cannot be judged because a count is missing.
 pub fn exceeded(counts: &Counts) -> Vec<String> {
     let mut failures = Vec::new();
     for &(of, to, single, double) in LIMITS {
@@ -122,7 +122,7 @@ pub fn exceeded(counts: &Counts) -> Vec<String> {
                 continue;
             };
             let ratio = a / b;
-            // Limits have two digits, and ratios are judged to two.
+            // Limits have two decimals, so ratios are rounded to two.
             if (100.0 * ratio).round() > (100.0 * limit).round() {
                 failures.push(format!("{float}: {of} is {ratio:.3} × {to}, more than {limit} ({a:.1}, {b:.1})"));
             }
@@ -135,7 +135,7 @@ fn get(counts: &Counts, benchmark: &str, float: &str) -> Option<f64> {
     counts.get(&(benchmark.to_owned(), float.to_owned())).copied()
 }
 
-/// The table in Markdown: counts, and how many times the derived code's they are.
+/// Formats the table in Markdown: counts, and their ratio to the derived code's.
 pub fn markdown(counts: &Counts) -> String {
     let mut table = "| problem | code | f32 | f64 |\n|---|---|---|---|\n".to_owned();
     for (problem, rows) in PROBLEMS {
@@ -152,19 +152,20 @@ pub fn markdown(counts: &Counts) -> String {
     table
 }
 
-/// `readme` with `table` between the markers.
+/// Returns `readme` with `table` between the markers.
 ///
 /// # Errors
-/// That the markers are missing.
+/// Fails if the markers are missing.
 pub fn replaced(readme: &str, table: &str) -> Result<String, String> {
     let (before, _, after) = parts(readme)?;
     Ok(format!("{before}{table}{after}"))
 }
 
-/// The first line of `table` that `readme` shows otherwise: other words, or a number that is too far off.
+/// Returns the first line of `table` that differs in `readme`: by its words, or by a number beyond the allowed drift.
+/// `None` if the table is up to date.
 ///
 /// # Errors
-/// That the markers are missing.
+/// Fails if the markers are missing.
 pub fn stale(readme: &str, table: &str) -> Result<Option<String>, String> {
     let (_, shown, _) = parts(readme)?;
     let (shown, table): (Vec<&str>, Vec<&str>) = (shown.lines().collect(), table.lines().collect());
@@ -178,7 +179,7 @@ pub fn stale(readme: &str, table: &str) -> Result<Option<String>, String> {
     }))
 }
 
-/// Everything up to the table, the table, everything after it.
+/// Splits the README into the text up to the table, the table, and the text after it.
 fn parts(readme: &str) -> Result<(&str, &str, &str), String> {
     let [begin, end] = MARKERS.map(|marker| readme.find(marker));
     match (begin, end) {
@@ -190,7 +191,7 @@ fn parts(readme: &str) -> Result<(&str, &str, &str), String> {
     }
 }
 
-/// The same words, and numbers that are near each other.
+/// Returns `true` if two lines have the same words, and numbers within the allowed drift.
 fn alike(a: &str, b: &str) -> bool {
     let (a, b): (Vec<&str>, Vec<&str>) = (words(a), words(b));
     a.len() == b.len()

@@ -1,5 +1,5 @@
-//! Skeletons, tracks, clips and trees from any numbers: what is accepted can be edited, played, blended and taken apart, and
-//! gives poses with unit rotations.
+//! Skeletons, tracks, clips, blend trees and meshes from arbitrary numbers. Accepted ones can be edited, played,
+//! blended and taken apart, and give poses with unit rotations.
 #![no_main]
 
 use aim_animation::glam::{Affine3A, Quat, Vec2, Vec3};
@@ -12,7 +12,7 @@ use libfuzzer_sys::arbitrary::{Result, Unstructured};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    // A short input ends early; what came before has been judged.
+    // A short input ends early; the checks up to there have been made.
     let _ = animate(&mut Unstructured::new(bytes));
     let _ = store(&mut Unstructured::new(bytes));
     unpack(bytes);
@@ -66,7 +66,7 @@ fn animate(input: &mut Unstructured<'_>) -> Result<()> {
     Ok(())
 }
 
-/// A value of a track.
+/// A value of a track that can be read from the input and checked.
 trait Sampled: Value {
     fn read(input: &mut Unstructured<'_>) -> Result<Self>;
     fn is_sound(self) -> bool;
@@ -100,7 +100,7 @@ impl Sampled for Quat {
 }
 
 fn number(input: &mut Unstructured<'_>) -> Result<f32> {
-    // Ordinary numbers, and any bits.
+    // Mostly ordinary numbers, sometimes any bit pattern.
     Ok(if input.ratio(3, 4)? {
         f32::from(input.arbitrary::<i16>()?) / 1024.0
     } else {
@@ -154,7 +154,7 @@ fn clip(input: &mut Unstructured<'_>) -> Result<Clip> {
     })
 }
 
-/// A track that is accepted, whose every sample has to be finite.
+/// Reads a track; if it is accepted, every sample of it must be finite.
 fn track<T: Sampled>(input: &mut Unstructured<'_>) -> Result<Option<Track<T>>> {
     let (mut times, mut values) = (Vec::new(), Vec::new());
     let (mut hermite, mut bezier) = (Vec::new(), Vec::new());
@@ -203,7 +203,7 @@ fn node(input: &mut Unstructured<'_>, skeleton: &Skeleton, depth: usize) -> Resu
     Ok(if input.arbitrary()? { made.with_mask(Mask::new(skeleton, number(input)?)) } else { made })
 }
 
-/// A clip is reduced and packed within its tolerance, and comes back from its bytes.
+/// Reduces and packs a clip: the errors are within the tolerance, and the bytes read back as the same clip.
 fn store(input: &mut Unstructured<'_>) -> Result<()> {
     let mut bones = Vec::new();
     for bone in 0..input.int_in_range(1..=4_usize)? {
@@ -222,7 +222,7 @@ fn store(input: &mut Unstructured<'_>) -> Result<()> {
     Ok(())
 }
 
-/// Bytes are no packed clip, or one with sound samples.
+/// Reads arbitrary bytes as a packed clip: they are refused, or every sample is sound.
 fn unpack(bytes: &[u8]) {
     let Ok(packed) = PackedClip::from_bytes(bytes) else { return };
     let mut pose = [Transform::IDENTITY; 4];
@@ -231,7 +231,8 @@ fn unpack(bytes: &[u8]) {
         assert!(pose.iter().all(Transform::is_sound), "{pose:?} at {at}");
     }
 }
-/// A mesh of any numbers in any pose: no vertex is outside its boxes, and a ray hits what it hits of all triangles.
+/// Deforms a mesh of arbitrary numbers in an arbitrary pose: every vertex lies in its boxes, and a ray hits the same
+/// triangle as with the deformed mesh on a single bone.
 fn deform(input: &mut Unstructured<'_>) -> Result<()> {
     let skeleton =
         Skeleton::new([Bone::new("a", None), Bone::new("b", None), Bone::new("c", None)]).expect("no parents");
@@ -269,7 +270,7 @@ fn deform(input: &mut Unstructured<'_>) -> Result<()> {
     }
     let ray = Ray { end: number(input)?, ..Ray::new(vector(input)?, vector(input)?) };
     let hit = boxes.hit(&mesh, &pose, &ray).expect("it is the boxes' mesh");
-    // The same mesh where it is, on one bone at rest.
+    // The deformed mesh, rigidly bound to one bone at rest.
     if placed.iter().all(|vertex| vertex.is_finite()) {
         let rigid = vec![[Influence::new(0, 1.0)]; placed.len()];
         let other = Mesh::new(placed, mesh.triangles(), &rigid).expect("it is a mesh");

@@ -1,4 +1,4 @@
-//! A model's file: whatever is accepted can be measured, sampled, posed to be drawn, and written so that it is accepted again.
+//! A model file: an accepted one can be measured, sampled and deformed, and is accepted again after writing.
 #![no_main]
 
 use aim_animation::MeshPose;
@@ -59,7 +59,7 @@ fuzz_target!(|input: &[u8]| -> Corpus {
     for written in written.into_iter().flatten() {
         let again =
             Document::from_bytes(&written).unwrap_or_else(|error| panic!("what was written is refused: {error}"));
-        // Each in place of the one of its name.
+        // Each clip replaces the one with the same name.
         assert_eq!(again.clips().len(), document.clips().len());
     }
     Corpus::Keep

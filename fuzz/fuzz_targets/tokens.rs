@@ -1,11 +1,11 @@
-//! The item below `#[derive(AimRig)]`: whatever it is, the expansion is Rust.
+//! The item under `#[derive(AimRig)]`: the expansion of any tokens is valid Rust.
 #![no_main]
 
 use libfuzzer_sys::{Corpus, fuzz_target};
 use proc_macro2::TokenStream;
 
 fuzz_target!(|text: &str| -> Corpus {
-    // rustc and syn descend into brackets alike; how deep rustc lets an item go is not ours to test.
+    // rustc and syn recurse into brackets alike; the nesting that they can take is not tested here.
     if text.matches(['(', '[', '{', '<', '&', '*', '!', '-']).count() > 200 {
         return Corpus::Reject;
     }

@@ -1,9 +1,9 @@
-//! What the targets and the seeds share: how an input becomes a model's file.
+//! Code shared by the fuzz targets and the seeds: the conversion of an input to a model file.
 
-/// The file that an input stands for.
+/// Returns the model file that an input stands for.
 ///
-/// An input that begins with `{` is JSON and, behind a zero byte, the binary chunk; it gets a GLB's header with the right
-/// lengths, so that a change within does not end at the header. Any other input is the file itself.
+/// An input that begins with `{` is JSON and, after a zero byte, the binary chunk. It gets a GLB header with the right
+/// lengths, so that a mutation of the content is not rejected at the header. Any other input is the file itself.
 pub fn model_file(input: &[u8]) -> Vec<u8> {
     let Some((json, bin)) = input.iter().position(|byte| *byte == 0).map(|at| (&input[..at], &input[at + 1..])) else {
         return input.to_vec();
@@ -23,7 +23,7 @@ pub fn model_file(input: &[u8]) -> Vec<u8> {
     [b"glTF".as_slice(), &2_u32.to_le_bytes(), &length.to_le_bytes(), &file].concat()
 }
 
-/// A GLB as an input in the form of [`model_file`]: its JSON, a zero byte, its binary chunk.
+/// Returns a GLB's contents as an input of [`model_file`]: its JSON, a zero byte, its binary chunk.
 pub fn input_of(json: &[u8], bin: &[u8]) -> Vec<u8> {
     [json.trim_ascii_end(), &[0], bin].concat()
 }

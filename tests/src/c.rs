@@ -1,4 +1,4 @@
-//! Emitted C: compiled without a warning and run in a process of its own, and its operations counted.
+//! Emitted C: compiled without warnings, run in a separate process, and its operations counted.
 
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
@@ -10,7 +10,7 @@ use aim_symbolic::Count;
 use crate::kinematics::Case;
 use crate::oracle::{assert_close, expected_chain, expected_joint, flat, single};
 
-/// A C program that reads the inputs of every rig's chain and joint functions and writes their outputs.
+/// Returns a C program that reads the inputs of every rig's chain and joint functions and writes their outputs.
 fn harness(specs: &[RigSpec], cases: usize) -> String {
     let mut main = String::from(
         "#include <stdio.h>\nstatic float in[4096], out[4096];\n\
@@ -46,7 +46,7 @@ fn harness(specs: &[RigSpec], cases: usize) -> String {
 /// Compares the emitted C of `specs` with the oracle; every rig has the same number of cases.
 ///
 /// # Panics
-/// Where the C does not compile without warnings, or disagrees by more than 2e-4.
+/// Panics if the C does not compile without warnings, or differs by more than 2e-4.
 pub fn compare(specs: &[RigSpec], all_cases: &[Vec<Case>]) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let (source, program) = (folder.path().join("rigs.c"), folder.path().join("rigs"));
@@ -96,10 +96,10 @@ pub fn compare(specs: &[RigSpec], all_cases: &[Vec<Case>]) {
     assert_eq!(numbers.next(), None, "the compiled program wrote more than expected");
 }
 
-/// A function of emitted C: the comment before it, and its body.
+/// Returns a function of emitted C: the comment before it, and its body.
 ///
 /// # Panics
-/// Where there is no such function.
+/// Panics if there is no such function.
 pub fn function<'c>(source: &'c str, name: &str) -> (&'c str, &'c str) {
     let start = source.find(&format!("void {name}(")).unwrap_or_else(|| panic!("there is no function {name}"));
     let comment = source[..start].rfind("/*").unwrap_or_else(|| panic!("{name} has no header"));
@@ -108,7 +108,7 @@ pub fn function<'c>(source: &'c str, name: &str) -> (&'c str, &'c str) {
     (&source[comment..start], &source[body + 3..end])
 }
 
-/// The tokens of a line: words, numbers with their exponents, and single signs.
+/// Splits a line into tokens: words, numbers with their exponents, and single characters.
 fn tokens(line: &str) -> Vec<&str> {
     let mut tokens = Vec::new();
     let mut rest = line.trim_start();
@@ -126,15 +126,15 @@ fn tokens(line: &str) -> Vec<&str> {
     tokens
 }
 
-/// The operations of a body of emitted C, from its text.
+/// Counts the operations of a function body of emitted C, from its text.
 ///
 /// # Panics
-/// Where it is no straight line.
+/// Panics if the body is not straight-line code.
 pub fn count(body: &str) -> Count {
     let mut count = Count::default();
     for line in body.lines().map(tokens) {
         for (i, &token) in line.iter().enumerate() {
-            // What stands after a name, a number or a closing bracket is infix; anything else is a sign.
+            // An operator after a name, a number or a closing bracket is infix; otherwise it is a sign.
             let infix = i > 0 && line[i - 1].ends_with(|c: char| c.is_ascii_alphanumeric() || "_.)]".contains(c));
             match token {
                 "+" | "-" if infix => count.add += 1,

@@ -1,4 +1,4 @@
-//! Compiled kernels against the oracle and against the interpreter.
+//! Compares compiled kernels with the oracle and with the interpreter.
 
 use aim_codegen::RigSpec;
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
@@ -7,8 +7,8 @@ use crate::kinematics::{Case, Link};
 use crate::oracle::{assert_close, doubled, expected_chain, expected_joint, flat, single};
 use crate::requested::RequestedKernels;
 
-/// What a rig's compiled kernels give for one case. Gathered in generic code, judged outside of it: a test with many
-/// rigs compiles many copies of the former.
+/// Outputs of a rig's compiled kernels for one case. They are gathered in generic code and judged outside of it, since
+/// a test with many rigs compiles many copies of the generic part.
 #[derive(Debug)]
 pub struct Outputs {
     gradient: Vec<f64>,
@@ -19,7 +19,7 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// The outputs of `rig` for each of `cases`.
+    /// Returns the outputs of `rig` for each of `cases`.
     pub fn of<R: RequestedKernels>(rig: &R, cases: &[Case]) -> Vec<Self> {
         cases.iter().map(|case| Self::of_case(rig, case)).collect()
     }
@@ -73,10 +73,10 @@ fn array<const N: usize>(numbers: &[f64; N]) -> [f32; N] {
     single(numbers).try_into().expect("as many numbers come out as go in")
 }
 
-/// Compares what `spec`'s compiled kernels gave with the oracle, and with the interpreter bit for bit.
+/// Compares the outputs of `spec`'s compiled kernels with the oracle, and with the interpreter bit for bit.
 ///
 /// # Panics
-/// Where they differ.
+/// Panics if they differ.
 pub fn compare(spec: &RigSpec, cases: &[Case], outputs: &[Outputs]) {
     let name = &spec.name;
     let [gradient_program, jacobian_program] = [&CHAIN_VALUE_GRADIENT, &CHAIN_RESIDUAL_JACOBIAN]

@@ -1,13 +1,13 @@
-//! The declarations whose expansions are golden: `tests/expected/NAME.rs` holds what the derive makes of each.
+//! The declarations whose expansions are golden: `tests/expected/NAME.rs` holds the expansion of each.
 
-/// Hands every declaration to the macro `$with`: a name, then the struct with its attributes, without the derive.
+/// Passes every declaration to the macro `$with`: a name, then the struct with its attributes, without the derive.
 ///
-/// A macro over macros, because one test wants the text, another the struct with the derive, and a third the struct
-/// without it, beside the golden expansion.
+/// This is a macro over macros because one test needs the text, another the struct with the derive, and a third the
+/// struct without it, next to the golden expansion.
 #[macro_export]
 macro_rules! declarations {
     ($with:ident) => {
-        // The declaration of the documentation.
+        // The declaration that the documentation shows.
         $with! {
             thug
             #[aim(axes(up = +X, forward = +Y, left = +Z))]

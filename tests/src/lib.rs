@@ -1,4 +1,4 @@
-//! What the tests share: the rigs they run over, independent forward kinematics, a seeded generator, comparisons.
+//! Code that the tests share: the rigs under test, independent forward kinematics, a seeded generator, comparisons.
 
 pub mod by_hand;
 pub mod c;

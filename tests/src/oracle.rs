@@ -1,11 +1,11 @@
-//! What the derived functions should give, by central differences of independent forward kinematics.
+//! Expected results of the derived functions, by central differences of independent forward kinematics.
 
 use aim_codegen::RigSpec;
 
 use crate::kinematics::{Case, Link};
 use crate::random::Random;
 
-/// Random poses of `spec` whose target is neither at the effector nor behind it, where the residual is steep.
+/// Returns random poses of `spec` whose target is neither at the effector nor behind it, where the residual is steep.
 pub fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
@@ -25,7 +25,7 @@ pub fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
     cases
 }
 
-/// Which angles `spec` declares, pitch before heading, joint by joint: the joint and 0 or 1.
+/// Returns the angles that `spec` declares, pitch before heading, joint by joint: the joint, and 0 or 1.
 fn declared(spec: &RigSpec) -> Vec<(usize, usize)> {
     let joints = spec.joints.iter().enumerate();
     joints
@@ -34,7 +34,7 @@ fn declared(spec: &RigSpec) -> Vec<(usize, usize)> {
         .collect()
 }
 
-/// The chain's outputs, by central differences: aim and gradient, then residual and Jacobian.
+/// Returns the chain's outputs, by central differences: aim and gradient, then residual and Jacobian.
 pub fn expected_chain(spec: &RigSpec, case: &Case) -> (Vec<f64>, Vec<f64>) {
     let aim = |c: &Case| [c.aim(spec)];
     let residual = |c: &Case| c.residual(spec);
@@ -49,7 +49,7 @@ pub fn expected_chain(spec: &RigSpec, case: &Case) -> (Vec<f64>, Vec<f64>) {
     (gradient, jacobian)
 }
 
-/// One joint alone: the rig cut down to that joint, its link as the effector's way to it.
+/// Returns the rig reduced to one joint; that joint's link leads from the effector.
 fn joint_alone(spec: &RigSpec, case: &Case, joint: usize) -> (RigSpec, Case) {
     let mut alone = spec.clone();
     alone.joints = vec![spec.joints[joint].clone()];
@@ -57,7 +57,7 @@ fn joint_alone(spec: &RigSpec, case: &Case, joint: usize) -> (RigSpec, Case) {
     (alone, case)
 }
 
-/// A joint's aim, ∂aim/∂pitch, ∂aim/∂heading; `None` where its target is too near to compare.
+/// Returns a joint's aim, ∂aim/∂pitch, ∂aim/∂heading; `None` if its target is too close to compare.
 pub fn expected_joint(spec: &RigSpec, case: &Case, joint: usize) -> Option<[f64; 3]> {
     let (alone, case) = joint_alone(spec, case, joint);
     if case.view(&alone).0 < 0.5 {
@@ -71,7 +71,8 @@ pub fn expected_joint(spec: &RigSpec, case: &Case, joint: usize) -> Option<[f64;
 }
 
 /// # Panics
-/// Where a number is farther from what is expected than `tolerance`, relative to the larger of 1 and that.
+/// Panics if a number differs from the expected one by more than `tolerance`, relative to the larger of 1 and the
+/// expected magnitude.
 pub fn assert_close(found: &[f64], expected: &[f64], tolerance: f64, what: &str) {
     assert_eq!(found.len(), expected.len(), "{what}");
     for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
@@ -80,18 +81,18 @@ pub fn assert_close(found: &[f64], expected: &[f64], tolerance: f64, what: &str)
     }
 }
 
-/// The numbers in single precision.
+/// Converts the numbers to single precision.
 #[expect(clippy::cast_possible_truncation, reason = "the kernels run in f32 too")]
 pub fn single(numbers: &[f64]) -> Vec<f32> {
     numbers.iter().map(|&x| x as f32).collect()
 }
 
-/// The numbers in double precision.
+/// Converts the numbers to double precision.
 pub fn doubled(numbers: &[f32]) -> Vec<f64> {
     numbers.iter().map(|&x| x.into()).collect()
 }
 
-/// The inputs of the chain's functions as the interpreter takes them.
+/// Returns the inputs of the chain's functions as one array, in the order of the interpreter.
 pub fn flat(case: &Case) -> Vec<f64> {
     let mut flat: Vec<f64> = case.links.iter().flat_map(Link::numbers).collect();
     flat.extend(case.target);

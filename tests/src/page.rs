@@ -1,11 +1,11 @@
-//! Tables of pages that are written by tests.
+//! Tables in documentation pages that tests write.
 
 use std::path::Path;
 
-/// Holds what stands between two marks of a page against `table`; `AIM_BLESS=1` writes it there.
+/// Compares the text between two marks of a page with `table`; with `AIM_BLESS=1` writes it there instead.
 ///
 /// # Panics
-/// Where the page says something else, with the command that writes it.
+/// Panics if the page differs, with the command that updates it.
 pub fn hold_table(page: &str, marks: [&str; 2], table: &str, test: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(page);
     let text = std::fs::read_to_string(&path).expect("the page is there");

@@ -1,4 +1,4 @@
-//! Problems whose operation counts are recorded: what the rules are judged by.
+//! Problems with recorded operation counts, by which the simplification rules are judged.
 
 use aim_codegen::objective::{CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink};
 use aim_codegen::{EffectorSpec, Frame, Objective, RigSpec};
@@ -9,16 +9,16 @@ use aim_symbolic::{
 use crate::random::Random;
 use crate::rigs::{bare_joint, general_frame};
 
-/// A statement, and what is wanted of it.
+/// An objective, with the outputs wanted of it.
 #[derive(Debug)]
 pub struct Problem {
-    /// What it is.
+    /// Name of the problem.
     pub name: &'static str,
-    /// Where it is stated.
+    /// The graph that contains the expressions.
     pub g: Graph,
-    /// What is wanted.
+    /// Wanted outputs: values and derivatives.
     pub wanted: Vec<Want>,
-    /// The operations that its program needs.
+    /// Number of operations of the derived program.
     pub operations: usize,
 }
 
@@ -34,7 +34,7 @@ impl Problem {
     }
 }
 
-/// Every recorded problem.
+/// Returns every recorded problem.
 pub fn all() -> Vec<Problem> {
     vec![
         arap_term(),
@@ -77,7 +77,7 @@ pub fn all() -> Vec<Problem> {
     ]
 }
 
-/// Up = +X, forward = +Y, left = +Z.
+/// A frame with up = +X, forward = +Y, left = +Z.
 const CARDINAL: Frame = Frame { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
 
 fn general() -> Frame {
@@ -96,23 +96,24 @@ fn rig(frames: &[Frame], effector: Frame) -> RigSpec {
     }
 }
 
-/// The paper's objective over all joints of a rig.
+/// States the paper's objective over all joints of a rig.
 fn chain_aim(name: &'static str, operations: usize, frames: &[Frame], effector: Frame) -> Problem {
     of_rig(name, operations, &CHAIN_VALUE_GRADIENT, &rig(frames, effector))
 }
 
-/// The chain's stereographic residual, with its Jacobian.
+/// States the chain's stereographic residual, with its Jacobian.
 fn residual() -> Problem {
     of_rig("residual and Jacobian", 183, &CHAIN_RESIDUAL_JACOBIAN, &rig(&[CARDINAL; 2], CARDINAL))
 }
 
-/// An objective of a rig's chain.
+/// States an objective of a rig's chain.
 fn of_rig(name: &'static str, operations: usize, objective: &Objective, spec: &RigSpec) -> Problem {
     let statement = objective.statement(spec, &[], FirstLink::Given);
     Problem { name, wanted: statement.wanted(), g: statement.graph, operations }
 }
 
-/// Forward, left, up: pitch turns the first towards the third, heading the first towards the second.
+/// Plane of pitch. Components are forward, left, up: pitch turns the first towards the third, heading the first towards
+/// the second.
 const PITCH: Plane = Plane::XZ;
 const HEADING: Plane = Plane::XY;
 const ROLL: Plane = Plane::YZ;
@@ -121,12 +122,13 @@ const FORWARD: [f64; 3] = [1.0, 0.0, 0.0];
 struct Joint {
     link: Rigid,
     angles: Vec<Angle>,
-    /// The effector's origin and direction after the turns.
+    /// The effector's origin after the rotations.
     origin: Vector,
+    /// The effector's direction after the rotations.
     forward: Vector,
 }
 
-/// A joint with these turns, the innermost first.
+/// Returns a joint with these rotations, the innermost first.
 fn joint(g: &mut Graph, planes: &[Plane]) -> Joint {
     let link = g.rigid_input("m");
     let angles: Vec<Angle> = (0..planes.len()).map(|i| g.angle(&format!("a{i}"))).collect();
@@ -150,12 +152,12 @@ fn components(g: &Graph, v: Vector) -> [Variable; 3] {
     }
 }
 
-/// The as-rigid-as-possible term of three points, and its nine derivatives.
+/// States the as-rigid-as-possible term of three points, with its nine derivatives.
 pub fn arap_term() -> Problem {
     arap("ARAP term", |g, from, to| g.sub_vectors(to, from))
 }
 
-/// The same with every side taken the other way, and said with a minus.
+/// States [`arap_term`] with every difference reversed and negated.
 fn arap_term_backwards() -> Problem {
     arap("ARAP term backwards", |g, from, to| {
         let back = g.sub_vectors(from, to);
@@ -182,7 +184,7 @@ fn arap(name: &'static str, side: fn(&mut Graph, Vector, Vector) -> Vector) -> P
     })
 }
 
-/// |P − R t|²
+/// States the squared distance |P − R t|².
 pub fn squared_distance() -> Problem {
     Problem::new("squared distance", 28, |g| {
         let t = g.vector_input("t");
@@ -196,7 +198,7 @@ pub fn squared_distance() -> Problem {
     })
 }
 
-/// The aim of a joint that rolls, too.
+/// States the aim of a joint that also rolls.
 pub fn aim_with_roll() -> Problem {
     Problem::new("aim with roll", 62, |g| {
         let joint = joint(g, &[ROLL, PITCH, HEADING]);
@@ -207,7 +209,7 @@ pub fn aim_with_roll() -> Problem {
     })
 }
 
-/// Two targets, weighted.
+/// States the weighted aim of one joint at two targets.
 pub fn two_targets() -> Problem {
     Problem::new("two targets", 93, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -222,7 +224,7 @@ pub fn two_targets() -> Problem {
     })
 }
 
-/// The effector at the joint: nothing is left of the derivatives' radial parts.
+/// States the aim with the effector at the joint, where the radial parts of the derivatives vanish.
 pub fn aim_without_offset() -> Problem {
     Problem::new("aim without offset", 33, |g| {
         let target = g.vector_input("target");
@@ -236,7 +238,7 @@ pub fn aim_without_offset() -> Problem {
     })
 }
 
-/// The aim with a division where others normalise.
+/// States the aim with an explicit division by the length instead of a normalisation.
 pub fn divided_by_hand() -> Problem {
     Problem::new("aim, divided by hand", 46, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -251,7 +253,7 @@ pub fn divided_by_hand() -> Problem {
     })
 }
 
-/// The aim as a cosine is defined: a dot over a length.
+/// States the aim as a cosine is defined: a dot product divided by a length.
 fn quotient() -> Problem {
     Problem::new("aim as a quotient", 46, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -263,7 +265,7 @@ fn quotient() -> Problem {
     })
 }
 
-/// What a turn does not change: a length, the cosine between two vectors, their dot.
+/// States quantities that a rotation does not change: a length, the cosine between two vectors, their dot product.
 fn under_one_turn() -> Problem {
     Problem::new("under one turn", 19, |g| {
         let angle = g.angle("p");
@@ -278,7 +280,7 @@ fn under_one_turn() -> Problem {
     })
 }
 
-/// Where the middle of two turned points is along a direction.
+/// States the component of the sum of two rotated points along a direction.
 fn turned_centroid() -> Problem {
     Problem::new("turned centroid", 17, |g| {
         let angle = g.angle("p");
@@ -290,7 +292,7 @@ fn turned_centroid() -> Problem {
     })
 }
 
-/// How far a point is ahead of a turned one, along the axis that turned with it.
+/// States the distance of a point ahead of a rotated one, along the axis that rotates with it.
 fn along_turned_axis() -> Problem {
     Problem::new("along a turned axis", 7, |g| {
         let angle = g.angle("p");
@@ -303,7 +305,7 @@ fn along_turned_axis() -> Problem {
     })
 }
 
-/// A point as an inverse transform gives it: the point turned back less the origin turned back.
+/// States a point mapped by an inverse transform: the point rotated back minus the origin rotated back.
 fn seen_from_a_turned_frame() -> Problem {
     Problem::new("seen from a turned frame", 86, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -331,7 +333,7 @@ fn seen_from_a_turned_frame() -> Problem {
     })
 }
 
-/// The same differences and products, once one way round and once the other.
+/// States differences and products in both orders of their operands.
 fn both_ways_round() -> Problem {
     Problem::new("both ways round", 6, |g| {
         let [x, y] = ["x", "y"].map(|name| g.input(name));
@@ -341,7 +343,7 @@ fn both_ways_round() -> Problem {
     })
 }
 
-/// An energy stated by a length.
+/// States an energy by a length: k |v| · |v|.
 fn squared_length() -> Problem {
     Problem::new("squared length", 10, |g| {
         let v = g.vector_input("v");
@@ -353,7 +355,7 @@ fn squared_length() -> Problem {
     })
 }
 
-/// A distance stated as a projection on its own direction.
+/// States a distance as the projection on its own direction.
 fn projected_distance() -> Problem {
     Problem::new("projected distance", 10, |g| {
         let v = g.vector_input("v");
@@ -363,7 +365,7 @@ fn projected_distance() -> Problem {
     })
 }
 
-/// The square of a distance from a vector that is stated by its length and its direction.
+/// States the squared distance from a vector that is given as its length times its direction.
 fn length_times_direction() -> Problem {
     Problem::new("length times direction", 11, |g| {
         let (v, goal) = (g.vector_input("v"), g.vector_input("goal"));
@@ -375,7 +377,7 @@ fn length_times_direction() -> Problem {
     })
 }
 
-/// Distances of turned points from planes, by the tangent of the quaternion that turns them.
+/// States distances of rotated points from planes, differentiated by the tangent of the quaternion that rotates them.
 fn points_on_planes() -> Problem {
     Problem::new("points on planes", 81, |g| {
         let (u, w, step) = (g.vector_input("q"), g.input("q_w"), g.step());
@@ -391,7 +393,7 @@ fn points_on_planes() -> Problem {
     })
 }
 
-/// Where a point ends that is turned about a vector by its length, and then in a plane, both turns written out.
+/// States a point rotated about a vector by its length, and then in a plane, with both rotations written out.
 fn turned_in_words() -> Problem {
     Problem::new("turned in words", 91, |g| {
         let (turn, point, along) = (g.vector_input("r"), g.vector_input("p"), g.vector_input("n"));
@@ -409,7 +411,7 @@ fn turned_in_words() -> Problem {
     })
 }
 
-/// The aim of a joint whose turn is written in components.
+/// States the aim of a joint whose rotation is written in components.
 fn aim_in_components() -> Problem {
     Problem::new("aim of a turn in components", 31, |g| {
         let (link, heading, target) = (g.rigid_input("m"), g.input("h"), g.vector_input("target"));
@@ -422,7 +424,7 @@ fn aim_in_components() -> Problem {
     })
 }
 
-/// (x cos h − y sin h, x sin h + y cos h, z)
+/// Returns (x cos h − y sin h, x sin h + y cos h, z).
 fn turned_in_components(g: &mut Graph, v: Vector, heading: Scalar) -> Vector {
     let [x, y, z] = [0, 1, 2].map(|axis| g.component(v, axis));
     let (sin, cos) = (g.call(Function::Sin, heading), g.call(Function::Cos, heading));
@@ -431,7 +433,7 @@ fn turned_in_components(g: &mut Graph, v: Vector, heading: Scalar) -> Vector {
     g.components([x, y, z])
 }
 
-/// The square of the chord from where a joint looks to where it should.
+/// States the squared chord between the direction of a joint and the direction to its target.
 fn chord() -> Problem {
     Problem::new("chord", 49, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -443,7 +445,7 @@ fn chord() -> Problem {
     })
 }
 
-/// What a spring that is damped pulls a point by.
+/// States the force of a damped spring.
 fn pull_of_a_spring() -> Problem {
     Problem::new("pull of a spring", 62, |g| {
         let [way, speed] = ["d", "v"].map(|name| g.vector_input(name));
@@ -458,7 +460,7 @@ fn pull_of_a_spring() -> Problem {
     })
 }
 
-/// A point's distance from a line through the origin, by what is left of the point.
+/// States a point's distance from a line through the origin, as the length of the point's rejection from it.
 fn distance_from_axis() -> Problem {
     Problem::new("distance from an axis", 30, |g| {
         let (point, axis) = (g.vector_input("p"), g.vector_input("a"));
@@ -471,7 +473,7 @@ fn distance_from_axis() -> Problem {
     })
 }
 
-/// How unlikely a point is, by its distance from the mean and the covariance.
+/// States the negative log-likelihood of a point under a Gaussian with a mean and a covariance.
 fn gaussian() -> Problem {
     Problem::new("Gaussian", 110, |g| {
         let (point, mean) = (g.vector_input("x"), g.vector_input("mean"));
@@ -489,7 +491,7 @@ fn gaussian() -> Problem {
     })
 }
 
-/// The angle that four points span about the middle two, by the normals of both planes.
+/// States the dihedral angle of four points, by the normals of both planes.
 fn dihedral_angle() -> Problem {
     Problem::new("dihedral angle", 92, |g| {
         let points = ["a", "b", "c", "d"].map(|name| g.vector_input(name));
@@ -502,7 +504,7 @@ fn dihedral_angle() -> Problem {
     })
 }
 
-/// The angle between the ways from one point to two others.
+/// States the angle between the vectors from one point to two others.
 fn angle_between() -> Problem {
     Problem::new("angle between", 66, |g| {
         let points = ["a", "b", "c"].map(|name| g.vector_input(name));
@@ -514,7 +516,7 @@ fn angle_between() -> Problem {
     })
 }
 
-/// The products of two vectors by what is diagonal in a frame, by that frame and by both.
+/// States the products of two vectors under a diagonal form in a rotated frame, by the frame and by both vectors.
 fn turned_form() -> Problem {
     Problem::new("turned quadratic form", 222, |g| {
         let (u, w) = (g.vector_input("q"), g.input("q_w"));
@@ -537,8 +539,8 @@ fn turned_form() -> Problem {
     })
 }
 
-/// The square of what points are off others, after a product with a quaternion of any length on both sides and, of several
-/// points, a shift.
+/// States the squared distances of points from others after a product with a quaternion of any length on both sides
+/// and, for several points, a shift.
 fn spun(name: &'static str, operations: usize, points: usize) -> Problem {
     Problem::new(name, operations, |g| {
         let (u, w, shift) = (g.vector_input("q"), g.input("q_w"), (points > 1).then(|| g.vector_input("shift")));
@@ -562,7 +564,8 @@ fn spun(name: &'static str, operations: usize, points: usize) -> Problem {
     })
 }
 
-/// How far a point is along two vectors after a turn about another by its length, by that and the point.
+/// States the components along two vectors of a point rotated about another vector by its length, by that vector and
+/// the point.
 fn turned_point() -> Problem {
     Problem::new("turned point", 137, |g| {
         let [turn, point] = ["turn", "point"].map(|name| g.vector_input(name));
@@ -576,7 +579,7 @@ fn turned_point() -> Problem {
     })
 }
 
-/// The angle between two directions, by the vectors that they are of.
+/// States the angle between the directions of two vectors, by the vectors.
 fn angle_of_directions() -> Problem {
     Problem::new("angle of directions", 46, |g| {
         let [a, b] = ["a", "b"].map(|name| g.vector_input(name));
@@ -587,7 +590,7 @@ fn angle_of_directions() -> Problem {
     })
 }
 
-/// How far a vector goes along the middle of two others, as seen from a distance that does not matter.
+/// States the component of a vector along the bisector of two others, both divided by a distance that cancels.
 fn middle_direction() -> Problem {
     Problem::new("middle direction", 26, |g| {
         let [a, b, way, along] = ["a", "b", "way", "along"].map(|name| g.vector_input(name));
@@ -600,7 +603,7 @@ fn middle_direction() -> Problem {
     })
 }
 
-/// The aim with its second derivatives.
+/// States the aim with its second derivatives.
 pub fn hessian() -> Problem {
     let mut problem = Problem::new("aim and Hessian", 121, |g| {
         let joint = joint(g, &[PITCH, HEADING]);
@@ -616,7 +619,7 @@ pub fn hessian() -> Problem {
     problem
 }
 
-/// The distance of a point from the chord of two others, by lengths √(|v|² + δ²); with its second derivatives.
+/// States the distance of a point from the chord of two others, with lengths √(|v|² + δ²), and its second derivatives.
 fn beside_a_chord() -> Problem {
     let mut problem = Problem::new("beside a chord", 114, |g| {
         let [before, here, after] = ["p0", "p1", "p2"].map(|name| g.vector_input(name));

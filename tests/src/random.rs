@@ -1,31 +1,31 @@
-//! Seeded random geometry: the tests are the same everywhere.
+//! Seeded random geometry, so that the tests are the same on every machine.
 
-/// A seeded generator.
+/// A seeded generator of random geometry.
 #[derive(Clone, Debug)]
 pub struct Random(fastrand::Rng);
 
 impl Random {
-    /// The generator with this seed.
+    /// Creates a generator with this seed.
     pub fn new(seed: u64) -> Self {
         Self(fastrand::Rng::with_seed(seed))
     }
 
-    /// A whole number below `end`.
+    /// Returns a whole number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
         self.0.usize(..end)
     }
 
-    /// A number in `-limit..limit`.
+    /// Returns a number in `-limit..limit`.
     pub fn within(&mut self, limit: f64) -> f64 {
         limit * (2.0 * self.0.f64() - 1.0)
     }
 
-    /// A vector with components in `-limit..limit`.
+    /// Returns a vector with components in `-limit..limit`.
     pub fn vector(&mut self, limit: f64) -> [f64; 3] {
         [0; 3].map(|_| self.within(limit))
     }
 
-    /// The rows of a proper rotation.
+    /// Returns the rows of a proper rotation matrix.
     pub fn rotation(&mut self) -> [[f64; 3]; 3] {
         let [a, b, c, d] = [0; 4].map(|_| self.within(1.0));
         let n = a * a + b * b + c * c + d * d;

@@ -1,18 +1,18 @@
-//! [`RequestedKernels`]: the kernels that a rig was asked for, which are functions of its type, as a trait.
+//! [`RequestedKernels`]: the generic kernels of a rig, which the derive emits as functions of its type, as a trait.
 
 use aim::{AimRig, Scalar};
 
-/// A rig with all generic kernels. Arguments are those of the emitted functions.
+/// A rig with all generic kernels. The arguments are those of the emitted functions.
 pub trait RequestedKernels: AimRig {
-    /// A joint's aim and its derivatives.
+    /// Returns a joint's aim and its derivatives.
     fn joint_gradient<S: Scalar>(joint: usize, link: &[S; 12], target: &[S; 3], sin_cos: &[S; 4]) -> [S; 3];
-    /// The chain's aim and its derivatives.
+    /// Computes the chain's aim and its derivatives.
     fn value_gradient<S: Scalar>(links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
-    /// The chain's residual and its Jacobian.
+    /// Computes the chain's residual and its Jacobian.
     fn residual_with_jacobian<S: Scalar>(links: &[[S; 12]], target: &[S; 3], sin_cos: &[[S; 4]], out: &mut [S]);
 }
 
-/// Implements [`RequestedKernels`] for rigs that were asked for all kernels.
+/// Implements [`RequestedKernels`] for rigs that declare all kernels.
 #[macro_export]
 macro_rules! requested_kernels {
     ($($rig:ty),* $(,)?) => {$(

@@ -1,11 +1,11 @@
-//! The rigs that the numeric tests run over: every convention, general frames, hinges, chains of one to four joints.
-//! Shared by the build script, which emits them, and by the tests, which know what they should compute.
+//! The rigs of the numeric tests: every convention, general frames, hinges, chains of one to four joints. The build
+//! script, which emits them, and the tests, which check them, share this file.
 
 use aim_codegen::{AngleRange, EffectorSpec, Frame, JointSpec, LimitsFrom, RigSpec, Role};
 
 use crate::random::Random;
 
-/// One rig for each of the 48 conventions of the effector's joint, then sixteen with general frames.
+/// Returns one rig for each of the 48 conventions of the effector's joint, then sixteen with general frames.
 pub fn rigs() -> Vec<RigSpec> {
     let cardinal: Vec<Frame> = Frame::cardinal().collect();
     let mut random = Random::new(48);
@@ -37,7 +37,7 @@ pub fn rigs() -> Vec<RigSpec> {
         .collect()
 }
 
-/// A joint that has these angles and nothing else of note.
+/// Returns a joint that has these angles and otherwise default settings.
 pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> JointSpec {
     let range = AngleRange::Between(-2.0, 2.0);
     JointSpec {
@@ -58,7 +58,7 @@ pub fn bare_joint(number: usize, frame: Frame, pitch: bool, heading: bool) -> Jo
     }
 }
 
-/// Axes off every cardinal direction, of either handedness.
+/// Returns axes off every cardinal direction, of random handedness.
 pub fn general_frame(random: &mut Random) -> Frame {
     let [forward, left, up] = random.rotation();
     let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };

@@ -1,6 +1,8 @@
-//! Emitted WGSL, read and validated by naga, which had no part in writing it, and run in `f32` from naga's own form.
+//! Emitted WGSL, parsed and validated by naga, an independent implementation, and run in `f32` from naga's
+//! representation.
 //!
-//! What runs is what was parsed, operation by operation; only straight lines from numbers to an array of numbers do.
+//! The parsed module is evaluated operation by operation. Only straight-line functions from numbers to an array of
+//! numbers are supported.
 
 use std::borrow::Cow;
 
@@ -8,35 +10,35 @@ use aim_symbolic::Count;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{ArraySize, BinaryOperator, Expression, Handle, Literal, MathFunction, Statement, TypeInner, UnaryOperator};
 
-/// A valid module.
+/// A valid WGSL module.
 #[derive(Debug)]
 pub struct Module(naga::Module);
 
 impl Module {
-    /// Reads a module as it stands.
+    /// Parses and validates a module.
     ///
     /// # Panics
-    /// With the compiler's message where `source` is not valid WGSL.
+    /// Panics with the compiler's message if `source` is not valid WGSL.
     pub fn read(source: &str) -> Self {
         let module = naga::front::wgsl::parse_str(source).unwrap_or_else(|error| {
             panic!("{}", error.emit_to_string(source));
         });
-        // No capability: nothing that a device may lack.
+        // No capabilities: the module must not need anything that a device may lack.
         Validator::new(ValidationFlags::all(), Capabilities::default()).validate(&module).unwrap_or_else(|error| {
             panic!("{}", error.emit_to_string(source));
         });
         Self(module)
     }
 
-    /// The functions' names, in the order of the source.
+    /// Returns the functions' names, in the order of the source.
     pub fn names(&self) -> Vec<&str> {
         self.0.functions.iter().filter_map(|(_, function)| function.name.as_deref()).collect()
     }
 
-    /// The function with this name.
+    /// Returns the function with this name.
     ///
     /// # Panics
-    /// Where there is none.
+    /// Panics if there is none.
     pub fn function(&self, name: &str) -> Function<'_> {
         let mut functions = self.0.functions.iter().map(|(_, function)| function);
         let function = functions.find(|function| function.name.as_deref() == Some(name));
@@ -51,7 +53,7 @@ pub struct Function<'m> {
     function: &'m naga::Function,
 }
 
-/// What an expression gives.
+/// Value of an expression.
 #[derive(Clone, Debug)]
 enum Value<'i> {
     Number(f32),
@@ -60,10 +62,10 @@ enum Value<'i> {
 }
 
 impl Function<'_> {
-    /// The operations that the function performs.
+    /// Counts the operations that the function performs.
     ///
     /// # Panics
-    /// Where it is more than a straight line.
+    /// Panics if the function is not straight-line code.
     pub fn count(&self) -> Count {
         let mut count = Count::default();
         for expression in self.evaluated() {
@@ -86,11 +88,11 @@ impl Function<'_> {
         count
     }
 
-    /// Runs the function. Its parameters, numbers or arrays of them, take what they need from `inputs` one after the
-    /// other; the result is the array that it returns.
+    /// Runs the function. Its parameters, numbers or arrays of numbers, are filled from `inputs` in order; the result
+    /// is the array that it returns.
     ///
     /// # Panics
-    /// Where it takes another number of inputs, or is more than a straight line.
+    /// Panics if the number of inputs differs, or if the function is not straight-line code.
     pub fn run(&self, inputs: &[f32]) -> Vec<f32> {
         let arguments = self.arguments(inputs);
         let mut values: Vec<Option<Value<'_>>> = vec![None; self.function.expressions.len()];
@@ -108,7 +110,7 @@ impl Function<'_> {
         result.to_vec()
     }
 
-    /// The parameters' values.
+    /// Returns the parameters' values.
     fn arguments<'i>(&self, inputs: &'i [f32]) -> Vec<Value<'i>> {
         let mut rest = inputs;
         let mut take = |n: usize| {
@@ -128,7 +130,7 @@ impl Function<'_> {
         arguments
     }
 
-    /// What is evaluated, in that order, before the function returns.
+    /// Returns the expressions that are evaluated before the function returns, in order.
     fn evaluated(&self) -> impl Iterator<Item = Handle<Expression>> {
         self.function.body.iter().flat_map(|statement| match statement {
             Statement::Emit(range) => Some(range.clone()).into_iter().flatten(),
@@ -178,7 +180,7 @@ fn evaluate<'i>(expression: &Expression, values: &[Option<Value<'i>>]) -> Value<
         Expression::Math { fun: MathFunction::Atan2, arg, arg1: Some(x), .. } => {
             Value::Number(number(arg).atan2(number(x)))
         }
-        // As the language has it: a negative number has no power.
+        // WGSL defines `pow` by exp2 and log2: a negative base gives NaN.
         Expression::Math { fun: MathFunction::Pow, arg, arg1: Some(exponent), .. } => {
             Value::Number((number(exponent) * number(arg).log2()).exp2())
         }

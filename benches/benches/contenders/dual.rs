@@ -1,20 +1,20 @@
-//! The same by num-dual: the aim function once more, in dual numbers.
+//! The same functions by num-dual: the aim function written once more, in dual numbers.
 //!
-//! Both statements, each with the kind of dual number that is faster for it in instructions: of the paper's,
-//! `DualSVec` (334 in f32) against two of `Dual` (473); of the other, two of `Dual` (229), whose common parts the
-//! compiler merges, against `DualSVec` (233).
+//! Each of the two formulations uses the kind of dual number that takes fewer instructions for it. In f32, the paper's
+//! takes 334 with one `DualSVec` and 473 with two `Dual`s; the turned-back one takes 229 with two `Dual`s, whose common
+//! parts the compiler merges, and 233 with `DualSVec`.
 
 use aim_benches::Float;
 use aim_benches::pose::JointPose;
 use nalgebra::{Const, U1};
 use num_dual::{Dual, DualNum, DualNumFloat, DualSVec};
 
-/// f32 or f64, for num-dual too.
+/// An `f32` or `f64` that num-dual can differentiate as well.
 pub trait Real: Float + DualNum<Primitive = Self> + DualNumFloat {}
 impl Real for f32 {}
 impl Real for f64 {}
 
-/// One joint from its angles, as the paper states it: the effector is turned forward.
+/// One joint from its angles, as the paper formulates it: the effector is rotated forward into joint space.
 #[inline(always)]
 pub fn paper<S: Real>(pose: &JointPose<S>) -> [S; 3] {
     let [pitch, heading] = pose.angles;
@@ -25,7 +25,8 @@ pub fn paper<S: Real>(pose: &JointPose<S>) -> [S; 3] {
     [aim.re, by[0], by[1]]
 }
 
-/// One joint from its angles, with what the derivation finds put in by hand: the target is turned back.
+/// One joint from its angles, with the derivation's main simplification applied by hand: the target is rotated back
+/// instead.
 #[inline(always)]
 pub fn turned_back<S: Real>(pose: &JointPose<S>) -> [S; 3] {
     let [pitch, heading] = pose.angles;

@@ -1,4 +1,5 @@
-//! What the derived kernels are measured against, and the check that all give the same: a fast wrong answer wins nothing.
+//! Implementations that the derived kernels are compared with. The benchmarks check that all of them return the same
+//! values before any of them is timed.
 
 pub mod dual;
 pub mod symbolic;

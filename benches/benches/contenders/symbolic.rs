@@ -1,12 +1,13 @@
-//! The same by symdiff, whose attribute differentiates scalar expressions while compiling.
+//! The same functions by symdiff, whose attribute macro differentiates scalar expressions at compile time.
 //!
-//! It knows f64 slices, arithmetic, sines, cosines and square roots, so the problem can be stated, in components. It
-//! knows no vectors or rotations, no f32, no select for a guard, and no angle whose sine and cosine are given. The
-//! statement is the cheaper one, with the target turned back; the value is a call of its own.
+//! symdiff supports f64 slices, arithmetic, sines, cosines and square roots, so the problem can be written in
+//! components. It has no vectors or rotations, no f32, no select for a guard, and cannot take the sine and cosine of an
+//! angle as inputs. The cheaper formulation is used here, with the target rotated back. The value takes a call of its
+//! own.
 
 use aim_benches::pose::JointPose;
 
-/// One joint, from its angles.
+/// Returns aim, ∂aim/∂pitch, ∂aim/∂heading of one joint, from its angles.
 #[inline(always)]
 pub fn joint(pose: &JointPose<f64>) -> [f64; 3] {
     let value = aim(&pose.angles, &pose.target, &pose.link);

@@ -1,8 +1,9 @@
-//! Judges the counts that `cargo bench -p aim-benches --bench instructions -- --save-summary=json` left, and writes them
-//! into README.md.
+//! Checks the counts saved by `cargo bench -p aim-benches --bench instructions -- --save-summary=json` against their
+//! limits, and writes them into README.md.
 //!
 //! `bench_table [--check] [FOLDER]`: with `--check` nothing is written, and a stale table is a failure. FOLDER is where
-//! gungraun left its summaries, by default that of this workspace's target folder. Exits 1 when a limit is exceeded.
+//! gungraun saved its summaries, by default its folder in this workspace's target folder. Exits with 1 if a limit is
+//! exceeded.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -47,7 +48,7 @@ fn run() -> Result<String, String> {
 
     let path = root.join("README.md");
     let readme = fs::read_to_string(&path).map_err(|error| format!("README.md: {error}"))?;
-    // Written before judging: what was measured is shown, whether it pleases or not.
+    // Written before the limits are checked: the table shows the measurements even if a limit is exceeded.
     let said = if !check {
         let readme = table::replaced(&readme, &markdown)?;
         fs::write(&path, readme).map_err(|error| format!("README.md: {error}"))?;

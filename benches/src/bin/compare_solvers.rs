@@ -1,7 +1,8 @@
 //! Compares the solvers that can turn a gaze to a target, and prints the table of `docs/solvers.md`.
 //!
-//! `compare_solvers [--check]`: with `--check` it exits 1 where that page holds another table. Instructions are counted by
-//! valgrind, and may be off by a quarter: another compiler has others. `compare_solvers --run NAME COUNT` is what it counts.
+//! `compare_solvers [--check]`: with `--check` it exits with 1 if that page shows a different table. Instructions are
+//! counted by valgrind and may differ by a quarter, since they depend on the compiler.
+//! `compare_solvers --run NAME COUNT` is the process whose instructions are counted.
 
 use std::env;
 use std::fmt::Write as _;
@@ -14,8 +15,9 @@ use aim_benches::callgrind;
 use aim_benches::solver::compare::{Authored, CONTENDERS, Contender, Judged, cases, judged};
 use aim_benches::solver::row::{number, quantile};
 
-/// How many cases are judged, and how many are counted.
+/// Number of cases whose accuracy is judged.
 const JUDGED: usize = 2000;
+/// Number of cases whose instructions are counted.
 const COUNTED: usize = 64;
 
 fn main() -> ExitCode {
@@ -52,12 +54,12 @@ fn run() -> Result<(), String> {
     Ok(())
 }
 
-/// A link's second half: pages are linked by reference, as the documentation leads them to others.
+/// Returns the second half of a Markdown link: an anchor inline, another page as a reference link.
 fn link(page: &str) -> String {
     if page.starts_with('#') { format!("({page})") } else { format!("[{page}]") }
 }
 
-/// Whether two rows say the same, but for a quarter of the instructions.
+/// Returns `true` if two rows are equal, allowing a quarter's difference in the instructions.
 fn is_same(row: &str, other: &str) -> bool {
     let split = |row: &'_ str| -> Option<(String, f64)> {
         let (rest, count) = row.trim_end_matches([' ', '|']).rsplit_once('|')?;
@@ -92,7 +94,7 @@ fn table() -> Result<String, String> {
         };
         let mut errors: Vec<f64> = found.iter().map(|judged| judged.error_deg).collect();
         let mut rolls: Vec<f64> = found.iter().map(|judged| judged.roll_deg).collect();
-        // Where both are on target and there is anything to do.
+        // Only cases that both solvers solve and that need a displacement.
         let pairs = found.iter().zip(&exact).filter(|(a, b)| on_target(a) && on_target(b) && b.displacement > 1e-4);
         let mut ratios: Vec<f64> = pairs.map(|(a, b)| a.displacement / b.displacement).collect();
         let displacement =
@@ -118,7 +120,7 @@ fn on_target(judged: &Judged) -> bool {
     judged.error_deg <= 0.1
 }
 
-/// Of one case, to two digits: other compilers count a little differently.
+/// Returns the instructions of one case, rounded to two digits because they vary a little with the compiler.
 fn instructions(contender: &Contender) -> Result<String, String> {
     let count = |cases: usize| -> Result<f64, String> {
         let program = env::current_exe().map_err(|error| error.to_string())?;

@@ -1,7 +1,9 @@
-//! Prints what a natural gaze has to hold, as tables: how bakes look, how it moves beside people, what a frame costs.
+//! Prints the requirements on the natural gaze as tables: plausibility of bakes, movement compared with people's, and
+//! the cost of a frame.
 //!
-//! `gaze_table [--check [ROW…]]`: with `--check` it exits 1 when something does not hold, but for rows that begin so. The characters are the mannequin and, where
-//! `AIM_RIGS` names a folder, the files in it. Costs are counted by valgrind on `track_frames`, which is to be built beside:
+//! `gaze_table [--check [ROW…]]`: with `--check` it exits with 1 if a requirement does not hold, except for rows that
+//! begin with one of the given words. The characters are the mannequin and, if `AIM_RIGS` names a folder, the files in
+//! it. Costs are counted by valgrind on `track_frames`, which must be built first:
 //! `cargo build --release -p aim-benches --bins`.
 
 use std::env;
@@ -15,17 +17,18 @@ use aim_benches::solver::row::{Row, markdown};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::Document;
 
-/// What is counted: a mode of `track_frames`, in words, and the most instructions of a character and frame.
+/// Counted cases: mode of `track_frames`, description, and limit in instructions per character and frame.
 const COSTS: [(&str, &str, f64); 4] = [
     ("natural", "following", 3500.0),
     ("natural-aside", "target long out of reach", 5000.0),
     ("natural-overhead", "target overhead", 5000.0),
     ("natural-jump", "target that jumps to and fro", 5000.0),
 ];
-/// The most instructions that following by both eyes takes beyond following by one.
+/// Limit for the extra instructions per character and frame of following with both eyes instead of one.
 const SECOND_EYE: f64 = 600.0;
-/// Characters of `track_frames`, and the frames by which two runs differ.
+/// Number of characters in `track_frames`.
 const CHARACTERS: f64 = 64.0;
+/// Numbers of frames of the two runs whose instructions are subtracted.
 const FRAMES: [u32; 2] = [200, 400];
 
 fn main() -> ExitCode {
@@ -70,7 +73,7 @@ fn run() -> Result<bool, String> {
     Ok(!check || broken.iter().all(is_excepted))
 }
 
-/// The models in the folder of real characters, in the order of their names.
+/// Returns the model files in the folder that `AIM_RIGS` names, sorted by path; none if it is not set.
 fn characters() -> Result<Vec<PathBuf>, String> {
     let Some(folder) = env::var_os("AIM_RIGS") else {
         eprintln!("gaze_table: AIM_RIGS names no folder of characters: the mannequin alone is baked");

@@ -1,11 +1,15 @@
-//! What is counted: poses of 64 bones, sampled from a clip, blended, or taken to model space, and little else.
+//! A program for counting instructions: samples, blends or transforms poses of 64 bones, and does little else.
 //!
-//! `pose_frames none|sample|packed|blend|sum|model|matrices|deform|stack-… FRAMES`: two runs differ by the work of the frames by which
-//! they differ; `none` is the frame without the work. Every bone has its own linear tracks of translation, rotation and scale, of 30
-//! keys a second, sampled forward at 60 Hz with one cursor; `packed` is its first half second, packed to a thousandth and repeated. `sum` is of four poses;
-//! `matrices` are those of all bones, and `deform` moves as many vertices of four joints each. `stack-blend`, `stack-feet`, `stack-aim`
-//! and `stack-hand` are frames of layers on a figure, each with those before it: two clips blended, two planted feet, three joints
-//! aimed, one hand.
+//! `pose_frames none|sample|packed|blend|sum|model|matrices|deform|stack-… FRAMES`: the difference between two runs is
+//! the work of the frames by which they differ; `none` is the empty frame.
+//! - `sample`: every bone has its own linear tracks of translation, rotation and scale, with 30 keys a second, sampled
+//!   forward at 60 Hz with one cursor.
+//! - `packed`: the first half second of that clip, packed to a tolerance of 0.001 and repeated.
+//! - `blend`: two poses; `sum`: four poses.
+//! - `model`: model-space transforms; `matrices`: skinning matrices of all bones; `deform`: 64 vertices of four joints
+//!   each.
+//! - `stack-blend`, `stack-feet`, `stack-aim`, `stack-hand`: frames of layers on a figure, each with the layers before
+//!   it: two clips blended, two planted feet, three joints aimed, one hand.
 
 use std::env;
 use std::hint::black_box;
@@ -21,10 +25,10 @@ use aim::{AimRig, Joint};
 const BONES: usize = 64;
 /// Keys of the clip, 30 a second.
 const KEYS: u16 = 600;
-/// Of it this much is packed, seconds: packing is not what is counted.
+/// Length of the packed part of the clip, seconds; short, since packing itself is not measured.
 const PACKED_S: f32 = 0.5;
 
-/// Three bones of a chain of the stack.
+/// The aim chain of the layer stack: three bones.
 #[derive(AimRig)]
 #[aim(axes(up = +Y, forward = +Z, left = +X))]
 struct Spine {
@@ -40,7 +44,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let [work, frames] = arguments.as_slice() else { return usage() };
     let Ok(frames) = frames.parse::<u16>() else { return usage() };
-    // A chain of four to each bone of a spine.
+    // A spine with a chain of four bones (itself included) at each of its bones.
     let bones = (0..BONES).map(|bone| {
         let parent = if bone % 4 == 0 { bone.checked_sub(4) } else { Some(bone - 1) };
         Bone::new("bone", parent).with_rest(Transform::new(Vec3::Y * 0.1, Quat::from_rotation_z(0.1)))
@@ -94,7 +98,8 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// Frames of the layers up to one: legs and an arm are chains of three bones of the skeleton, as everything moves.
+/// Runs frames of the layers up to `last`. Legs and arm are chains of three bones of the skeleton, all of which the
+/// clips move.
 fn stack(skeleton: &Skeleton, clip: Clip, last: &str, frames: u16) -> ExitCode {
     let Some(count) = ["blend", "feet", "aim", "hand"].iter().position(|layer| *layer == last) else { return usage() };
     let other = clip.reversed();
@@ -126,7 +131,7 @@ fn usage() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// A vertex for each bone, moved by that and the next three.
+/// Builds a mesh with one vertex for each bone, moved by that bone and the next three.
 fn mesh() -> Mesh {
     let joint = |bone: usize| u32::try_from(bone % BONES).unwrap_or_default();
     let influences = |bone: usize| [0, 1, 2, 3].map(|next| Influence::new(joint(bone + next), 0.25));

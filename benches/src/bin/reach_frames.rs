@@ -1,7 +1,8 @@
-//! What is counted: deforming a trajectory of so many frames, so many times, and little else.
+//! A program for counting instructions: deforms a trajectory of FRAMES frames TIMES times, and does little else.
 //!
-//! `reach_frames FRAMES TIMES`: two runs differ by the work of the times by which they differ. The trajectory is a motion of 60
-//! frames again and again; it is spread over as many frames and evaluated as often, however many there are.
+//! `reach_frames FRAMES TIMES`: the difference between two runs is the work of the repetitions by which they differ.
+//! The trajectory repeats a motion of 60 frames. For any number of frames, the deformation is spread over the same
+//! number of frames and takes the same number of evaluations.
 
 use std::env;
 use std::hint::black_box;

@@ -1,7 +1,8 @@
-//! Measures everything that the whole-chain solvers have to hold, and prints it as tables.
+//! Measures all requirements on the whole-chain solvers, and prints them as tables.
 //!
-//! `solver_table [--check] [--quick] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits 1 when something
-//! does not hold. `--quick` measures a sixteenth. With words, only the measurements whose name has one of them.
+//! `solver_table [--check] [--quick] [--solver exact|natural|ascent|paper] [WORD…]`: with `--check` it exits with 1 if
+//! a requirement does not hold. `--quick` measures one sixteenth of the cases. With words, only measurements whose name
+//! contains one of them run.
 
 use std::env;
 use std::process::ExitCode;
@@ -12,7 +13,7 @@ use aim_benches::solver::row::{Row, markdown};
 use aim_benches::solver::sample::Sample;
 use aim_benches::solver::{exact, natural};
 
-/// A measurement by its name.
+/// A named measurement.
 type Measurement = (&'static str, fn(&Sample) -> Vec<Row>);
 
 const EXACT: &[Measurement] = &[
@@ -37,7 +38,7 @@ const NATURAL: &[Measurement] = &[
     ("natural resting", natural::resting),
 ];
 
-/// For comparison: the published method on the rows it is quoted for.
+/// The published method, for comparison, on the rows that the documentation quotes for it.
 const PAPER: &[Measurement] = &[
     ("paper", |sample| {
         exact::tracking_of(&Sample { settings: ascent(Ascent::paper()), ..*sample }, "the paper's method, ")
@@ -91,7 +92,7 @@ fn run() -> Result<bool, String> {
     println!("{}", markdown("natural layer", &natural));
     judged.extend(natural);
     let paper = measure("paper", PAPER, &sample, &words);
-    // What it does not hold is why there is another.
+    // The published method is shown only for comparison, so its rows are not judged.
     let paper: Vec<Row> = paper.into_iter().map(|row| Row { held: None, ..row }).collect();
     println!("{}", markdown("for comparison", &paper));
     let broken = judged.iter().filter(|row| row.held == Some(false)).count();

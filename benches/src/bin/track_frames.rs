@@ -1,9 +1,11 @@
-//! What is counted: characters that aim at a target, and nothing else in the frames that are asked for.
+//! A program for counting instructions: characters that aim at a target. The frames that are asked for contain nothing
+//! else.
 //!
-//! `track_frames exact|exact-inlined|natural|natural-eyes|eye|eye-inlined FRAMES` follow a swinging target, `natural-eyes` by
-//! both eyes; `natural-aside`, `natural-overhead` and `natural-jump` look, their animation moving, at what stands aside or overhead, out of reach, and at
-//! what is now here and now there. Everything that comes in is made ready for all frames, so
-//! that two runs differ by the solver's work in the frames by which they differ.
+//! `track_frames exact|exact-inlined|natural|natural-eyes|eye|eye-inlined FRAMES` follows a swinging target,
+//! `natural-eyes` with both eyes. `natural-aside` and `natural-overhead` look at a target out of reach, to the side or
+//! overhead, and `natural-jump` at one that alternates between two directions; in these three the animation moves. All
+//! inputs are prepared for all frames in advance, so that the difference between two runs is the solver's work in the
+//! frames by which they differ.
 
 use std::env;
 use std::hint::black_box;
@@ -14,11 +16,11 @@ use aim::{Aim, AimRig, Behind, Pose, Settings, Solver};
 use aim_benches::solver::chain::{EyeOnly, Gazer};
 use aim_benches::solver::workload::{Motion, Path, track};
 
-/// How many characters are counted.
+/// Number of characters.
 const CHARACTERS: usize = 64;
-/// Where the other eye is, to the left, metres.
+/// Offset of the other eye along the left axis, metres; negative is to the right.
 const APART: f32 = -0.06;
-/// Of how many frames inputs are made ready.
+/// Number of frames for which inputs are prepared.
 const FRAMES: u16 = 600;
 
 fn main() -> ExitCode {
@@ -50,7 +52,7 @@ fn usage() -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// Natural gazes, on a moving animation, at what is half a second in the one direction and half a second in the other.
+/// Runs natural gazes on a moving animation, at a target that alternates between two directions every half second.
 fn stand(frames: usize, ends: [[f32; 2]; 2]) {
     let mut motions = track(CHARACTERS, true);
     motions.iter_mut().for_each(|motion| motion.path = Path::Between { ends, stays: 0.5 });
@@ -61,12 +63,13 @@ fn stand(frames: usize, ends: [[f32; 2]; 2]) {
     );
 }
 
-/// By one eye.
+/// Follows the target with one eye.
 fn follow<R: AimRig, const INLINED: bool>(motions: &[Motion], frames: usize, settings: &Settings) {
     follow_by::<R, INLINED>(motions, frames, settings, None);
 }
 
-/// Frame by frame, all characters in each; where there is another eye, it is so far to the left of joint 0, metres.
+/// Runs the frames in order, all characters in each. `other_eye` is the offset of a second eye to the left of joint 0,
+/// metres.
 fn follow_by<R: AimRig, const INLINED: bool>(
     motions: &[Motion],
     frames: usize,

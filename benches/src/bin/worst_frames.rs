@@ -1,8 +1,9 @@
-//! What the dearest frame costs: characters in random poses that move, at targets anywhere which stand, move and jump.
+//! Finds the most expensive frame: characters in random, moving poses aim at targets anywhere that stand, move and
+//! jump.
 //!
-//! `worst_frames natural|exact [FRAMES]` ranks the frames (a million unless told) by the time that each takes, the least of three
-//! runs, and has valgrind count the instructions of the hundred that took longest. `worst_frames replay natural|exact CASE…` is
-//! what it counts: nothing but the calls of [`measured`].
+//! `worst_frames natural|exact [FRAMES]` ranks the frames (a million by default) by the least time of three runs of
+//! each, and has valgrind count the instructions of the hundred slowest. `worst_frames replay natural|exact CASE…` is
+//! the process that valgrind runs; only the calls of [`measured`] are counted.
 
 use std::env;
 use std::hint::black_box;
@@ -14,11 +15,11 @@ use aim::{Aim, Outcome, Pose, Settings, Solver};
 use aim_benches::callgrind;
 use aim_benches::solver::chain::{Animation, EYE_AT_REST, Gazer, direction, wobble};
 
-/// The frames of a character.
+/// Number of frames per character.
 const FRAMES: usize = 200;
-/// The frames that are counted.
+/// Number of frames whose instructions are counted.
 const COUNTED: usize = 100;
-/// The runs of a frame of which the fastest counts.
+/// Number of runs of each frame; the fastest counts.
 const ROUNDS: usize = 3;
 
 fn main() -> ExitCode {
@@ -51,20 +52,20 @@ fn settings(solver: &str) -> Result<Settings, String> {
     }
 }
 
-/// The one call that is counted.
+/// Makes the one call whose instructions are counted.
 #[inline(never)]
 fn measured(character: &mut Aim<Gazer>, input: &Input, settings: &Settings) -> Outcome {
     character.aim(black_box(&input.pose), black_box(input.target), input.dt, black_box(settings)).outcome
 }
 
-/// What comes into a frame.
+/// Inputs of a frame.
 struct Input {
     pose: Pose<[Affine3A; 3]>,
     target: Vec3,
     dt: f32,
 }
 
-/// What happens to a character, at random: the same for the same number.
+/// A random sequence of inputs for one character; the same number always gives the same sequence.
 struct Scene {
     random: fastrand::Rng,
     animation: Animation,
@@ -84,7 +85,8 @@ impl Scene {
         Self { random, animation, slouch, speed: Vec3::ZERO, target: EYE_AT_REST + Vec3::Z, dt, t: 0.0 }
     }
 
-    /// The next frame. One in twelve has the target jump and move on from there, one in fifty the animation.
+    /// Returns the inputs of the next frame. In one frame of twelve the target jumps and moves on from there; in one of
+    /// fifty the animation jumps.
     fn next(&mut self) -> Input {
         let random = &mut self.random;
         if random.u8(..12) == 0 {
@@ -105,7 +107,7 @@ impl Scene {
     }
 }
 
-/// A frame of a character, and how long it took.
+/// A frame of a character, and the time that it took.
 #[derive(Clone, Copy)]
 struct Frame {
     character: usize,
@@ -144,7 +146,7 @@ fn rank(solver: &str, frames: usize) -> Result<(), String> {
     Ok(())
 }
 
-/// The instructions of each frame, with its case.
+/// Returns the instructions of each frame, with its case in the form `character:frame`.
 fn count(solver: &str, frames: &[Frame]) -> Result<Vec<(u64, String)>, String> {
     let cases: Vec<String> = frames.iter().map(|frame| format!("{}:{}", frame.character, frame.frame)).collect();
     let arguments = [&["replay".to_owned(), solver.to_owned()], &cases[..]].concat();
@@ -152,7 +154,7 @@ fn count(solver: &str, frames: &[Frame]) -> Result<Vec<(u64, String)>, String> {
     Ok(counts.into_iter().zip(cases).collect())
 }
 
-/// The frames by themselves: what is before each is aimed by calls that do not count.
+/// Replays each case: aims through the preceding frames by calls that are not counted, then makes the counted call.
 fn replay(solver: &str, cases: &[&str]) -> Result<(), String> {
     let settings = settings(solver)?;
     for case in cases {

@@ -1,4 +1,4 @@
-//! The character of the workloads: chest, head and eye in their proportions, posed at random or moving.
+//! The character of the workloads: chest, head and eye with human proportions, in random or moving poses.
 
 use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim::{AimRig, Joint, Rig};
@@ -6,10 +6,10 @@ use aim::{AimRig, Joint, Rig};
 /// One degree in radians.
 pub const DEG: f64 = std::f64::consts::PI / 180.0;
 
-/// The rig under measurement, by the derive: an eye on a head on a chest.
+/// The measured rig, declared with the derive macro: an eye on a head on a chest.
 ///
-/// The neck's heading is not levelled: level headings are judged on their own, and everything else then has a
-/// definition that needs no solver to be written down.
+/// The neck's heading is not levelled. Level headings have measurements of their own; without them, forward kinematics
+/// has a definition that is independent of the solvers.
 #[derive(Debug, AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 pub struct Gazer {
@@ -21,7 +21,7 @@ pub struct Gazer {
     spine3: Joint,
 }
 
-/// The eye alone.
+/// A rig of the eye alone.
 #[derive(Debug, AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 pub struct EyeOnly {
@@ -29,22 +29,23 @@ pub struct EyeOnly {
     eye: Joint,
 }
 
-/// The world has +Y up, faces +Z, and +X is left; so stands a bone that has +X up, +Y forward, +Z left.
+/// Returns the orientation of an upright bone with +X up, +Y forward, +Z left, in a world with +Y up in which the
+/// character faces +Z and its left is +X.
 fn upright() -> Mat3A {
     Mat3A::from_cols(Vec3::Y.into(), Vec3::Z.into(), Vec3::X.into())
 }
 
-/// Where the chest's joint stands, metres.
+/// Position of the chest's joint, metres.
 const CHEST: Vec3 = Vec3::new(0.0, 1.37, 0.0);
-/// The head's joint above it, in the world.
+/// Offset of the head's joint from the chest's, in world axes, metres.
 const HEAD: Vec3 = Vec3::new(0.0, 0.23, 0.0);
-/// The eye from the head's joint, in the world.
+/// Offset of the eye from the head's joint, in world axes, metres.
 const EYE: Vec3 = Vec3::new(0.03, 0.06, 0.09);
 
-/// Where the eye is without animation, metres.
+/// Position of the eye without animation, metres.
 pub const EYE_AT_REST: Vec3 = Vec3::new(0.03, 1.66, 0.09);
 
-/// The bones eye, neck, chest with these turns added in the world, each carried by those further in.
+/// Returns the bones eye, neck, chest with these rotations added in world axes; each bone carries those further out.
 pub fn posed(turns: [Quat; 3]) -> [Affine3A; 3] {
     let [eye, neck, chest] = turns;
     let spine = Affine3A::from_rotation_translation(chest, CHEST);
@@ -54,7 +55,7 @@ pub fn posed(turns: [Quat; 3]) -> [Affine3A; 3] {
     [eye, head, spine].map(|bone| bone * upright)
 }
 
-/// A direction anywhere.
+/// Returns a random unit vector, in any direction.
 pub fn direction(random: &mut fastrand::Rng) -> Vec3 {
     loop {
         let v = Vec3::from(std::array::from_fn(|_| 2.0 * random.f32() - 1.0));
@@ -64,24 +65,24 @@ pub fn direction(random: &mut fastrand::Rng) -> Vec3 {
     }
 }
 
-/// A turn of up to `degrees` about any axis.
+/// Returns a random rotation of up to `degrees` about a random axis.
 pub fn wobble(random: &mut fastrand::Rng, degrees: f32) -> Quat {
     Quat::from_axis_angle(direction(random), (degrees * (2.0 * random.f32() - 1.0)).to_radians())
 }
 
-/// Each joint turned by up to 5° at random.
+/// Returns a pose with each joint rotated at random by up to 5°.
 pub fn random_pose(random: &mut fastrand::Rng) -> [Affine3A; 3] {
     posed(std::array::from_fn(|_| wobble(random, 5.0)))
 }
 
-/// A pose that moves: each joint swings by up to 5° about an axis of its own, once in one to three seconds.
+/// A moving pose: each joint swings by up to 5° about an axis of its own, with a period of one to three seconds.
 #[derive(Clone, Copy, Debug)]
 pub struct Animation {
     joints: [(Vec3, f32, f32, f32); 3],
 }
 
 impl Animation {
-    /// Axes, amplitudes, speeds and phases at random.
+    /// Creates an animation with random axes, amplitudes, speeds and phases.
     pub fn random(random: &mut fastrand::Rng) -> Self {
         use std::f32::consts::TAU;
         Self {
@@ -92,7 +93,7 @@ impl Animation {
         }
     }
 
-    /// The pose at this time, seconds.
+    /// Returns the pose at time `t`, seconds.
     pub fn at(&self, t: f32) -> [Affine3A; 3] {
         posed(
             self.joints.map(|(axis, amplitude, speed, phase)| {
@@ -102,7 +103,7 @@ impl Animation {
     }
 }
 
-/// Angles anywhere in the ranges, as a state.
+/// Returns joints with random angles within their ranges; an angle without a range is 0.
 pub fn random_state(rig: &dyn Rig, random: &mut fastrand::Rng) -> Vec<Joint> {
     let mut anywhere = |range: Option<[f32; 2]>| {
         let [lo, hi] = range.map_or([0.0; 2], |range| range.map(|x| x.clamp(-3.1, 3.1)));

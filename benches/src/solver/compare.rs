@@ -1,5 +1,5 @@
-//! Every solver that can turn a gaze to a target, on one workload: targets in front of a character whose joints stand at
-//! random, each solved from the animation.
+//! Compares every solver that can turn a gaze to a target on one workload: targets in front of a character in a random
+//! pose, each solved from the animation.
 
 use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim::ik::{AimPose, AimPoses, Ccd, CcdJoint, CcdLimit, LookAt, OneBone, grid};
@@ -11,17 +11,17 @@ use super::workload::{Still, Where, bearing};
 /// A character's bones, from the eye inward.
 type Bones = [Affine3A; 3];
 
-/// A solver by its name: the bones as it leaves them.
+/// A named solver that is compared.
 #[derive(Clone, Copy, Debug)]
 pub struct Contender {
-    /// Its name in the table.
+    /// Name in the table.
     pub name: &'static str,
-    /// The page that tells about it.
+    /// Page of the documentation that describes the solver.
     pub page: &'static str,
     solve: fn(&Still, &Authored) -> Bones,
 }
 
-/// All of them.
+/// All compared solvers, in the order of the table.
 pub const CONTENDERS: [Contender; 8] = [
     Contender { name: "exact", page: "#the-aim-solvers", solve: |case, _| snapped(case, Solver::Exact) },
     Contender { name: "natural", page: "#the-aim-solvers", solve: |case, _| snapped(case, Solver::Natural) },
@@ -38,18 +38,19 @@ pub const CONTENDERS: [Contender; 8] = [
 ];
 
 impl Contender {
-    /// The bones as it leaves them.
+    /// Solves a case and returns the resulting bones.
     pub fn solve(&self, case: &Still, authored: &Authored) -> Bones {
         (self.solve)(case, authored)
     }
 }
 
-/// The workload: targets in the cone in front, at half a metre to five.
+/// Returns the workload: targets in the cone in front, at 0.5 to 5 m.
 pub fn cases(count: usize) -> Vec<Still> {
     Where::Cone.cases(count)
 }
 
-/// Fifteen poses, as an animator would make them: each joint's correction, from the eye inward.
+/// Fifteen aim poses, as an animator would author them: each joint's correction from the eye inward, and the direction
+/// of the gaze.
 #[derive(Clone, Debug)]
 pub struct Authored {
     poses: Vec<([Quat; 3], Vec3)>,
@@ -113,7 +114,7 @@ fn ccd(case: &Still) -> Bones {
     let most = infos().map(|info| info.heading.unwrap_or_default()[1]);
     let joint = |bone: &Affine3A, most_rad: f32| CcdJoint::new(at(bone)).with_limit(CcdLimit::Ball { most_rad });
     let mut joints = [joint(&chest, most[2]), joint(&head, most[1]), joint(&eye, most[0])];
-    // What shall meet the target is the point that the eye would look at as far away.
+    // The tip that should meet the target is the point straight ahead of the eye, at the target's distance.
     let tip = at(&eye) + gaze(&case.pose) * at(&eye).distance(case.target);
     Ccd::new().solve(&mut joints, tip, case.target);
     let chest_posed = turned(joints[0].turn, &chest);
@@ -133,7 +134,8 @@ fn by_poses(case: &Still, authored: &Authored) -> Bones {
     let to_target = |bones: &Bones| (case.target - Vec3::from(bones[0].translation)).normalize();
     let wanted = to_target(&case.pose);
     let mut turns = [Quat::IDENTITY; 3];
-    // The eye moves as the joints turn: what it aims at is counted from where the target is seen then.
+    // Turning the joints also moves the eye. The gaze is therefore measured relative to the direction in which the
+    // target is seen from the moved eye.
     let aim = |turns: &[Quat]| {
         let bones = corrected(&case.pose, [turns[0], turns[1], turns[2]]);
         Quat::from_rotation_arc(to_target(&bones), wanted) * gaze(&bones)
@@ -162,20 +164,20 @@ fn gaze(bones: &Bones) -> Vec3 {
     bones[0].transform_vector3(Vec3::Y).normalize()
 }
 
-/// How a solver left a character.
+/// Quality of a solver's result on one case.
 #[derive(Clone, Copy, Debug)]
 pub struct Judged {
-    /// Between the eye's gaze and its target, degrees.
+    /// Angle between the eye's gaze and its target, degrees.
     pub error_deg: f64,
-    /// How far the worst angle is beyond its range, degrees; of what is no heading and no pitch, all of it.
+    /// Largest excess of an angle over its range, degrees. The range of an angle that the rig does not declare is zero.
     pub beyond_deg: f64,
-    /// The stiffness-weighted squares of the joints' turns, halved.
+    /// Half the stiffness-weighted sum of the squares of the joints' rotation angles.
     pub displacement: f64,
-    /// How far the eye is rolled about its gaze beyond the animation, degrees.
+    /// Roll of the eye about its gaze relative to the animation, degrees.
     pub roll_deg: f64,
 }
 
-/// What became of a case, from the bones alone.
+/// Judges the result of a case from the bones alone.
 pub fn judged(case: &Still, bones: &Bones) -> Judged {
     let error = gaze(bones).angle_between(case.target - Vec3::from(bones[0].translation));
     let (mut beyond, mut displacement) = (0.0_f32, 0.0_f64);

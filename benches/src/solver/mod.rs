@@ -1,10 +1,10 @@
-//! What the whole-chain solvers have to hold, measured: correctness against an independent reference, cost, and how a
-//! natural gaze moves.
+//! Requirements on the whole-chain solvers, measured: correctness against an independent reference, cost, and the
+//! movement of a natural gaze.
 //!
-//! [`chain`] is the character and [`workload`] what it looks at, [`random_rigs`] are all the other rigs. [`model`] is the
-//! rig as the definitions have it, in double precision, and [`mod@reference`] finds on it what the solvers should have found;
-//! neither shares code with them. Each function of [`exact`] and [`natural`] is a row or a few of the table.
-//! [`compare`] sets the solvers beside each other.
+//! [`chain`] holds the character, [`workload`] its targets and motions, [`random_rigs`] all other rigs. [`model`] is
+//! forward kinematics written from the definitions in double precision, and [`mod@reference`] finds on it the angles
+//! that the solvers should find; neither shares code with the solvers. Each function of [`exact`] and [`natural`]
+//! returns one or more rows of the table. [`compare`] compares the solvers with each other.
 
 pub mod chain;
 pub mod compare;

@@ -1,32 +1,33 @@
-//! [`Model`]: a rig in a pose as the definitions have it, in double precision: what the solvers are judged by.
+//! [`Model`]: forward kinematics of a rig in a pose, written from the definitions in double precision. The solvers are
+//! judged by it.
 
 use aim::glam::{Affine3A, DAffine3, DVec3, Quat};
 use aim::{Joint, Rig};
 
-/// The most angles that a rig under test has.
+/// Largest number of angles of a rig under test.
 pub const MOST: usize = 14;
 
-/// A value for each declared angle; those past the last are 0.
+/// A value for each declared angle, radians; the rest of the array is 0.
 pub type Angles = [f64; MOST];
 
 /// One declared angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Angle {
-    /// Its joint, from the effector inward.
+    /// Index of the joint, from the effector inward.
     pub joint: usize,
-    /// Whether it is the joint's heading.
+    /// `true` for the joint's heading, `false` for its pitch.
     pub heading: bool,
-    /// Its range of motion.
+    /// Range of motion, radians.
     pub range: [f64; 2],
-    /// Its largest speed, rad/s.
+    /// Largest speed, rad/s.
     pub rate: f64,
-    /// Its weight in the displacement cost.
+    /// Weight in the displacement cost.
     pub stiffness: f64,
-    /// The plane it turns in, from the first direction towards the second, in the joint's space.
+    /// Plane of rotation in the joint's space: the angle turns the first direction towards the second.
     plane: [DVec3; 2],
 }
 
-/// A rig in a pose.
+/// A rig in a pose, in double precision.
 #[derive(Clone, Debug)]
 pub struct Model {
     /// The declared angles, joint by joint from the effector inward, pitch before heading.
@@ -34,28 +35,28 @@ pub struct Model {
     origin: DVec3,
     forward: DVec3,
     left: DVec3,
-    /// Each joint in the next one's space, the last in the pose's.
+    /// Transform of each joint to the next one's space; of the last one, to the pose's.
     links: Vec<DAffine3>,
 }
 
-/// `v` turned in the plane of two unit vectors square to each other, from the first towards the second.
+/// Rotates `v` in the plane of two orthogonal unit vectors, from the first towards the second.
 fn turn(v: DVec3, [from, towards]: [DVec3; 2], (sin, cos): (f64, f64)) -> DVec3 {
     let (x, y) = (v.dot(from), v.dot(towards));
     v + (x * (cos - 1.0) - y * sin) * from + (x * sin + y * (cos - 1.0)) * towards
 }
 
-/// The angle between two vectors, 0…π, however small it is.
+/// Returns the angle between two vectors, 0…π; accurate for small angles.
 pub(crate) fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Three numbers in double precision.
+/// Converts three numbers to double precision.
 pub(crate) fn double(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
 impl Model {
-    /// The rig in this pose, its joints from the effector inward.
+    /// Creates the model of a rig in this pose, whose joints are ordered from the effector inward.
     pub fn new(rig: &dyn Rig, pose: &[Affine3A]) -> Self {
         let description = rig.description();
         let infos = description.joints();
@@ -81,16 +82,16 @@ impl Model {
         let links = frames.iter().enumerate().map(link).collect();
         let effector = description.effector();
         let forward = double(effector.forward).normalize();
-        // Any direction square to forward does: only lengths of residuals and their zeros count.
+        // Any direction perpendicular to forward will do: only the residuals' lengths and zeros matter.
         Self { angles, origin: double(effector.origin), forward, left: forward.any_orthonormal_vector(), links }
     }
 
-    /// The number of declared angles.
+    /// Returns the number of declared angles.
     pub fn count(&self) -> usize {
         self.angles.len()
     }
 
-    /// The joints' angles in the order of the declared ones.
+    /// Returns the joints' angles in the order of [`Model::angles`].
     pub fn read(&self, joints: &[Joint]) -> Angles {
         let mut values = [0.0; MOST];
         for (value, angle) in values.iter_mut().zip(&self.angles) {
@@ -100,7 +101,7 @@ impl Model {
         values
     }
 
-    /// Where the effector is, where it looks, and a direction square to that, in the pose's space.
+    /// Returns the effector's position, forward direction and a direction perpendicular to it, in the pose's space.
     fn effector(&self, values: &Angles) -> [DVec3; 3] {
         let [mut origin, mut forward, mut left] = [self.origin, self.forward, self.left];
         let mut angles = self.angles.iter().zip(values).peekable();
@@ -114,34 +115,35 @@ impl Model {
         [origin, forward, left]
     }
 
-    /// Where the effector looks with these angles, a unit vector.
+    /// Returns the effector's direction at these angles, a unit vector in the pose's space.
     pub fn gaze(&self, values: &Angles) -> DVec3 {
         self.effector(values)[1].normalize()
     }
 
-    /// Where the effector is, in the pose's space.
+    /// Returns the effector's position at these angles, in the pose's space.
     pub fn origin(&self, values: &Angles) -> DVec3 {
         self.effector(values)[0]
     }
 
-    /// The point at this distance straight ahead of the effector.
+    /// Returns the point at this distance straight ahead of the effector.
     pub fn ahead(&self, values: &Angles, distance: f64) -> DVec3 {
         let [origin, forward, _] = self.effector(values);
         origin + distance * forward.normalize()
     }
 
-    /// The angle between the gaze and the target, radians.
+    /// Returns the angle between the gaze and the target, radians.
     pub fn remaining(&self, values: &Angles, target: DVec3) -> f64 {
         let [origin, forward, _] = self.effector(values);
         angle(forward, target - origin)
     }
 
-    /// How far the effector is from the target.
+    /// Returns the distance of the effector from the target.
     pub fn distance(&self, values: &Angles, target: DVec3) -> f64 {
         target.distance(self.effector(values)[0])
     }
 
-    /// The same angle as a vector: its length along the direction, seen from the effector, in which the target is.
+    /// Returns the angle between gaze and target as a vector: its length is the angle in radians, its direction that of
+    /// the target as seen from the effector.
     pub fn residual(&self, values: &Angles, target: DVec3) -> [f64; 2] {
         let [origin, forward, left] = self.effector(values);
         let to_target = target - origin;
@@ -155,7 +157,7 @@ impl Model {
         lateral.map(|x| angle * x / length)
     }
 
-    /// The residual's derivatives by each angle, by central differences.
+    /// Returns the residual's derivatives by each angle, by central differences.
     pub fn jacobian(&self, values: &Angles, target: DVec3) -> [[f64; 2]; MOST] {
         const STEP: f64 = 1e-5;
         let mut jacobian = [[0.0; 2]; MOST];
@@ -171,12 +173,13 @@ impl Model {
         jacobian
     }
 
-    /// Σ stiffness θ², stiffnesses as declared.
+    /// Returns the displacement cost Σ stiffness θ², with the declared stiffnesses.
     pub fn cost(&self, values: &Angles) -> f64 {
         self.angles.iter().zip(values).map(|(angle, value)| angle.stiffness * value * value).sum()
     }
 
-    /// The effector's gaze as *corrections* turn it: what a user sees of the rig.
+    /// Returns the effector's position and direction after the *corrections* are applied, as a user of the rig sees
+    /// them.
     pub fn seen(&self, corrections: &[Quat]) -> [DVec3; 2] {
         let [mut origin, mut forward] = [self.origin, self.forward];
         for (correction, link) in corrections.iter().zip(&self.links) {
@@ -187,24 +190,25 @@ impl Model {
         [origin, forward.normalize()]
     }
 
-    /// The angle between that gaze and the target, radians.
+    /// Returns the angle between the corrected gaze and the target, radians.
     pub fn seen_remaining(&self, corrections: &[Quat], target: DVec3) -> f64 {
         let [origin, forward] = self.seen(corrections);
         angle(forward, target - origin)
     }
 
-    /// The ranges of motion.
+    /// Returns the lower and upper ends of the ranges of motion.
     pub fn ranges(&self) -> [Angles; 2] {
         self.bounds(|angle| angle.range)
     }
 
-    /// What the ranges leave of a movement from `from` for `seconds` at the angles' rates.
+    /// Returns the bounds of the angles that are reachable from `from` within `seconds` at the declared rates and
+    /// within the ranges.
     pub fn reach(&self, from: &Angles, seconds: f64) -> [Angles; 2] {
         let mut from = from.iter();
         self.bounds(|angle| {
             let (from, step) = (*from.next().unwrap_or(&0.0), angle.rate * seconds);
             let [lo, hi] = angle.range;
-            // Outside its range an angle goes back.
+            // An angle outside its range may only move back towards it.
             [lo.max(from - step).min(from + step), hi.min(from + step).max(from - step)]
         })
     }
@@ -217,7 +221,8 @@ impl Model {
         bounds
     }
 
-    /// How long the joints may need from anywhere to anywhere, one after the other: the sum of range over rate, seconds.
+    /// Returns an upper bound of the time to move from any angles to any others, seconds: the sum over the joints of
+    /// range divided by rate.
     pub fn longest(&self) -> f64 {
         let seconds = |angle: &Angle| (angle.range[1] - angle.range[0]).min(std::f64::consts::TAU) / angle.rate;
         let of = |joint: usize| self.angles.iter().filter(move |angle| angle.joint == joint).map(seconds);

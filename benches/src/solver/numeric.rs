@@ -1,6 +1,7 @@
-//! [`NumericRig`]: a rig of any joints that is made in no time, for random rigs by the hundred thousand.
+//! [`NumericRig`]: a rig of any joints that needs no compilation, for random rigs by the hundred thousand.
 //!
-//! Its kernels are the geometry of turning about a pivot, not derived; those of the compiled rigs are judged elsewhere.
+//! Its kernels compute the derivatives geometrically, from rotations about pivots; they are not derived. The derived
+//! kernels of compiled rigs have tests of their own.
 
 use aim::glam::{Affine3A, Mat3A, Vec3A};
 use aim::{Description, Effector, JointInfo, Rig, Scalar};
@@ -8,27 +9,27 @@ use aim::{Description, Effector, JointInfo, Rig, Scalar};
 /// A rig with geometric kernels.
 #[derive(Clone, Debug)]
 pub struct NumericRig {
-    /// What is declared of each joint.
+    /// Declaration of each joint, from the effector inward.
     pub infos: Vec<JointInfo>,
-    /// What is aimed.
+    /// The effector, in the space of the first joint.
     pub effector: Effector,
 }
 
 impl NumericRig {
-    /// The rig at rest; the first joint's forward is aimed.
+    /// Creates a rig of these joints that aims the first joint's forward.
     pub fn new(infos: &[JointInfo]) -> Self {
         let effector = Effector { forward: infos[0].axes().forward, origin: [0.0; 3] };
         Self { infos: infos.to_vec(), effector }
     }
 
-    /// The same rig as another declares it.
+    /// Creates a rig with the declaration of another.
     pub fn like(rig: &dyn Rig) -> Self {
         let description = rig.description();
         Self { effector: *description.effector(), ..Self::new(description.joints()) }
     }
 }
 
-/// A turn of what it carries: its plane and its pivot in the last joint's space.
+/// One declared angle's rotation: its plane and its pivot in the last joint's space.
 struct Turn {
     from: Vec3A,
     towards: Vec3A,
@@ -36,24 +37,24 @@ struct Turn {
 }
 
 impl Turn {
-    /// How `axis · p` changes with the angle for a point `p` that is carried.
+    /// Returns the derivative by the angle of `axis · p`, where `p` is a carried point at `arm` from the pivot.
     fn lever(&self, axis: Vec3A, arm: Vec3A) -> f32 {
         axis.dot(self.towards) * self.from.dot(arm) - axis.dot(self.from) * self.towards.dot(arm)
     }
 }
 
-/// The chain seen from its last joint.
+/// The chain in the space of its last joint.
 struct Carried {
-    /// From effector space.
+    /// Transform from effector space.
     frame: Affine3A,
-    /// In the declared order.
+    /// Rotations of the declared angles, in order.
     turns: Vec<Turn>,
 }
 
 impl Carried {
     fn new(infos: &[JointInfo], links: &[[f32; 12]], sin_cos: &[[f32; 4]]) -> Self {
         let mut carried = Self { frame: Affine3A::IDENTITY, turns: Vec::with_capacity(2 * infos.len()) };
-        // From the last joint outward.
+        // Compose from the last joint outward.
         for ((info, link), &[sin_p, cos_p, sin_h, cos_h]) in infos.iter().zip(links).zip(sin_cos).rev() {
             let axes = info.axes();
             if info.heading.is_some() {
@@ -76,7 +77,7 @@ impl Carried {
         self.frame.matrix3 *= plane * turned * plane.transpose();
     }
 
-    /// Aim, then its derivatives.
+    /// Computes the aim, then its derivatives.
     fn aim(&self, forward: [f32; 3], target: Vec3A, out: &mut [f32]) {
         let forward = self.frame.matrix3 * Vec3A::from(forward);
         let to_target = target - self.frame.translation;
@@ -86,12 +87,12 @@ impl Carried {
         let across = (forward - aim * unit) * inverse;
         out[0] = aim;
         for (out, turn) in out[1..].iter_mut().zip(&self.turns) {
-            // The origin moves and the direction turns.
+            // Two terms: the rotation of the direction, and the movement of the origin.
             *out = turn.lever(unit, forward) - turn.lever(across, self.frame.translation - turn.pivot);
         }
     }
 
-    /// The stereographic residual along two axes, then its derivatives.
+    /// Computes the stereographic residual along two axes, then its derivatives.
     fn residual(&self, axes: [Vec3A; 3], target: Vec3A, out: &mut [f32]) {
         let [forward, left, up] = axes.map(|axis| self.frame.matrix3 * axis);
         let to_target = target - self.frame.translation;
@@ -102,7 +103,7 @@ impl Carried {
             let lateral = to_target.dot(axis);
             out[k] = 2.0 * lateral * inverse;
             for (i, turn) in self.turns.iter().enumerate() {
-                // Seen from the effector, the target turns the other way about the same pivot.
+                // In effector space, the target rotates in the opposite sense about the same pivot.
                 let arm = target - turn.pivot;
                 let d_lateral = -turn.lever(axis, arm);
                 let d_length = -turn.lever(to_target, self.frame.translation - turn.pivot) * per_length;
@@ -113,7 +114,7 @@ impl Carried {
     }
 }
 
-/// 1 / `x`, and 0 where `x` is not above `least`.
+/// Returns 1 / `x`, or 0 if `x` is not above `least`.
 fn reciprocal(x: f32, least: f32) -> f32 {
     if least < x { x.recip() } else { 0.0 }
 }
@@ -132,7 +133,7 @@ impl Rig for NumericRig {
     }
 
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
-        // The effector's forward with two directions square to it, near the first joint's up and left.
+        // The effector's forward and two directions perpendicular to it, near the first joint's up and left.
         let (axes, forward) = (self.infos[0].axes(), Vec3A::from(self.effector.forward));
         let up = Vec3A::from(axes.up).reject_from_normalized(forward).normalize();
         let left = Vec3A::from(axes.left).reject_from_normalized(forward).reject_from_normalized(up).normalize();

@@ -1,11 +1,12 @@
-//! Work on every core, in an order that does not show.
+//! A parallel map over all cores with deterministic output order.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// `f` of 0, 1, … `count`, in that order.
+/// Returns `f(0)`, …, `f(count − 1)`, in that order.
 pub fn map<T: Send>(count: usize, f: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    /// Enough to take at once that taking does not count, and little enough that no core is left with all the rest.
+    /// Number of items that a worker takes at once: large enough to hide the cost of the atomic counter, small enough
+    /// to balance the load.
     const AT_ONCE: usize = 16;
     let next = AtomicUsize::new(0);
     let worker = || {

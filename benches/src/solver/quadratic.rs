@@ -1,16 +1,16 @@
-//! The one quadratic program that the reference needs, solved by two nested searches for the zero of a function that
-//! only rises: slow, and nothing can go wrong.
+//! The quadratic program of the reference, solved by two nested root searches of increasing functions: slow, but
+//! robust.
 //!
-//! Minimise `½ Σ wᵢ xᵢ² + |A x − b|² / 2μ` within `lo ≤ x ≤ hi`, where `A` has two rows. With `μ → 0` that is the least
-//! displacement subject to `A x = b` where the box allows it, and the nearest to it elsewhere. At the minimum
-//! `xᵢ = clamp(aᵢ·λ / wᵢ)` and `A x + μ λ = b`: two equations in two unknowns, each side of which rises with its own.
+//! Minimises `½ Σ wᵢ xᵢ² + |A x − b|² / 2μ` within `lo ≤ x ≤ hi`, where `A` has two rows. For `μ → 0` this is the least
+//! displacement subject to `A x = b` if the box allows it, and otherwise the point nearest to it. At the minimum
+//! `xᵢ = clamp(aᵢ·λ / wᵢ)` and `A x + μ λ = b`: two equations in two unknowns, each increasing in its own unknown.
 
 use super::model::{Angles, MOST};
 
-/// What to minimise.
+/// The objective and its bounds.
 #[derive(Clone, Copy, Debug)]
 pub struct Program<'a> {
-    /// How many unknowns there are.
+    /// Number of unknowns.
     pub count: usize,
     /// `aᵢ`, the columns of `A`.
     pub columns: &'a [[f64; 2]; MOST],
@@ -25,7 +25,7 @@ pub struct Program<'a> {
 }
 
 impl Program<'_> {
-    /// The minimum, and `λ`.
+    /// Returns the minimiser `x` and the multipliers `λ`.
     pub fn solve(&self) -> (Angles, [f64; 2]) {
         let first = zero(|first| {
             let second = self.second(first);
@@ -45,7 +45,7 @@ impl Program<'_> {
         x
     }
 
-    /// `A x + μ λ − b`
+    /// Returns `A x + μ λ − b`.
     fn excess(&self, multipliers: [f64; 2]) -> [f64; 2] {
         let x = self.at(multipliers);
         let mut excess = [0, 1].map(|k| self.softness * multipliers[k] - self.right[k]);
@@ -56,13 +56,13 @@ impl Program<'_> {
         excess
     }
 
-    /// The second multiplier that makes the second equation hold, given the first.
+    /// Returns the second multiplier, which satisfies the second equation for a given first one.
     fn second(&self, first: f64) -> f64 {
         zero(|second| self.excess([first, second])[1])
     }
 }
 
-/// The zero of a rising, piecewise linear function with a slope everywhere.
+/// Returns the zero of an increasing, piecewise linear function without flat pieces.
 fn zero(f: impl Fn(f64) -> f64) -> f64 {
     let (mut lo, mut hi) = (-1.0, 1.0);
     let (mut f_lo, mut f_hi) = (f(lo), f(hi));
@@ -76,7 +76,8 @@ fn zero(f: impl Fn(f64) -> f64) -> f64 {
         hi *= 8.0;
         f_hi = f(hi);
     }
-    // A secant is exact within a piece; halving gets there. Alternating, neither can be caught by the other's weakness.
+    // A secant step is exact within one linear piece, and bisection always converges. One step in three bisects, so
+    // that a bad sequence of secants cannot stall the search.
     for round in 0..200 {
         if f_lo >= 0.0 {
             return lo;

@@ -1,5 +1,5 @@
-//! Rigs at random: one to seven joints in any convention, any subset of angles, any ranges, rates and stiffnesses, effectors
-//! off their joint, some headings free.
+//! Random rigs: one to seven joints in any convention, any subset of angles, any ranges, rates and stiffnesses,
+//! effectors away from their joint, some headings unlimited.
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{Axes, DynAim, Joint, JointInfo, State};
@@ -8,7 +8,7 @@ use super::chain::{DEG, direction, random_state};
 use super::model::Model;
 use super::numeric::NumericRig;
 
-/// The most joints of a rig.
+/// Largest number of joints of a rig.
 const MOST_JOINTS: usize = 7;
 
 /// A rig in a pose with a target.
@@ -16,20 +16,21 @@ const MOST_JOINTS: usize = 7;
 pub struct Case {
     /// The rig.
     pub rig: NumericRig,
-    /// Its joints, at rest or anywhere in their ranges.
+    /// State of the joints: at rest, or random angles in their ranges.
     pub joints: Vec<Joint>,
-    /// Its joints, from the effector inward.
+    /// Transforms of the joints, from the effector inward.
     pub pose: Vec<Affine3A>,
-    /// The target.
+    /// Target in the pose's space.
     pub target: Vec3,
-    /// Frames a second.
+    /// Frame rate, frames a second.
     pub hz: f32,
-    /// Whether the target was put where some angles within the ranges look: it can be reached, without a search.
+    /// `true` if the target was placed straight ahead of random angles within the ranges, and is therefore known to be
+    /// reachable.
     pub reachable: bool,
 }
 
 impl Case {
-    /// The rig's character as the case finds it.
+    /// Returns a character with the rig and the joints of this case.
     pub fn character(&self) -> DynAim<NumericRig> {
         let mut character = DynAim::new(self.rig.clone());
         character.state = State::new(self.joints.clone());
@@ -37,7 +38,7 @@ impl Case {
     }
 }
 
-/// The case of this number, the same on every run.
+/// Returns the case with this number, the same on every run.
 pub fn case(number: usize) -> Case {
     let mut random = fastrand::Rng::with_seed(0x5eed_0000 + number as u64);
     let joints = 1 + random.usize(..MOST_JOINTS);
@@ -47,7 +48,7 @@ pub fn case(number: usize) -> Case {
         rig.effector.origin = (direction(&mut random) * 0.1 * random.f32()).to_array();
     }
     if random.u8(..4) == 0 {
-        // An effector that does not look along its joint's forward, by up to 30°.
+        // Rotate the effector by up to 0.5 rad (29°) off its joint's forward.
         let axis = Vec3::from(infos[0].axes().up).lerp(infos[0].axes().left.into(), random.f32()).normalize();
         let turn = Quat::from_axis_angle(axis, 0.5 * random.f32());
         rig.effector.forward = (turn * Vec3::from(infos[0].axes().forward)).normalize().to_array();
@@ -84,11 +85,11 @@ fn joint(random: &mut fastrand::Rng) -> JointInfo {
         let [lo, hi] = range(random, 90.0);
         info = info.with_pitch(lo, hi);
     }
-    // Level headings are judged on their own.
+    // Level headings have measurements of their own.
     info.with_upright(0.0)
 }
 
-/// Around 0, each side on its own, small ones as likely as large ones; now and then nothing to one side.
+/// Returns a random range around 0. The sides are independent, biased towards small values, and sometimes 0.
 fn range(random: &mut fastrand::Rng, most_deg: f32) -> [f32; 2] {
     #[expect(clippy::cast_possible_truncation, reason = "angles are in f32")]
     let most = most_deg * DEG as f32;
@@ -96,7 +97,7 @@ fn range(random: &mut fastrand::Rng, most_deg: f32) -> [f32; 2] {
     [-side(), side()]
 }
 
-/// One of the 48 conventions, or now and then a frame in between.
+/// Returns one of the 48 conventions, or, one time in four, a rotated frame.
 fn axes(random: &mut fastrand::Rng) -> Axes {
     let mut order = [0, 1, 2];
     random.shuffle(&mut order);
@@ -112,7 +113,7 @@ fn axes(random: &mut fastrand::Rng) -> Axes {
     Axes { up, forward, left }
 }
 
-/// The joints a bone's length from each other, mostly facing the same way, each turned a little or anyhow.
+/// Returns a pose with the joints a bone's length apart, most facing nearly the same way, some rotated by up to 3 rad.
 fn pose(infos: &[JointInfo], random: &mut fastrand::Rng) -> Vec<Affine3A> {
     let mut frame = Affine3A::from_translation(direction(random) * random.f32());
     let mut pose: Vec<Affine3A> = infos
@@ -124,7 +125,7 @@ fn pose(infos: &[JointInfo], random: &mut fastrand::Rng) -> Vec<Affine3A> {
             let by = direction(random) * 0.3 * random.f32();
             frame *= Affine3A::from_rotation_translation(turn, by);
             let Axes { up, forward, left } = *info.axes();
-            // The bone's own axes to the character's: up +Y, forward +Z, left +X.
+            // Maps the bone's own axes to the character's: up +Y, forward +Z, left +X.
             let own = aim::glam::Mat3A::from_cols(left.into(), up.into(), forward.into());
             frame * Affine3A { matrix3: own.transpose(), translation: Vec3::ZERO.into() }
         })

@@ -1,60 +1,61 @@
-//! The independent answers: the least displacement that meets the target, and the nearest that the gaze can come.
+//! Independent reference solutions: the least displacement that meets the target, and the smallest angle between gaze
+//! and target.
 //!
-//! By sequential quadratic programming on central differences of the forward kinematics, from several starts; the best
-//! is kept. It shares no code with the runtime, and not its residual either.
+//! The method is sequential quadratic programming on central differences of the forward kinematics, from several
+//! starts; the best result counts. It shares no code with the runtime and uses a different residual.
 
 use aim::glam::DVec3;
 
 use super::model::{Angles, MOST, Model};
 use super::quadratic::Program;
 
-/// Nearer than this the target is met, radians.
+/// Angle below which the target counts as met, radians.
 pub const MET_RAD: f64 = 1e-6;
 
-/// How far the target has to be from the effector, metres.
+/// Smallest distance of a target from the effector, metres.
 const BESIDE_M: f64 = 1e-3;
 
-/// Where the target can be met a round gains nearly all; where one gains less than this part it cannot, from there.
+/// Relative gain below which a search ends: a round gains nearly all of the remaining angle if the target can be met.
 const GAIN: f64 = 1e-3;
 
-/// Angles, and how far from the target they leave the gaze.
+/// Result of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Found {
-    /// The angles.
+    /// Declared angles, radians.
     pub angles: Angles,
-    /// The remaining angle, radians.
+    /// Angle between the gaze and the target, radians; π if the effector is within a millimetre of the target.
     pub remaining: f64,
-    /// Σ stiffness θ².
+    /// Displacement cost Σ stiffness θ².
     pub cost: f64,
-    /// Whether the search ended because nothing was left to gain.
+    /// `true` if the search ended because nothing was left to gain; always `true` for [`Problem::polish`].
     pub settled: bool,
 }
 
-/// A model with a target and the box that its angles have to stay in.
+/// A model with a target and bounds on its angles.
 #[derive(Clone, Copy, Debug)]
 pub struct Problem<'a> {
     /// The rig in its pose.
     pub model: &'a Model,
     /// The target in the pose's space.
     pub target: DVec3,
-    /// The least and the largest angles.
+    /// Lower and upper bounds of the angles.
     pub bounds: [Angles; 2],
 }
 
 impl<'a> Problem<'a> {
-    /// Within the ranges of motion alone.
+    /// Creates a problem bounded by the ranges of motion alone.
     pub fn within_ranges(model: &'a Model, target: DVec3) -> Self {
-        // A free heading is as good within one turn to either side.
+        // An unlimited heading needs no more than one turn to either side.
         let bounds = model.ranges().map(|bound| bound.map(|x| x.clamp(-std::f64::consts::TAU, std::f64::consts::TAU)));
         Self { model, target, bounds }
     }
 
-    /// Within the ranges and what the rates leave of them in one frame.
+    /// Creates a problem bounded by the ranges and by what the rates allow in `seconds` from `from`.
     pub fn within_frame(model: &'a Model, target: DVec3, from: &Angles, seconds: f64) -> Self {
         Self { model, target, bounds: model.reach(from, seconds) }
     }
 
-    /// Rest, the box's middle, and `more` places anywhere in the box.
+    /// Returns start angles: rest, the middle of the box, and `more` random points in it.
     pub fn starts(&self, seed: u64, more: usize) -> Vec<Angles> {
         let mut random = fastrand::Rng::with_seed(seed);
         let [lo, hi] = &self.bounds;
@@ -76,17 +77,18 @@ impl<'a> Problem<'a> {
     }
 
     fn found(&self, angles: Angles, settled: bool) -> Found {
-        // Where the effector comes to be on the target there is no angle: what seems met there is not.
+        // With the effector on the target the angle is undefined, so the target does not count as met.
         let beside = self.model.distance(&angles, self.target) > BESIDE_M;
         let remaining = if beside { self.model.remaining(&angles, self.target) } else { std::f64::consts::PI };
         Found { angles, remaining, cost: self.model.cost(&angles), settled }
     }
 
-    /// The least displacement that meets the target, of all that the starts lead to; `None` where none meets it.
+    /// Returns the least displacement that meets the target among the results of all starts; `None` if none meets it.
     pub fn least_displacement(&self, starts: &[Angles]) -> Option<Found> {
         let mut best: Option<Found> = None;
         for start in starts {
-            // From where the gaze meets the target: a linear model of the far side leads astray.
+            // Start where the gaze already meets the target: the linear model is misleading when the target is far off
+            // the gaze.
             let near = self.polish(start, 30, GAIN);
             if near.remaining > MET_RAD {
                 continue;
@@ -99,12 +101,12 @@ impl<'a> Problem<'a> {
         best
     }
 
-    /// The nearest the gaze comes to the target, of all that the starts lead to.
+    /// Returns the result with the smallest remaining angle among those of all starts.
     pub fn nearest(&self, starts: &[Angles]) -> Found {
         self.nearest_by(starts, 1e-9)
     }
 
-    /// Whether the gaze meets the target from any of the starts.
+    /// Returns `true` if the gaze meets the target from any of the starts.
     pub fn is_met(&self, starts: &[Angles]) -> bool {
         self.nearest_by(starts, GAIN).remaining <= MET_RAD
     }
@@ -123,7 +125,7 @@ impl<'a> Problem<'a> {
         best
     }
 
-    /// One search for the least displacement.
+    /// Runs one search for the least displacement.
     pub fn descend(&self, start: &Angles) -> Found {
         let model = self.model;
         let mut weights = [1.0; MOST];
@@ -164,7 +166,8 @@ impl<'a> Problem<'a> {
             penalty = penalty.max((1.5 * multipliers[0].hypot(multipliers[1])).min(1e4));
             let distance = residual[0].hypot(residual[1]);
             let merit = |x: &Angles| displacement(x) + penalty * off(x);
-            // What the linear model says is gained; where the target is out of reach it has to say so.
+            // The linear model's predicted decrease of the merit. If the target is out of reach, the predicted residual
+            // `left` is not zero.
             let mut left = residual;
             let mut slope = -penalty * distance;
             for (i, column) in columns.iter().enumerate().take(model.count()) {
@@ -177,7 +180,7 @@ impl<'a> Problem<'a> {
                 return self.found(x, true);
             }
             let before = merit(&x);
-            // No turn by more than a radian at once: beyond that the model says nothing.
+            // Limit a step to one radian, beyond which the linear model is useless.
             let mut length = (1.0 / longest).min(1.0);
             loop {
                 let trial: Angles = std::array::from_fn(|i| x[i] + length * step[i]);
@@ -194,8 +197,8 @@ impl<'a> Problem<'a> {
         self.found(x, false)
     }
 
-    /// One search for the nearest, damped and within the box, for as long as a round gains more than this part of what
-    /// remains.
+    /// Runs one damped search (Levenberg–Marquardt within the box) for the smallest remaining angle, as long as a round
+    /// gains more than `gain` of it.
     pub fn polish(&self, start: &Angles, rounds: usize, gain: f64) -> Found {
         let model = self.model;
         let mut x = self.held(start);

@@ -1,22 +1,22 @@
-//! [`Row`]: one number with what it must not exceed, and the table of all of them.
+//! [`Row`]: a measured number with its requirement, and the table of all rows.
 
 use std::fmt::Write as _;
 
 /// One line of the table.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What was measured.
+    /// Description of the measured quantity.
     pub what: String,
-    /// What must hold.
+    /// Requirement in words.
     pub must: String,
-    /// What was found.
+    /// Measured value in words.
     pub measured: String,
-    /// Whether it holds; `None` for what is only shown.
+    /// `Some(true)` if the requirement holds; `None` if the row is only shown.
     pub held: Option<bool>,
 }
 
 impl Row {
-    /// A number that must be no larger than `limit`; NaN is too large.
+    /// Creates a row for a number that must not exceed `limit`; NaN fails.
     pub fn at_most(what: impl Into<String>, limit: f64, unit: &str, measured: f64) -> Self {
         Self {
             what: what.into(),
@@ -26,7 +26,7 @@ impl Row {
         }
     }
 
-    /// A number that must lie in a range.
+    /// Creates a row for a number that must lie in a range, ends included.
     pub fn between(what: impl Into<String>, [lo, hi]: [f64; 2], unit: &str, measured: f64) -> Self {
         Self {
             what: what.into(),
@@ -36,7 +36,7 @@ impl Row {
         }
     }
 
-    /// How many of `all` there are of what there must be none.
+    /// Creates a row for a count of violations among `all` cases, which must be 0. An empty sample fails.
     pub fn none(what: impl Into<String>, found: usize, all: usize) -> Self {
         Self {
             what: what.into(),
@@ -46,7 +46,7 @@ impl Row {
         }
     }
 
-    /// How many of `all` there are of what there must be nothing else.
+    /// Creates a row for a count of successes, which must equal `all`. An empty sample fails.
     pub fn every(what: impl Into<String>, found: usize, all: usize) -> Self {
         let share = 100.0 * found as f64 / all as f64;
         Self {
@@ -57,12 +57,12 @@ impl Row {
         }
     }
 
-    /// A number that is only shown.
+    /// Creates a row for a number that is only shown.
     pub fn shown(what: impl Into<String>, unit: &str, measured: f64) -> Self {
         Self { what: what.into(), must: "–".to_owned(), measured: format!("{}{unit}", number(measured)), held: None }
     }
 
-    /// The same with words after the measured number.
+    /// Returns the row with a note after the measured number.
     #[must_use]
     pub fn noting(mut self, note: &str) -> Self {
         self.measured = format!("{} ({note})", self.measured);
@@ -70,7 +70,7 @@ impl Row {
     }
 }
 
-/// Three digits, and no more zeros than that takes.
+/// Formats a number with about three significant digits and without trailing zeros.
 pub fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),
@@ -87,7 +87,7 @@ fn trimmed(number: &str) -> String {
     number.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// The value that a share of the values does not exceed; 0 of none.
+/// Returns the quantile of the values at `share`, 0…1; 0 if there are none. Sorts the values.
 pub fn quantile(values: &mut [f64], share: f64) -> f64 {
     values.sort_unstable_by(f64::total_cmp);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index below the length")]
@@ -95,12 +95,12 @@ pub fn quantile(values: &mut [f64], share: f64) -> f64 {
     values.get(index).copied().unwrap_or(0.0)
 }
 
-/// The largest value; 0 of none, NaN if any is.
+/// Returns the largest value, at least 0; NaN if any value is NaN.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |a, b| if a >= b || a.is_nan() { a } else { b })
 }
 
-/// The rows as a table in Markdown.
+/// Formats the rows as a Markdown table.
 pub fn markdown(title: &str, rows: &[Row]) -> String {
     let mut table = format!("| {title} | must | measured | |\n|---|---|---|---|\n");
     for Row { what, must, measured, held } in rows {

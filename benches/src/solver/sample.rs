@@ -1,4 +1,4 @@
-//! [`Sample`]: how much is measured, and of which solver; and what the measurements share.
+//! [`Sample`]: the size of a measurement and the solver's settings; [`Scene`] and helpers that the measurements share.
 
 use aim::glam::{Affine3A, Vec3};
 use aim::{Behind, DynAim, Outcome, Pose, Rig, Settings};
@@ -6,82 +6,83 @@ use aim::{Behind, DynAim, Outcome, Pose, Rig, Settings};
 use super::model::{Angles, Model};
 use super::workload::Motion;
 
-/// What is measured.
+/// Sample size and solver settings of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample {
-    /// One case in so many.
+    /// Divisor of the number of cases: 16 keeps one case in sixteen.
     pub thinned: usize,
-    /// The solver, and how.
+    /// The solver and its settings.
     pub settings: Settings,
 }
 
-/// The frame rates that everything holds at.
+/// Frame rates at which the requirements must hold, frames a second.
 pub const FRAME_RATES: [f32; 3] = [30.0, 60.0, 144.0];
 
 impl Sample {
-    /// A number of cases, thinned.
+    /// Returns a number of cases divided by [`Sample::thinned`], rounded up.
     pub fn of(&self, count: usize) -> usize {
         count.div_ceil(self.thinned)
     }
 
-    /// The solver without a policy for targets behind: so the paper's and the optimum's words mean what they say.
+    /// Returns the settings without a policy for targets behind, as the definitions of the paper and of the optimum
+    /// assume.
     pub fn plain(&self) -> Settings {
         self.settings.with_behind(Behind::Off)
     }
 }
 
-/// A whole number of frames that last at least so long.
+/// Returns the number of frames that last at least `seconds`.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small positive number")]
 pub fn frames(seconds: f64, hz: f32) -> usize {
     (seconds * f64::from(hz)).ceil() as usize
 }
 
-/// A rig in a pose and its target, for as long as neither moves.
+/// A rig with its current pose and target.
 #[derive(Clone, Debug)]
 pub struct Scene<R> {
     /// The character.
     pub rig: DynAim<R>,
-    /// The joints in the pose's space.
+    /// Transforms of the joints, from the effector inward, in the pose's space.
     pub pose: Vec<Affine3A>,
     /// The target in the pose's space.
     pub target: Vec3,
 }
 
 impl<R: Rig> Scene<R> {
-    /// The rig in this pose.
+    /// Creates a character at rest with this pose and target.
     pub fn new(rig: R, pose: &[Affine3A], target: Vec3) -> Self {
         let joints = rig.description().joints().len();
         Self { rig: DynAim::new(rig), pose: pose[..joints].to_vec(), target }
     }
 
-    /// One frame.
+    /// Runs one frame.
     pub fn step(&mut self, dt: f32, settings: &Settings) -> Outcome {
         self.rig.aim(&Pose::new(self.pose.as_slice()), self.target, dt, settings)
     }
 
-    /// So many frames.
+    /// Runs a number of frames.
     pub fn run(&mut self, frames: usize, dt: f32, settings: &Settings) {
         for _ in 0..frames {
             self.step(dt, settings);
         }
     }
 
-    /// The rig in its pose as the definitions have it.
+    /// Returns the reference model of the rig in its current pose.
     pub fn model(&self) -> Model {
         Model::new(&self.rig.rig, &self.pose)
     }
 
-    /// The angles as they are.
+    /// Returns the current angles.
     pub fn angles(&self, model: &Model) -> Angles {
         model.read(&self.rig.state.joints)
     }
 
-    /// What a user sees: the angle between the corrected gaze and the target, radians.
+    /// Returns the angle between the corrected gaze and the target, radians, as a user sees it.
     pub fn remaining(&self, model: &Model) -> f64 {
         model.seen_remaining(self.rig.corrections(), self.target.as_dvec3())
     }
 
-    /// The pose and the target of a motion at this time.
+    /// Takes over the pose and the target of a motion at time `t`, seconds.
     pub fn follow(&mut self, motion: &Motion, t: f32) {
         let pose = motion.body.at(t);
         let joints = self.pose.len();
@@ -90,7 +91,8 @@ impl<R: Rig> Scene<R> {
     }
 }
 
-/// The largest difference of two sets of angles, radians; headings that may turn freely within half a turn.
+/// Returns the largest difference between two sets of angles, radians. Unlimited headings are compared modulo a full
+/// turn.
 pub fn apart(model: &Model, a: &Angles, b: &Angles) -> f64 {
     use std::f64::consts::{PI, TAU};
     let mut largest: f64 = 0.0;

@@ -1,22 +1,22 @@
-//! The workloads: targets and poses, the same on every run.
+//! The workloads: seeded targets and poses, the same on every run.
 
 use aim::glam::{Affine3A, Vec3};
 
 use super::chain::{Animation, EYE_AT_REST, direction, random_pose};
 
-/// A pose and a target that both stand still.
+/// A still pose with a still target.
 #[derive(Clone, Copy, Debug)]
 pub struct Still {
-    /// The joints, from the effector inward.
+    /// Transforms of the joints, from the effector inward.
     pub pose: [Affine3A; 3],
-    /// The target, metres.
+    /// Target in the pose's space, metres.
     pub target: Vec3,
 }
 
-/// Where the targets of a workload are.
+/// Region of a workload's targets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Where {
-    /// Within ±70° of heading and ±40° of elevation.
+    /// Headings within ±70° and elevations within ±40°.
     Cone,
     /// Anywhere in the front half of the sphere.
     Front,
@@ -25,7 +25,7 @@ pub enum Where {
 }
 
 impl Where {
-    /// Its name in the tables.
+    /// Returns the name in the tables.
     pub fn name(self) -> &'static str {
         match self {
             Self::Cone => "cone",
@@ -34,7 +34,7 @@ impl Where {
         }
     }
 
-    /// `count` poses and targets at 0.5 to 5 m from the eye.
+    /// Returns `count` poses with targets at 0.5 to 5 m from the eye.
     pub fn cases(self, count: usize) -> Vec<Still> {
         let mut random = fastrand::Rng::with_seed(self as u64 + 1);
         (0..count)
@@ -56,23 +56,23 @@ impl Where {
     }
 }
 
-/// The direction at this heading (to the left) and elevation, degrees.
+/// Returns the direction at this heading (positive to the left) and elevation, degrees.
 pub fn bearing(heading: f32, elevation: f32) -> Vec3 {
     let ((sin_h, cos_h), (sin_e, cos_e)) = (heading.to_radians().sin_cos(), elevation.to_radians().sin_cos());
     Vec3::new(cos_e * sin_h, sin_e, cos_e * cos_h)
 }
 
-/// What the animation does meanwhile.
+/// The animation of a workload.
 #[derive(Clone, Copy, Debug)]
 pub enum Body {
-    /// Stands in one pose.
+    /// Stays in one pose.
     Still([Affine3A; 3]),
-    /// Moves.
+    /// Swings about the rest pose.
     Moving(Animation),
 }
 
 impl Body {
-    /// The pose at this time, seconds.
+    /// Returns the pose at time `t`, seconds.
     pub fn at(&self, t: f32) -> [Affine3A; 3] {
         match self {
             Self::Still(pose) => *pose,
@@ -81,43 +81,43 @@ impl Body {
     }
 }
 
-/// A target that moves, and a body that may.
+/// A moving target on a still or moving body.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
-    /// The body.
+    /// Animation of the body.
     pub body: Body,
-    /// The path of the target.
+    /// Path of the target.
     pub path: Path,
 }
 
-/// Where a target is at a time.
+/// Path of a target.
 #[derive(Clone, Copy, Debug)]
 pub enum Path {
     /// Swings to either side and a little up and down, at 2 m.
     Swing {
-        /// Radians a second of the sideways swing.
+        /// Angular frequency of the sideways swing, rad/s.
         speed: f32,
-        /// Where it begins, radians.
+        /// Phase at time 0, radians.
         phase: f32,
-        /// The elevation about which it moves, degrees.
+        /// Mean elevation, degrees.
         elevation: f32,
     },
-    /// Goes round the character at the eye's height, at 2 m.
+    /// Circles the character at the eye's height, at 2 m.
     Orbit {
-        /// Seconds a turn; negative turns right.
+        /// Seconds for one turn; negative turns right.
         seconds: f32,
     },
-    /// Stands still in one of two directions, headings and elevations in degrees, now here and now there; at 2 m.
+    /// Alternates between two directions, at 2 m.
     Between {
-        /// The two directions.
+        /// The two directions, each heading and elevation in degrees.
         ends: [[f32; 2]; 2],
-        /// How long it is in each, seconds.
+        /// Time spent in each direction, seconds.
         stays: f32,
     },
 }
 
 impl Path {
-    /// The target at this time, seconds.
+    /// Returns the target at time `t`, seconds.
     pub fn at(&self, t: f32) -> Vec3 {
         let towards = match *self {
             Self::Swing { speed, phase, elevation } => {
@@ -137,7 +137,7 @@ impl Path {
     }
 }
 
-/// `count` characters that follow a swinging target, on a moving animation or in poses of their own.
+/// Returns `count` characters that follow a swinging target, on a moving animation or in still random poses.
 pub fn track(count: usize, moving: bool) -> Vec<Motion> {
     let mut random = fastrand::Rng::with_seed(if moving { 12 } else { 11 });
     (0..count)
@@ -152,7 +152,7 @@ pub fn track(count: usize, moving: bool) -> Vec<Motion> {
         .collect()
 }
 
-/// The orbits: 4, 8 and 20 s a turn, both ways, `count` poses each.
+/// Returns orbits of 4, 8 and 20 s a turn in both directions, `count` poses each.
 pub fn orbits(count: usize, moving: bool) -> Vec<Motion> {
     let mut random = fastrand::Rng::with_seed(21);
     let mut motions = Vec::new();

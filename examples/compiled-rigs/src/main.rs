@@ -1,10 +1,10 @@
-//! Two rigs of one character look at points in turn. Nothing here knows the axes of a bone.
+//! Two rigs of one character look at several points in turn. The program does not depend on the axes of the bones.
 
-/// One of the rigs as `aim generate rigs/extra.toml --lang rust -o src/checked_in.rs` wrote it, which is how it is checked.
+/// One of the rigs, written by `aim generate rigs/extra.toml --lang rust -o src/checked_in.rs`.
 #[rustfmt::skip]
 mod checked_in;
 
-/// The rigs as `build.rs` compiled them.
+/// The rigs compiled by `build.rs`.
 mod built {
     aim::include_rigs!("rigs");
 }
@@ -17,7 +17,7 @@ use aim::{AimRig, DynAim, Rig, Settings, Status};
 use aim_character::{PAPER_AXES, mannequin};
 use aim_gltf::Document;
 
-/// In metres: the character walks at the origin, faces +Z, its left is +X.
+/// Targets in metres. The character walks at the origin and faces +Z; its left is +X.
 const TARGETS: [Vec3; 3] = [Vec3::new(0.0, 1.6, 2.0), Vec3::new(1.5, 1.2, 1.5), Vec3::new(-1.0, 2.1, 1.8)];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Lets the rig follow the target for a second of the model's first clip, and tells in words where it looks then.
+/// Lets the rig follow the target for one second of the model's first clip, and describes where it looks then.
 fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<String, Box<dyn Error>> {
     const STEP: f32 = 1.0 / 60.0;
     let skeleton = model.skeleton();
@@ -67,7 +67,7 @@ fn look(name: &str, rig: &dyn Rig, model: &Document, target: Vec3) -> Result<Str
     );
     for (index, joint) in character.state.joints.iter().enumerate() {
         let (heading, pitch) = (joint.heading().to_degrees(), joint.pitch().to_degrees());
-        // What is shown as 0.0 has no side.
+        // Angles that print as 0.0 get the positive side, whatever their sign.
         let side = if heading < -0.05 { "right" } else { "left" };
         let height = if pitch < -0.05 { "down" } else { "up" };
         text += &format!(

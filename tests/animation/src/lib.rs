@@ -1,4 +1,4 @@
-//! A character made in code, for tests of animation and aim together.
+//! A character made in code, for tests that combine animation and aiming.
 
 use core::f32::consts::TAU;
 
@@ -6,11 +6,11 @@ use aim::animation::{Bone, Clip, Skeleton, Track, Transform};
 use aim::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim::{AimRig, Joint};
 
-/// From the eye inward. +X of these bones points up, +Y forward, +Z left.
+/// The rig under test, from the eye inward. +X of its bones points up, +Y forward, +Z left.
 #[derive(AimRig, Debug)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 pub struct Hero {
-    /// Beside the other one.
+    /// The left one of two eyes.
     #[joint(role = eye, heading = -35deg..=35deg, pitch = -25deg..=20deg, rate = 450deg)]
     pub left_eye: Joint,
     /// Carries the head.
@@ -21,7 +21,7 @@ pub struct Hero {
     pub spine: Joint,
 }
 
-/// Names, parents and heights, metres, and how far to the left and to the front.
+/// The bones: name, parent, and position of the joint (left, up, forward), metres.
 const BONES: [(&str, Option<usize>, [f32; 3]); 10] = [
     ("armature", None, [0.0, 0.0, 0.0]),
     ("hips", Some(0), [0.0, 0.95, 0.0]),
@@ -30,13 +30,13 @@ const BONES: [(&str, Option<usize>, [f32; 3]); 10] = [
     ("head", Some(3), [0.0, 1.58, 0.02]),
     ("left_eye", Some(4), [0.03, 1.66, 0.09]),
     ("right_eye", Some(4), [-0.03, 1.66, 0.09]),
-    // As many skeletons have it: on the neck, but carried by the chest.
+    // A child of the neck, as in many skeletons, although the chest should carry it.
     ("left_clavicle", Some(3), [0.05, 1.45, 0.0]),
     ("left_arm", Some(7), [0.2, 1.42, 0.0]),
     ("left_leg", Some(1), [0.1, 0.9, 0.0]),
 ];
 
-/// A character that stands, +Y up, facing +Z, on an armature of this transform.
+/// Returns a standing character with +Y up, facing +Z, on an armature with this transform.
 #[must_use]
 pub fn skeleton(armature: Transform) -> Skeleton {
     // Bone +X up, +Y forward, +Z left.
@@ -55,7 +55,7 @@ pub fn skeleton(armature: Transform) -> Skeleton {
     Skeleton::new(bones).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// A gait on the spot or forward: hips that bob, a leg and an arm that swing, eyes that wander.
+/// Makes a gait, in place or forward at `speed`: hips that bob, a leg and an arm that swing, eyes that wander.
 #[must_use]
 pub fn gait(skeleton: &Skeleton, name: &str, length_s: f32, speed: f32) -> Clip {
     let times: Vec<f32> = (0..=24_u8).map(|key| length_s * f32::from(key) / 24.0).collect();

@@ -1,5 +1,5 @@
-//! What runs every frame allocates nothing: sampling, playing, blending, root motion, gather, aim and apply. One test alone, so that
-//! no other thread allocates beside it.
+//! Checks that per-frame code does not allocate: sampling, playing, blending, root motion, gather, aim and apply. This
+//! file has only one test, so that no other thread allocates meanwhile.
 
 use std::alloc::System;
 use std::hint::black_box;
@@ -51,7 +51,7 @@ fn frames_allocate_nothing() {
     let mut poses = [(); 4].map(|()| skeleton.rest().to_vec());
     let mut model = vec![Affine3A::IDENTITY; skeleton.len()];
 
-    // That the count would notice.
+    // The counter does notice an allocation.
     let region = Region::new(COUNTED);
     black_box(skeleton.rest().to_vec());
     assert_eq!(region.change().allocations, 1, "the allocator is counted");
@@ -135,7 +135,7 @@ fn frames_allocate_nothing() {
         (instance.events(&kind).count(), instance.things(&model).count())
     });
 
-    // In closed form and by descent.
+    // A limb in closed form, and one solved by descent.
     for limb in [&[2, 3, 4][..], &[1, 2, 3, 4]] {
         let reach = Reach::new(&clips[0], &skeleton, limb, 60.0).unwrap();
         let (mut state, goal) = (reach.state(), Vec3::new(0.2, 1.4, 0.1));
@@ -180,7 +180,7 @@ fn frames_allocate_nothing() {
         (aimed.outcome, gizmos.gazes(1.0).count() + gizmos.axes(0.1).count() + gizmos.ranges(0.3).count())
     });
 
-    // All layers, on any three bones.
+    // All layers, on arbitrary bones.
     let turns = [[0.5, 0.4], [-0.5, 0.4], [0.0, -0.5]];
     let turns = turns.map(|[left, down]| Quat::from_rotation_y(left) * Quat::from_rotation_x(down));
     let aims = Clip::new("aim").with_rotation(2, Track::linear([0.0, 1.0, 2.0], turns).unwrap());

@@ -1,7 +1,7 @@
-//! A rig in a static library without a standard library.
+//! A rig in a static library without the standard library.
 //!
-//! It defines the panic handler itself, so it builds only if nothing below it links `std`, which has one. `.ci/run`
-//! builds it, with lanes too; and builds it with the feature `with-std`, which has to fail for just that reason.
+//! The crate defines its own panic handler, so it builds only if no dependency links `std`, which defines one too.
+//! `.ci/run` builds it, also with the feature `lanes`, and checks that it fails to build with the feature `with-std`.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -17,13 +17,13 @@ struct Thug {
     neck: Joint,
 }
 
-/// The remaining angle after one frame, in radians.
+/// Returns the remaining angle after one frame, radians.
 pub extern "C" fn aimed(x: f32, y: f32, z: f32) -> f32 {
     let pose = Pose::new([Affine3A::IDENTITY; 2]);
     Aim::<Thug>::new().aim(&pose, Vec3::new(x, y, z), 1.0 / 60.0, &Settings::default()).outcome.remaining
 }
 
-/// The eye's aim, for four characters at once.
+/// Computes the eye's aim for four characters at once.
 #[cfg(feature = "lanes")]
 pub extern "C" fn aims(x: &[f32; 4], y: &[f32; 4], z: &[f32; 4], aims: &mut [f32; 4]) {
     use aim::wide::f32x4;

@@ -1,5 +1,5 @@
-//! Vectors and turns of dual numbers, for objectives written a second time: from the definitions, by nothing that the
-//! library or glam has.
+//! Vectors and rotations of dual numbers, with which objectives are written a second time from their definitions,
+//! without code of the library or glam.
 
 use std::ops::{Add, Neg, Sub};
 
@@ -13,57 +13,57 @@ pub trait Number: DualNum<Primitive = f64> + Copy + Argument<Self> + Numbers<Sel
 
 impl<D: DualNum<Primitive = f64> + Copy + Argument<D> + Numbers<D>> Number for D {}
 
-/// A vector.
+/// A vector of dual numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Vector<D>(pub [D; 3]);
 
-/// A quaternion: x, y, z, w.
+/// A quaternion x, y, z, w of dual numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Quaternion<D>(pub [D; 4]);
 
-/// A rigid transform.
+/// A rigid transform of dual numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<D> {
-    /// Of any length.
+    /// Rotation; the quaternion may have any length.
     pub rotation: Quaternion<D>,
-    /// Where its origin is.
+    /// Position of the frame's origin.
     pub origin: Vector<D>,
 }
 
 impl<D: Number> Vector<D> {
-    /// This constant.
+    /// Returns a constant vector.
     pub fn constant(components: [f64; 3]) -> Self {
         Self(components.map(D::from))
     }
 
-    /// Σ vᵢ wᵢ
+    /// Returns the dot product Σ vᵢ wᵢ.
     pub fn dot(self, other: Self) -> D {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
 
-    /// v × w
+    /// Returns the cross product v × w.
     pub fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
-    /// k v
+    /// Returns k v.
     pub fn times(self, k: D) -> Self {
         Self(self.0.map(|c| c * k))
     }
 
-    /// |v|
+    /// Returns the length |v|.
     pub fn length(self) -> D {
         self.dot(self).sqrt()
     }
 
-    /// v / |v|
+    /// Returns the unit vector v / |v|.
     pub fn unit(self) -> Self {
         self.times(self.length().recip())
     }
 
-    /// Turned about X, Y or Z, right-handedly.
+    /// Returns the vector rotated about X, Y or Z (`axis` 0, 1, 2), right-handed.
     pub fn about(self, axis: usize, angle: D) -> Self {
         let (from, towards) = ((axis + 1) % 3, (axis + 2) % 3);
         let (sin, cos) = (angle.sin(), angle.cos());
@@ -73,7 +73,7 @@ impl<D: Number> Vector<D> {
         turned
     }
 
-    /// Turned about an axis of length 1: the part along it stays.
+    /// Returns the vector rotated about a unit axis: the part along the axis is unchanged.
     pub fn about_axis(self, axis: Self, angle: D) -> Self {
         let along = axis.times(axis.dot(self));
         let across = self - along;
@@ -82,7 +82,7 @@ impl<D: Number> Vector<D> {
 }
 
 impl<D: Number> Quaternion<D> {
-    /// Turns a vector, by the quaternion of length 1 in this direction.
+    /// Rotates a vector by the normalised quaternion.
     pub fn turn(self, v: Vector<D>) -> Vector<D> {
         let [x, y, z, w] = self.0;
         let square = x * x + y * y + z * z + w * w;
@@ -93,12 +93,12 @@ impl<D: Number> Quaternion<D> {
 }
 
 impl<D: Number> Frame<D> {
-    /// Where a point of the frame is.
+    /// Maps a point out of the frame.
     pub fn point(self, point: Vector<D>) -> Vector<D> {
         self.rotation.turn(point) + self.origin
     }
 
-    /// A constant direction of the frame.
+    /// Maps a constant direction out of the frame.
     pub fn direction(self, direction: [f64; 3]) -> Vector<D> {
         self.rotation.turn(Vector::constant(direction))
     }

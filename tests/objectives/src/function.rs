@@ -1,24 +1,24 @@
-//! Functions of typed arguments as functions of plain numbers.
+//! Adapters that call functions of typed arguments with plain numbers.
 
 use aim::glam::{DMat3, DQuat, DVec2, DVec3, Mat3, Quat, Vec2, Vec3};
 use aim::{DRigid, Rigid};
 
-/// A function that can be fed with numbers of type `S`, its arguments being the tuple `A`.
+/// A function that can be called with numbers of type `S`; `A` is the tuple of its argument types.
 pub trait Function<S, A> {
-    /// Its result's numbers. Of derivatives these are the value's, then by each component of each variable those of the
-    /// derivative.
+    /// Calls the function and returns its result as numbers. For derivatives these are the value's numbers, then, for
+    /// each component of each variable, those of the derivative.
     fn feed(&self, numbers: &[S]) -> Vec<S>;
 }
 
-/// An argument made of numbers of type `S`.
+/// An argument that is built from numbers of type `S`.
 pub trait Argument<S>: Sized {
-    /// Takes the numbers it is made of.
+    /// Takes as many numbers as the argument needs.
     fn read(numbers: &mut impl Iterator<Item = S>) -> Self;
 }
 
-/// A result that can be taken apart into numbers of type `S`.
+/// A result that can be written as numbers of type `S`.
 pub trait Numbers<S> {
-    /// Appends its numbers.
+    /// Appends the numbers of this result.
     fn write(self, numbers: &mut Vec<S>);
 }
 
@@ -49,12 +49,12 @@ functions!(A B C D E);
 functions!(A B C D E G);
 functions!(A B C D E G H);
 
-/// The next number, of those that have to be there.
+/// Returns the next number.
 pub(crate) fn next<S>(numbers: &mut impl Iterator<Item = S>) -> S {
     numbers.next().expect("the sample has a number for every argument")
 }
 
-/// The nearest number of single precision.
+/// Rounds to single precision.
 #[expect(clippy::cast_possible_truncation, reason = "what is rounded away is meant to be")]
 pub(crate) fn single(x: f64) -> f32 {
     x as f32
@@ -144,7 +144,7 @@ matrices! {
     DMat3: f64;
 }
 
-/// Of a quaternion of any length, and a translation.
+/// Reads a quaternion of any non-zero length, which is normalised, and a translation.
 impl Argument<f64> for Rigid {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         let (rotation, translation) = (Quat::read(numbers), Vec3::read(numbers));
@@ -152,7 +152,7 @@ impl Argument<f64> for Rigid {
     }
 }
 
-/// Of a quaternion of any length, and a translation.
+/// Reads a quaternion of any non-zero length, which is normalised, and a translation.
 impl Argument<f64> for DRigid {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         let (rotation, translation) = (DQuat::read(numbers), DVec3::read(numbers));
@@ -160,12 +160,12 @@ impl Argument<f64> for DRigid {
     }
 }
 
-/// A result of several numbers whose derivatives have a row for each of them.
+/// Wraps a result of several numbers whose derivatives are stored with a row for each of them.
 pub fn by_rows<V, D>((value, derivatives): (V, D)) -> ByRows<V, D> {
     ByRows(value, derivatives)
 }
 
-/// See [`by_rows`].
+/// A value with derivatives by rows; made by [`by_rows`].
 #[derive(Debug)]
 pub struct ByRows<V, D>(V, D);
 
@@ -176,9 +176,9 @@ impl<V: Numbers<f64>, D: Rows> Numbers<f64> for ByRows<V, D> {
     }
 }
 
-/// Rows of numbers, that are written column by column.
+/// Rows of numbers that can be written column by column.
 pub trait Rows {
-    /// Appends the columns.
+    /// Appends the columns, one after another.
     fn write_columns(self, numbers: &mut Vec<f64>);
 }
 
@@ -197,7 +197,7 @@ impl<S, A: Argument<S>, B: Argument<S>> Argument<S> for (A, B) {
     }
 }
 
-/// Whether the number is above 0.
+/// `true` if the number is above 0.
 impl Argument<f64> for bool {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         next(numbers) > 0.0

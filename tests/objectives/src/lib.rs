@@ -1,8 +1,9 @@
-//! Judges differentiated functions by what is independent of their derivation: central differences of the function as it
-//! is written, dual numbers through the same objective written a second time, and single against double precision.
+//! Checks differentiated functions against references that are independent of their derivation: central differences of
+//! the function as written, dual numbers through a second implementation of the objective, and single against double
+//! precision.
 //!
-//! Functions are handed over as they are: [`Function`] feeds them with plain numbers, argument by argument. The arguments
-//! to differentiate by come first, in the order of `wrt`.
+//! Functions are passed as they are: [`Function`] calls them with plain numbers, argument by argument. The arguments to
+//! differentiate by come first, in the order of `wrt`.
 
 pub mod dual;
 mod function;
@@ -13,29 +14,30 @@ use num_dual::{Dual64, HyperDual64};
 pub use self::function::{Argument, ByRows, Function, Numbers, Rows, by_rows};
 pub use self::random::Random;
 
-/// Points for every objective.
+/// Number of random points for each objective.
 const POINTS: usize = 10_000;
 
-/// The step of central differences. Kinks have to be further from a point than three of them.
+/// Step of the central differences. A kink must be more than three steps away from a point.
 const STEP: f64 = 1e-3;
 
-/// Largest errors, relative to the largest of the numbers compared and 1.
+/// Largest error against central differences, relative to the largest number compared, or to 1 if all are smaller.
 const DIFFERENCES: f64 = 1e-6;
+/// Largest error against dual numbers, relative to the largest number compared, or to 1 if all are smaller.
 const DUAL: f64 = 1e-10;
 
-/// Largest error of single precision, in units of what rounding each argument would do. Angles near 0 by their cosine are
-/// the worst.
+/// Largest error of single precision, in units of the change that rounding the arguments causes. Small angles computed
+/// from their cosine come closest to it.
 const SINGLE: f64 = 32.0;
 
-/// Where an objective is checked.
+/// A sampler of the points at which an objective is checked.
 #[derive(Debug)]
 pub struct At<S>(pub S);
 
 impl<S: Fn(&mut Random) -> Vec<f64>> At<S> {
-    /// Value and first derivatives, in both precisions.
+    /// Checks value and first derivatives, in both precisions.
     ///
     /// # Panics
-    /// Where one of them is wrong.
+    /// Panics if one of them is wrong.
     pub fn check<F, G, H, D>(
         &self,
         function: impl Function<f64, F>,
@@ -63,11 +65,11 @@ impl<S: Fn(&mut Random) -> Vec<f64>> At<S> {
         errors.judge();
     }
 
-    /// Second derivatives, in both precisions. Those by differences are of `gradient`, which [`check`](Self::check) has
-    /// judged.
+    /// Checks the second derivatives, in both precisions. The central differences are those of `gradient`, which
+    /// [`check`](Self::check) checks.
     ///
     /// # Panics
-    /// Where one of them is wrong.
+    /// Panics if one of them is wrong.
     pub fn check_second<G, H, I, D>(
         &self,
         gradient: impl Function<f64, G>,
@@ -101,17 +103,17 @@ impl<S: Fn(&mut Random) -> Vec<f64>> At<S> {
         errors.judge();
     }
 
-    /// A point that single precision knows, too.
+    /// Returns a random point whose coordinates are exact in single precision.
     fn point(&self, random: &mut Random) -> Vec<f64> {
         (self.0)(random).into_iter().map(|x| f64::from(function::single(x))).collect()
     }
 }
 
-/// A point at which lengths vanish or branches meet: the value is the function's, the derivatives are the documented
-/// ones, in both precisions.
+/// Checks a point at which lengths vanish or branches meet: the value is the function's, and the derivatives are the
+/// documented ones, in both precisions.
 ///
 /// # Panics
-/// Where they are not.
+/// Panics if the value or a derivative differs.
 #[track_caller]
 pub fn singular<F, G, H>(
     point: &[f64],
@@ -130,7 +132,7 @@ pub fn singular<F, G, H>(
     }
 }
 
-/// The derivatives of `f` by its `k`th number, by central differences of sixth order.
+/// Returns the derivatives of `f` by its `k`th number, by central differences of sixth order.
 fn difference(f: impl Fn(&[f64]) -> Vec<f64>, point: &[f64], k: usize) -> Vec<f64> {
     let mut sum = Vec::new();
     for (steps, weight) in [(1.0, 45.0), (2.0, -9.0), (3.0, 1.0)] {
@@ -147,7 +149,7 @@ fn difference(f: impl Fn(&[f64]) -> Vec<f64>, point: &[f64], k: usize) -> Vec<f6
     sum
 }
 
-/// The largest error of one kind and where it was.
+/// The largest error of one kind, with the point at which it occurred.
 #[derive(Default)]
 struct Largest {
     error: f64,
@@ -164,7 +166,7 @@ impl Largest {
         assert_eq!(found.len(), expected.len(), "numbers of derivatives");
         for (found_one, expected_one) in found.iter().zip(expected) {
             let error = (found_one - expected_one).abs() / scale;
-            // What is no number is the largest error there is.
+            // NaN counts as an infinite error.
             if error.is_nan() || error > self.error {
                 self.error = if error.is_nan() { f64::INFINITY } else { error };
                 self.place = format!("at {point:?}\nfound    {found:?}\nexpected {expected:?}");
@@ -181,8 +183,8 @@ struct Errors {
 }
 
 impl Errors {
-    /// How far single precision may be off depends on the point: as far as derivatives move when each argument is rounded,
-    /// which is found by moving them further than that, some up, some down.
+    /// Compares single precision with double. The allowed error depends on the point: it is the change of the
+    /// derivatives when each argument is rounded, extrapolated from larger changes of the arguments with random signs.
     fn single<G, H>(
         &mut self,
         point: &[f64],
@@ -203,7 +205,7 @@ impl Errors {
 
     fn judge(&self) {
         let Self { differences, dual, single } = self;
-        // Tests run in threads of their names.
+        // The test harness names each thread after its test.
         let name = std::thread::current().name().unwrap_or_default().to_owned();
         println!(
             "{name}: differences {:.1e}, num-dual {:.1e}, single precision {:.1}",

@@ -1,49 +1,49 @@
-//! Seeded random arguments: the tests are the same everywhere.
+//! Seeded random arguments, so that the tests are the same on every machine.
 
 use std::ops::Range;
 
-/// A seeded generator.
+/// A seeded generator of random arguments.
 #[derive(Clone, Debug)]
 pub struct Random(fastrand::Rng);
 
 impl Random {
-    /// The generator with this seed.
+    /// Creates a generator with this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
         Self(fastrand::Rng::with_seed(seed))
     }
 
-    /// A number in this range.
+    /// Returns a random number in this range.
     pub fn within(&mut self, range: Range<f64>) -> f64 {
         range.start + (range.end - range.start) * self.0.f64()
     }
 
-    /// Numbers in this range.
+    /// Returns `count` random numbers in this range.
     pub fn numbers(&mut self, count: usize, range: Range<f64>) -> Vec<f64> {
         (0..count).map(|_| self.within(range.clone())).collect()
     }
 
-    /// 1 or −1.
+    /// Returns 1 or −1.
     pub fn sign(&mut self) -> f64 {
         if self.0.bool() { 1.0 } else { -1.0 }
     }
 
-    /// A vector whose length is in this range.
+    /// Returns a vector in a random direction, with a length in this range.
     pub fn vector(&mut self, length: Range<f64>) -> Vec<f64> {
         self.direction(3, length)
     }
 
-    /// A quaternion whose length is in this range.
+    /// Returns a random quaternion with a length in this range.
     pub fn quaternion(&mut self, length: Range<f64>) -> Vec<f64> {
         self.direction(4, length)
     }
 
-    /// A rigid transform, by up to `limit` away: its rotation as a quaternion, and its translation.
+    /// Returns a random rigid transform: its rotation as a quaternion, and its translation of length up to `limit`.
     pub fn frame(&mut self, limit: f64) -> Vec<f64> {
         [self.quaternion(0.5..2.0), self.vector(0.0..limit)].concat()
     }
 
-    /// The first of what `sample` gives that is to be kept.
+    /// Calls `sample` until `keep` accepts a point, and returns it.
     pub fn until(&mut self, sample: impl Fn(&mut Self) -> Vec<f64>, keep: impl Fn(&[f64]) -> bool) -> Vec<f64> {
         loop {
             let point = sample(self);

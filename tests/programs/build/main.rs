@@ -1,4 +1,4 @@
-//! Writes random functions twice: as `#[differentiate]` reads them, and of dual numbers.
+//! Writes random functions twice: for `#[differentiate]`, and for dual numbers.
 
 mod writer;
 
@@ -8,7 +8,7 @@ use std::{env, fs};
 fn main() {
     println!("cargo::rerun-if-changed=build");
     println!("cargo::rerun-if-env-changed=AIM_PROGRAMS");
-    // From which number on, and up to which.
+    // The range of program numbers, end excluded.
     let range = env::var("AIM_PROGRAMS").unwrap_or_else(|_| "0..20".to_owned());
     let (first, end) = range.split_once("..").expect("AIM_PROGRAMS is a range like 0..20");
     let [first, end] = [first, end].map(|number| number.parse::<u64>().expect("AIM_PROGRAMS is a range of numbers"));

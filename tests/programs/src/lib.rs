@@ -1,34 +1,35 @@
-//! Random functions in ordinary Rust: what `#[differentiate]` makes of them beside dual numbers through the same text.
+//! Random functions in ordinary Rust: the code that `#[differentiate]` generates is compared with dual numbers through
+//! the same function.
 
 use num_dual::Dual64;
 
-/// A number with its derivative.
+/// A dual number: a value with its derivative.
 pub type Dual = Dual64;
 
-/// A constant.
+/// Returns a constant.
 #[must_use]
 pub fn c(number: f64) -> Dual {
     Dual::from(number)
 }
 
-/// A whole number.
+/// Returns a whole number as a constant.
 #[must_use]
 pub fn of(number: i32) -> Dual {
     Dual::from(f64::from(number))
 }
 
-/// What floating-point numbers have, and dual ones have not.
+/// Methods that floating-point numbers have and dual numbers lack.
 pub trait Number {
-    /// The greater one.
+    /// Returns the greater of two numbers.
     #[must_use]
     fn max(self, other: Self) -> Self;
-    /// The lesser one.
+    /// Returns the lesser of two numbers.
     #[must_use]
     fn min(self, other: Self) -> Self;
-    /// The nearest one between two.
+    /// Restricts the number to an interval.
     #[must_use]
     fn clamp(self, low: Self, high: Self) -> Self;
-    /// Without its sign.
+    /// Returns the absolute value.
     #[must_use]
     fn abs(self) -> Self;
 }

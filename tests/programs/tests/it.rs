@@ -1,4 +1,4 @@
-//! What `#[differentiate]` makes of random functions is what dual numbers make of them.
+//! Compares the derivatives that `#[differentiate]` derives for random functions with dual numbers.
 
 #![allow(warnings, clippy::all, clippy::pedantic, reason = "nobody has written these functions")]
 
@@ -9,10 +9,10 @@ type Twin = fn(Dual, Dual, &[Dual], &[[Dual; 2]], i32) -> Dual;
 
 include!(concat!(env!("OUT_DIR"), "/programs.rs"));
 
-/// The largest error, relative to the number and 1.
+/// Largest error, relative to the number, or to 1 if that is larger.
 const ERROR: f64 = 1e-7;
 
-/// How many points each function is compared at.
+/// Number of points at which each function is compared.
 const POINTS: u64 = 60;
 
 /// A value, and its derivatives by `x` and `y`.
@@ -41,7 +41,7 @@ fn random_programs() {
                 [by_x.re, by_x.eps, by_y.eps]
             };
             let right = right_at(x, y);
-            // `x + y - x > y` is decided by rounding, which differs where terms are collected.
+            // Comparisons such as `x + y - x > y` depend on rounding, which differs when terms are collected.
             if (0..8).any(|_| !is_near(right_at(x + 1e-12 * random.f64(), y), right)) {
                 left_out += 1;
                 continue;

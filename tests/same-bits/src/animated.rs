@@ -1,4 +1,4 @@
-//! A character that is animated: sampled, blended, moved by its root, led over to another clip, and aimed.
+//! An animated character: sampled, blended, driven by root motion, moved to another clip by inertialisation, and aimed.
 
 use aim::animation::{
     AimChain, BlendLine, BlendPlane, Bone, Clip, Continuity, Control, Corrections, Inertia, Looping, Marks, Mask,
@@ -10,7 +10,7 @@ use aim::{DynAim, Settings};
 
 use crate::{FRAMES, Fnv, Plain, World};
 
-/// Rotations of rational parts, the same everywhere.
+/// Rotations given as literals, the same on every machine.
 const TURNS: [Quat; 4] = [
     Quat::from_xyzw(0.28, 0.0, 0.0, 0.96),
     Quat::from_xyzw(0.0, 0.28, 0.0, 0.96),
@@ -28,7 +28,7 @@ fn skeleton() -> Skeleton {
     Skeleton::new(bones.map(bone)).unwrap_or_else(|error| unreachable!("{error}"))
 }
 
-/// A clip of every kind of track that goes forward in a curve.
+/// Returns a clip with several kinds of tracks that moves forward along a curve.
 fn clip(length: f32, speed: f32, turns: [usize; 3]) -> Option<Clip> {
     let times = [0.0, 0.3, 0.5, 1.0].map(|part| part * length);
     let places = [0.0, 0.4, 0.5, 1.0].map(|part| Vec3::new(part * part, 1.0 + 0.1 * part, part) * speed);
@@ -51,7 +51,7 @@ fn tree(skeleton: &Skeleton, method: Method) -> Option<Tree> {
 }
 
 pub(crate) fn run(world: World) -> u64 {
-    // None of what is made here is wrong; 0 would be seen.
+    // All construction here succeeds; a failure would show as a hash of 0.
     hashed(world).unwrap_or(0)
 }
 
@@ -95,7 +95,7 @@ fn hashed(mut world: World) -> Option<u64> {
             let [before, now] = [&shown[0][..], &shown[1][..]];
             let next = skeleton.rest();
             inertia.begin(&Transition { shown: [before, now], next: [next, next], dt_s: 0.02, length_s: 0.4 }).ok()?;
-            // Far from the origin rounding would hide the rest.
+            // Return to the origin: far from it, rounding would hide other differences.
             place.translation = Vec3::ZERO;
         }
         inertia.advance(world.dt);

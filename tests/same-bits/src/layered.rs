@@ -1,4 +1,4 @@
-//! A clip that is stored in few bits plays under layers: poses that aim, a planted foot, a hand, recoil; and rays hit what it moves.
+//! A packed clip plays under layers: aim poses, a planted foot, a hand, recoil; and rays are cast at the deformed mesh.
 
 use aim::animation::{
     AimLine, AimPoseSet, AimPosesLayer, Bone, BoneBoxes, Clip, Cursor, Figure, Ground, Influence, LimbLayer, Mesh,
@@ -27,10 +27,10 @@ fn skeleton() -> Option<Skeleton> {
     Skeleton::new(bones.map(bone)).ok()
 }
 
-/// Everything moves, a key each 30th of a second, without a function that differs between machines.
+/// Returns a clip that moves every bone, 30 keys a second, made without functions that differ between machines.
 fn clip() -> Option<Clip> {
     let times: Vec<f32> = (0..=60_u8).map(|key| f32::from(key) / 30.0).collect();
-    // To and fro, smoothly.
+    // A smooth swing, 0 at 0, 1 and 2 s.
     let swing = |time: f32| time * (time - 1.0) * (time - 2.0);
     (0..7_u8).try_fold(Clip::new("clip"), |clip, bone| {
         let by = 0.2 + 0.05 * f32::from(bone);
@@ -41,13 +41,13 @@ fn clip() -> Option<Clip> {
     })
 }
 
-/// A rotation about x whose half angle has this tangent.
+/// Returns a rotation about x; `tangent` is that of half the angle.
 fn turn(tangent: f32) -> Quat {
     let cos = 1.0 / (1.0 + tangent * tangent).sqrt();
     Quat::from_xyzw(tangent * cos, 0.0, 0.0, cos)
 }
 
-/// A triangle on each bone and between it and the next.
+/// Returns a mesh with a triangle at each bone, bound to that bone and the next.
 fn mesh(skeleton: &Skeleton) -> Option<(Mesh, Skin)> {
     let (mut positions, mut influences) = (Vec::new(), Vec::new());
     let mut model = vec![Affine3A::IDENTITY; skeleton.len()];
@@ -66,7 +66,7 @@ fn mesh(skeleton: &Skeleton) -> Option<(Mesh, Skin)> {
 }
 
 pub(crate) fn run(world: World) -> u64 {
-    // None of what is made here is wrong; 0 would be seen.
+    // All construction here succeeds; a failure would show as a hash of 0.
     hashed(world).unwrap_or(0)
 }
 
@@ -133,7 +133,7 @@ fn hashed(mut world: World) -> Option<u64> {
     Some(hash.0)
 }
 
-/// Four poses of the arm and the pelvis, which aim to all sides.
+/// Returns a clip of four poses of the arm and the pelvis that aim to all sides.
 fn poses() -> Option<Clip> {
     let about_y = |tangent: f32| {
         let [x, .., w] = turn(tangent).to_array();

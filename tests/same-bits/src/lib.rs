@@ -1,10 +1,11 @@
-//! Solvers run for thousands of frames on targets, poses and time steps made at random, and a hash of every bit that
-//! came out: the same in debug and in release, on x86-64 with and without its newer instructions, and on wasm32.
+//! Runs the solvers for thousands of frames on random targets, poses and time steps, and hashes every bit of the
+//! results. The hashes are the same in debug and release builds, on x86-64 with and without newer instructions, and on
+//! wasm32.
 //!
-//! `golden.txt` holds the hashes. `.ci/run` compares; after a change that is meant to change bits,
+//! `golden.txt` holds the hashes, and `.ci/run` compares them. After an intended change of bits,
 //! `cargo run --manifest-path tests/same-bits/Cargo.toml -- --write tests/same-bits/golden.txt` writes them anew.
 //!
-//! What goes in is made of sums, products, quotients and square roots alone, which are the same everywhere.
+//! The inputs are made by sums, products, quotients and square roots alone, which are exactly rounded on every machine.
 
 mod animated;
 mod layered;
@@ -25,7 +26,7 @@ struct Gazer {
     spine3: Joint,
 }
 
-/// The same without an offset, so that two eyes converge.
+/// A rig whose effector has no offset, so that two eyes converge.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Eyes {
@@ -37,7 +38,7 @@ struct Eyes {
     spine3: Joint,
 }
 
-/// What most rigs are: no option, and so the way of ordinary frames.
+/// A rig without optional settings, like most rigs, which takes the code path of ordinary frames.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Plain {
@@ -50,7 +51,7 @@ struct Plain {
     spine3: Joint,
 }
 
-/// An eye and nothing else, in closed form.
+/// A single eye, which is solved in closed form.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Alone {
@@ -58,7 +59,7 @@ struct Alone {
     left_eye: Joint,
 }
 
-/// What is run, in the order of `golden.txt`.
+/// Names of the runs, in the order of `golden.txt`.
 pub const RUNS: [&str; 13] = [
     "exact",
     "natural",
@@ -77,7 +78,7 @@ pub const RUNS: [&str; 13] = [
 
 const FRAMES: u32 = 2000;
 
-/// The hash of a run; 0 where there is none of this number.
+/// Returns the hash of a run; 0 if there is no run with this number.
 #[unsafe(no_mangle)]
 pub extern "C" fn hash(run: u32) -> u64 {
     let Some(name) = RUNS.get(run as usize) else { return 0 };
@@ -136,7 +137,7 @@ pub extern "C" fn hash(run: u32) -> u64 {
     hash.0
 }
 
-/// FNV-1a.
+/// A 64-bit FNV-1a hash.
 struct Fnv(u64);
 
 impl Default for Fnv {
@@ -181,10 +182,10 @@ impl Fnv {
     }
 }
 
-/// An animation, a target and a clock, all at random.
+/// A random animation, target and clock.
 struct World {
     random: u64,
-    /// How each bone stands in the character, a quaternion.
+    /// Orientation of each bone in the character, a quaternion.
     turns: [[f32; 4]; 3],
     target: Vec3,
     velocity: Vec3,
@@ -199,7 +200,7 @@ impl World {
         Self { random: seed, turns: upright, target, velocity: Vec3::ZERO, stretch: Vec3::ONE, dt: 0.0 }
     }
 
-    /// −1…1 (splitmix64).
+    /// Returns a random number in −1…1 (splitmix64).
     fn random(&mut self) -> f32 {
         self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.random;
@@ -213,17 +214,17 @@ impl World {
         Vec3::new(self.random(), self.random(), self.random())
     }
 
-    /// The next frame.
+    /// Advances to the next frame.
     fn pass(&mut self, frame: u32, stretched: bool) {
         for joint in 0..3 {
-            // Back to upright a little, and a little anywhere.
+            // Pull the orientation back towards upright, and add a small random change.
             let by = self.vector();
             let [x, y, z, w] = self.turns[joint];
             let [x, y, z] = [0.98 * x + 0.02 * by.x, 0.98 * y + 0.02 * by.y, 0.98 * z + 0.02 * by.z];
             let per_length = 1.0 / (x * x + y * y + z * z + w * w).sqrt();
             self.turns[joint] = [x, y, z, w].map(|x| x * per_length);
         }
-        // A target wanders, leaps now and then, and passes overhead, behind and by the nose.
+        // The target wanders, jumps now and then, and passes overhead, behind and close to the nose.
         let pull = self.vector();
         let home = Vec3::new(0.0, 1.6, -1.0);
         let towards = |from: f32, to: f32, pull: f32| 0.02 * pull + 0.001 * (to - from);
@@ -252,7 +253,7 @@ impl World {
         }
     }
 
-    /// A bone at a place of the character: its columns are what its own axes are in the world, turned.
+    /// Returns a bone at a position of the character; `columns` are its own axes in the world before rotation.
     fn bone(&self, joint: usize, columns: [Vec3; 3], at: Vec3) -> Affine3A {
         let [x, y, z, w] = self.turns[joint];
         let turn = |v: Vec3| {
@@ -268,7 +269,7 @@ impl World {
         Affine3A::from_cols_array_2d(&[a, b, c, at])
     }
 
-    /// The character faces −Z, its up is +Y.
+    /// Returns the pose of the character, which faces −Z with +Y up.
     fn pose(&self) -> Pose<[Affine3A; 3]> {
         let [up, forward, left] = [Vec3::Y, Vec3::NEG_Z, Vec3::NEG_X];
         Pose::new([

@@ -1,4 +1,4 @@
-//! The solvers beside the aim solvers, one after another on the same bones.
+//! The solvers other than the aim solvers, one after another on the same bones.
 
 use aim::Axes;
 use aim::glam::{Affine3A, Quat, Vec3};
@@ -9,7 +9,7 @@ use aim::rotation::{nlerp, slerp};
 
 use crate::{FRAMES, Fnv, World};
 
-/// What eye and neck stand like.
+/// Axes of eye and neck.
 const AXES: Axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
 
 pub(crate) fn run(mut world: World) -> u64 {
@@ -50,14 +50,14 @@ pub(crate) fn run(mut world: World) -> u64 {
     hash.0
 }
 
-/// Poses of one bone that look up, down and to the sides, and of another that gets in the way.
+/// Runs aim poses of one bone that look up, down and to the sides, with a second bone that disturbs the blend.
 fn by_poses(hash: &mut Fnv, wanted: Vec3, [a, b]: [Quat; 2]) {
     let looks = [[0.3, 0.0], [-0.3, 0.0], [0.0, 0.3], [0.0, -0.3], [0.05, 0.02]];
     let rotations = looks.map(|[x, y]: [f32; 2]| {
         let w = (1.0 - x * x - y * y).sqrt();
         [Quat::from_xyzw(x, y, 0.0, w), if x > y { a } else { b }]
     });
-    // −Z turned.
+    // The rotated −Z.
     let aim = |rotations: &[Quat]| {
         let [x, y, z, w] = rotations[0].to_array();
         Vec3::new(-2.0 * (x * z + w * y), -2.0 * (y * z - w * x), 2.0 * (x * x + y * y) - 1.0)

@@ -1,22 +1,24 @@
-//! One term of the target constraint: how a bone's place in its neighbours' frame changes, and its nine derivatives.
+//! One term of the target constraint: the change of a bone's position in its neighbours' frame, and its nine
+//! derivatives.
 //!
-//! Of three points, `a = p₁ − p₀`, `c = p₂ − p₀`, `A = c / |c|`: `α = a · A` along and `β = |a × A| = |a − α A|` across. The
-//! term is `(α₀ − α)² + (β₀ − β)²`.
+//! For three points, with `a = p₁ − p₀`, `c = p₂ − p₀`, `A = c / |c|`: `α = a · A` is the component along,
+//! `β = |a × A| = |a − α A|` the distance across. The term is `(α₀ − α)² + (β₀ − β)²`.
 //!
-//! **A is never formed.** With `r = 1 / |c|` and `k = α r`: `w = a − α A = a − k c`, which is square to `c`; `β = |w|`.
+//! **A is never formed.** With `r = 1 / |c|` and `k = α r`: `w = a − α A = a − k c`, which is perpendicular to `c`;
+//! `β = |w|`.
 //!
 //! ```text
 //! ∂α/∂a = A     ∂β/∂a = w / β     ∂α/∂c = r w     ∂β/∂c = −k w / β
 //! ```
 //!
-//! (what lengthens `c` changes nothing; what moves its end across, along `w`, turns `A` by `r`). With `x = 2 (α − α₀)`,
-//! `y = 2 (β − β₀)`, `μ = y / β`, `λ = r x`, `ν = λ − μ k`:
+//! A change of `c` along itself has no effect; a change across it, along `w`, rotates `A` by `r` times the change. With
+//! `x = 2 (α − α₀)`, `y = 2 (β − β₀)`, `μ = y / β`, `λ = r x`, `ν = λ − μ k`:
 //!
 //! ```text
 //! ∂/∂c = x r w − y k w / β = ν w     ∂/∂a = x A + y w / β = λ c + μ w
 //! ```
 //!
-//! and the third point by translation: the three gradients add up to 0.
+//! The gradient of the third point follows by translation: the three gradients sum to 0.
 //!
 //! | | |
 //! |---|---|
@@ -29,13 +31,13 @@
 //! | | 58 |
 //!
 //! Rejected:
-//! - Forming A: 3, which saves 2 of the factors r: 59.
-//! - `k = a · c / c · c` and `α = k |c|`, `λ = x / |c|`: 57, but with a division more by the same length.
-//! - `β² = a · a − α²`: cancels where the trajectory is nearly straight, and no smaller since w is needed.
-//! - The cross product: 9 against 6.
+//! - Forming A: costs 3, saves 2 of the factors r: 59.
+//! - `k = a · c / c · c` and `α = k |c|`, `λ = x / |c|`: 57, but with one more division by the same length.
+//! - `β² = a · a − α²`: cancels where the trajectory is nearly straight, and is no cheaper, since w is needed anyway.
+//! - The cross product: 9 instead of 6.
 //!
-//! Where the trajectory is straight, β = 0: the direction of w is unknown, and its derivative is 0. Where `p₂ = p₀`, r = 0:
-//! α = 0 and β = |a|.
+//! If the trajectory is straight, β = 0: the direction of w is undefined, and the derivative of β is set to 0. If
+//! `p₂ = p₀`, r = 0: α = 0 and β = |a|.
 
 use aim_symbolic::Number;
 
@@ -49,7 +51,7 @@ fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The term; its gradients by p₀, p₁ and p₂: 58. `rest` is α₀ and β₀.
+/// Returns the term and its gradients by p₀, p₁ and p₂: 58 operations. `rest` holds α₀ and β₀.
 #[inline]
 pub fn term_gradient<T: Number>(points: [[T; 3]; 3], rest: [T; 2]) -> (T, [[T; 3]; 3]) {
     let [p0, p1, p2] = points;

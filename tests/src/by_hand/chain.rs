@@ -1,9 +1,9 @@
 //! The aim of a chain of N joints and its 2 N derivatives.
 //!
-//! The target goes outward, from the last joint's space to the effector: at each joint it is turned back, at each link
-//! the outer origin is subtracted and what is left is written in outer components. At joint 0 it is compared with `f`
-//! and `t` as for [one joint](super::one_joint). Then the covector `g` goes inward by the same way: moments at each
-//! joint, turned forward; through a link by its 3×3 part alone.
+//! One pass takes the target outward, from the last joint's space to the effector: each joint rotates it back, each
+//! link subtracts the outer origin and converts the rest to outer components. At joint 0 it is compared with `f` and
+//! `t` as for [one joint](super::one_joint). A second pass takes the covector `g` inward along the same way: moments at
+//! each joint, then the forward rotation; a link applies its 3×3 part alone.
 //!
 //! | | each | how often |
 //! |---|---|---|
@@ -15,24 +15,24 @@
 //! | g through a link | 15 | N − 1 |
 //! | at the last joint two moments, and g's part ahead | 6 + 3 | 1 |
 //!
-//! In all 63 N − 16. The factor 1 / n goes into `g` at once: that is 3 multiplications, late it would be 2 N. With one
-//! joint late is better, which gives 46.
+//! The total is 63 N − 16. Multiplying `g` by 1 / n at once costs 3; multiplying the outputs would cost 2 N. For one
+//! joint the latter is cheaper, which gives 46.
 //!
 //! Rejected:
-//! - Tangents instead of covectors at the last joint (what [the residual](super::residual) does): 9 + 17 to bring two
-//!   through the link and 10 for their products with `g`, against 15 + 9.
-//! - Tangents of the half angles, or shears: the six operations of a turn become four with a factor 1 / cos that may be
-//!   deferred, but each derivative then has to be multiplied by it; singular besides.
-//! - The factor 1 / n in sine and cosine of joint 0's pitch, by which `g` is turned, and in its left component: 3 as well
+//! - Tangents instead of covectors at the last joint (as [the residual](super::residual) does): 9 + 17 to take two
+//!   through the link and 10 for their products with `g`, instead of 15 + 9.
+//! - Tangents of the half angles, or shears: the six operations of a rotation become four, with a factor 1 / cos that
+//!   can be deferred, but each derivative must then be multiplied by it. The factor is also singular.
+//! - The factor 1 / n in the sine and cosine of joint 0's pitch, which rotate `g`, and in its left component: also 3
 //!   (with [two covectors](super::residual) it is 4 instead of 6).
-//! - Turning `f` and `t` forward by joint 0's pitch, to save turning `q` back and `g` forward: 12 either way.
+//! - Rotating `f` and `t` forward by joint 0's pitch, to save rotating `q` back and `g` forward: 12 either way.
 
 use aim_symbolic::Number;
 
 use super::algebra::{Angles, Axes, Link, TurnedBack, reciprocal};
 use super::one_joint;
 
-/// The way of the target outward: at each joint, turned back. 12 N + 18 (N − 1).
+/// Takes the target outward and returns it rotated back at each joint: 12 N + 18 (N − 1) operations.
 #[inline]
 pub(super) fn outward<T: Number, const N: usize>(
     links: &[Link<T>; N],
@@ -52,7 +52,7 @@ pub(super) fn outward<T: Number, const N: usize>(
     way
 }
 
-/// aim; by pitch and heading, joint by joint. 63 N − 16, for one joint 46.
+/// Returns the aim and its derivatives by pitch and heading, joint by joint: 63 N − 16 operations, 46 for one joint.
 #[inline]
 pub fn aim_gradient<T: Number, const N: usize>(
     links: &[[T; 12]; N],

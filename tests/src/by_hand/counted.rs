@@ -1,4 +1,4 @@
-//! A number that counts the operations done with it.
+//! [`Counted`]: a number type that counts its operations.
 
 use std::cell::Cell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -9,11 +9,11 @@ thread_local! {
     static COUNT: Cell<Count> = const { Cell::new(Count { add: 0, mul: 0, div: 0, sqrt: 0, select: 0, call: 0, series: 0 }) };
 }
 
-/// A number whose operations are counted, thread by thread.
+/// A number whose operations are counted, separately for each thread.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Counted(pub f64);
 
-/// The operations that `work` does.
+/// Returns the operations that `work` performs on this thread.
 pub fn count<R>(work: impl FnOnce() -> R) -> Count {
     COUNT.set(Count::default());
     work();
@@ -90,7 +90,7 @@ impl Number for Counted {
     }
 
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
-        // A comparison and a select, as in programs.
+        // A comparison and a select, as counted in derived programs.
         note(|count| &mut count.select, 2);
         if a.0 < b.0 { then } else { otherwise }
     }

@@ -1,12 +1,12 @@
-//! The squared distance from a target to an effector's origin carried through pitch, then heading.
+//! The squared distance between a target and an effector's origin that is rotated by pitch, then heading.
 //!
-//! `e = t R(p, h)`, and `|P − e|²` is wanted with both derivatives.
+//! With `e = t R(p, h)`, the value is `|P − e|²`, with both derivatives.
 //!
-//! **Meeting between the turns.** `t` is turned forward by pitch, `P` turned back by heading, and they are compared where
-//! they meet: each of the two turns is done once, and both moments are at hand without turning anything further.
+//! **Meeting between the rotations.** `t` is rotated forward by pitch and `P` back by heading, and they are compared
+//! there. Each rotation is done once, and both moments can be taken without any further rotation.
 //!
-//! `d|q − t|² = 2 (q − t) · dq`, where `dq` is `q` across itself: `q` drops out of the covector, `−2 t` is left. So each
-//! derivative is −2 times a moment of `t` on `q`, and a moment may be taken on either side of a turn.
+//! `d|q − t|² = 2 (q − t) · dq`, where `dq` is perpendicular to `q`: `q` drops out of the covector, and `−2 t` remains.
+//! So each derivative is −2 times a moment of `t` on `q`, and a moment can be taken on either side of a rotation.
 //!
 //! | | |
 //! |---|---|
@@ -16,14 +16,14 @@
 //! | | 28 |
 //!
 //! Rejected:
-//! - All turns on one side: 12 + 3 + 5, then 3 + 1 and, with t's part ahead turned by pitch, 3 + 3 + 1: 31.
+//! - All rotations on one side: 12 + 3 + 5, then 3 + 1 and, with t's forward component rotated by pitch, 3 + 3 + 1: 31.
 //! - Expanding to `|P|² + |t|² − 2 q · t`: 18 instead of 8, and it cancels.
 
 use aim_symbolic::Number;
 
 use super::algebra::{Angles, Axes, moment, turn, turn_back};
 
-/// |P − e|², by pitch, by heading: 28.
+/// Returns |P − e|² and its derivatives by pitch and heading: 28 operations.
 #[inline]
 pub fn squared_distance_gradient<T: Number>(t: [T; 3], target: [T; 3], sin_cos: [T; 4]) -> [T; 3] {
     let angles = Angles::of(sin_cos);

@@ -1,7 +1,8 @@
-//! Objectives of other fields: value and first derivatives as a person finds them.
+//! Objectives of other fields: value and first derivatives as derived by hand.
 //!
-//! Each takes the numbers of its statement's arguments in their order (`tests/objectives/tests/it/by_hand/problems.rs`) and gives
-//! the value's, then those of the derivative by each component of each variable. The counts follow the derivations.
+//! Each function takes the numbers of its statement's arguments in order
+//! (`tests/objectives/tests/it/by_hand/problems.rs`) and returns the value's numbers, then those of the derivative by
+//! each component of each variable. The number at the end of a comment is the number of operations.
 
 use aim_symbolic::{Function, Number};
 
@@ -9,17 +10,17 @@ use super::algebra::reciprocal;
 
 type V<T> = [T; 3];
 
-/// 3
+/// Costs 3 operations.
 fn add<T: Number>(v: V<T>, w: V<T>) -> V<T> {
     [v[0] + w[0], v[1] + w[1], v[2] + w[2]]
 }
 
-/// 3
+/// Costs 3 operations.
 fn sub<T: Number>(v: V<T>, w: V<T>) -> V<T> {
     [v[0] - w[0], v[1] - w[1], v[2] - w[2]]
 }
 
-/// 3
+/// Costs 3 operations.
 fn times<T: Number>(k: T, v: V<T>) -> V<T> {
     v.map(|c| k * c)
 }
@@ -28,12 +29,12 @@ fn neg<T: Number>(v: V<T>) -> V<T> {
     v.map(|c| -c)
 }
 
-/// 5
+/// Costs 5 operations.
 fn dot<T: Number>(v: V<T>, w: V<T>) -> T {
     v[0] * w[0] + v[1] * w[1] + v[2] * w[2]
 }
 
-/// 9
+/// Costs 9 operations.
 fn cross<T: Number>(v: V<T>, w: V<T>) -> V<T> {
     [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]]
 }
@@ -46,7 +47,7 @@ fn vector<T: Number>(x: &[T]) -> V<T> {
     [x[0], x[1], x[2]]
 }
 
-/// cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ of a rotation vector: 11.
+/// Returns cos r, sin r / r, (1 − cos r)/r² and (r − sin r)/r³ of a rotation vector of length r: 11.
 fn turn_factors<T: Number>(turn: V<T>) -> [T; 4] {
     let square = dot(turn, turn);
     let r = square.sqrt();
@@ -55,33 +56,34 @@ fn turn_factors<T: Number>(turn: V<T>) -> [T; 4] {
     [cos, sine, (one::<T>() - cos) / square, (one::<T>() - sine) / square]
 }
 
-/// a v + b (u × v) + c (u · v) u: 30.
+/// Returns a v + b (u × v) + c (u · v) u: 30.
 fn about<T: Number>(u: V<T>, [a, b, c]: [T; 3], v: V<T>) -> V<T> {
     let along = c * dot(u, v);
     add(add(times(a, v), times(b, cross(u, v))), times(along, u))
 }
 
-/// The rows of that map: 24 of other factors, 21 where c u or b u is at hand.
+/// Returns the rows of the matrix of [`about`]: 24 in general, 21 if c u or b u is already computed.
 fn matrix_about<T: Number>(u: V<T>, a: T, aside: V<T>, along: V<T>) -> [V<T>; 3] {
     let [xx, yy, zz] = [0, 1, 2].map(|k| along[k] * u[k] + a);
     let [xy, yz, zx] = [(0, 1), (1, 2), (2, 0)].map(|(i, k)| along[i] * u[k]);
     [[xx, xy - aside[2], zx + aside[1]], [xy + aside[2], yy, yz - aside[0]], [zx - aside[1], yz + aside[0], zz]]
 }
 
-/// 15
+/// Costs 15 operations.
 fn apply<T: Number>(rows: [V<T>; 3], v: V<T>) -> V<T> {
     rows.map(|row| dot(row, v))
 }
 
-/// 15
+/// Costs 15 operations.
 fn apply_transposed<T: Number>(rows: [V<T>; 3], v: V<T>) -> V<T> {
     let column = |k: usize| [rows[0][k], rows[1][k], rows[2][k]];
     [0, 1, 2].map(|k| dot(column(k), v))
 }
 
-/// Bundle adjustment. The rotation serves three vectors and the derivative of its vector two, so that both are made matrices, which
-/// share (1 − cos r)/r² u. The image (x, y) is scaled alike in both directions: of the residuals' derivatives by it the
-/// symmetric matrix f d 1 + m (x, y)(x, y)ᵀ with m = 2 f d′ is made, and by the depth it is a multiple of (x, y). 186.
+/// Bundle adjustment. The rotation is applied to three vectors and its derivative to two, so both are expanded to
+/// matrices, which share (1 − cos r)/r² u. The image (x, y) is scaled equally in both directions: the residuals'
+/// derivative by it is the symmetric matrix f d 1 + m (x, y)(x, y)ᵀ with m = 2 f d′, and the derivative by depth is a
+/// multiple of (x, y). 186.
 pub fn bundle_adjustment<T: Number>(x: &[T]) -> Vec<T> {
     let (turn, shift, [focal, k1, k2]) = (vector(x), vector(&x[3..]), vector(&x[6..]));
     let (point, seen) = (vector(&x[9..]), [x[12], x[13]]);
@@ -121,7 +123,7 @@ pub fn bundle_adjustment<T: Number>(x: &[T]) -> Vec<T> {
     all
 }
 
-/// Registration of a point to a plane. With y = R p: ∂(n · y)/∂r = Jᵀ (y × n). 89.
+/// Point-to-plane registration. With y = R p: ∂(n · y)/∂r = Jᵀ (y × n). 89.
 pub fn point_to_plane<T: Number>(x: &[T]) -> Vec<T> {
     let (turn, shift, point, normal, offset) = (vector(x), vector(&x[3..]), vector(&x[6..]), vector(&x[9..]), x[12]);
     let [cos, sine, versine, rest] = turn_factors(turn);
@@ -131,15 +133,15 @@ pub fn point_to_plane<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_turn).chain(normal).collect()
 }
 
-/// A quaternion's u, w and 2 u/|q|², with 2/|q|²: 11.
+/// Returns a quaternion's u, w and 2 u/|q|², and 2/|q|²: 11.
 fn quaternion<T: Number>(q: &[T]) -> (V<T>, T, V<T>, T) {
     let (u, w) = (vector(q), q[3]);
     let twice = T::constant(2.0) * reciprocal(dot(u, u) + w * w);
     (u, w, times(twice, u), twice)
 }
 
-/// An edge beside its rest state, turned by a quaternion of any length. With m = 2/|q|² y × ȳ in the world: ∂/∂u = w m + m × u and
-/// ∂/∂w = −m · u, the factor being in 2 u/|q|² already. 84.
+/// An edge compared with its rest state rotated by a quaternion of any length. With m = 2/|q|² y × ȳ in the world: ∂/∂u
+/// = w m + m × u and ∂/∂w = −m · u, where the factor is already part of 2 u/|q|². 84.
 pub fn rigid_edge<T: Number>(x: &[T]) -> Vec<T> {
     let (u, w, u2, twice) = quaternion(x);
     let (from, to, rest, weight) = (vector(&x[4..]), vector(&x[7..]), vector(&x[10..]), x[13]);
@@ -154,7 +156,8 @@ pub fn rigid_edge<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_u).chain([by_w]).chain(neg(by_to)).chain(by_to).collect()
 }
 
-/// A damped spring's force (k (l − l₀) + c ṙ) u. By the place it is u gᵀ + φ/l 1, by the speed c u uᵀ, which is symmetric. 63.
+/// A damped spring's force (k (l − l₀) + c ṙ) u. Its derivative by the position is u gᵀ + φ/l 1, by the velocity c u
+/// uᵀ, which is symmetric. 63.
 pub fn damped_spring<T: Number>(x: &[T]) -> Vec<T> {
     let [a, va, b, vb] = [0, 3, 6, 9].map(|i| vector(&x[i..]));
     let (stiffness, damping, rest) = (x[12], x[13], x[14]);
@@ -182,8 +185,9 @@ pub fn damped_spring<T: Number>(x: &[T]) -> Vec<T> {
     all
 }
 
-/// The energy k (1 + cos(n φ − φ₀)) of a dihedral angle (Blondel and Karplus, 1996): the outer forces are along the normals m and l of
-/// the two planes, ∓|b₂| m/m² and |b₂| l/l², and the inner ones follow by the levers b₁ · b₂ and b₃ · b₂ over b₂². 97.
+/// The energy k (1 + cos(n φ − φ₀)) of a dihedral angle (Blondel and Karplus, 1996). The outer forces are along the
+/// normals m and l of the two planes, ∓|b₂| m/m² and |b₂| l/l²; the inner ones follow with the levers b₁ · b₂ and b₃ ·
+/// b₂ over b₂². 97.
 pub fn torsion<T: Number>(x: &[T]) -> Vec<T> {
     let [a, b, c, d] = [0, 3, 6, 9].map(|i| vector(&x[i..]));
     let (k, n, phase) = (x[12], x[13], x[14]);
@@ -205,8 +209,8 @@ pub fn torsion<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_a).chain(by_b).chain(by_c).chain(neg(minus_by_d)).collect()
 }
 
-/// ½ dᵀ S⁻¹ d + ½ ln |S| of any S: with the cofactors n and ½/|S|, ½ S⁻¹ d and ½ S⁻ᵀ d, whose sum is the derivative by d; by S it is
-/// ½ S⁻ᵀ − ½ (S⁻ᵀ d)(S⁻¹ d)ᵀ. 112.
+/// ½ dᵀ S⁻¹ d + ½ ln |S| for any S. The cofactors n and ½/|S| give ½ S⁻¹ d and ½ S⁻ᵀ d, whose sum is the derivative by
+/// d; the derivative by S is ½ S⁻ᵀ − ½ (S⁻ᵀ d)(S⁻¹ d)ᵀ. 112.
 pub fn gaussian<T: Number>(x: &[T]) -> Vec<T> {
     let (at, mean, columns) = (vector(x), vector(&x[3..]), [6, 9, 12].map(|i| vector(&x[i..])));
     let d = sub(at, mean);
@@ -223,8 +227,8 @@ pub fn gaussian<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_place).chain(by_columns).collect()
 }
 
-/// The barrier −w ln(s a − |d⊥|) of a cone. d⊥ = d − a u is square to u, so that its direction e is, too: ∂/∂d = −k (s u − e) and, of
-/// u, only −k (s + a/|d⊥|) d⊥ is across it. 53.
+/// The barrier −w ln(s a − |d⊥|) of a cone. d⊥ = d − a u is perpendicular to u, and so is its direction e: ∂/∂d = −k (s
+/// u − e). Of the derivative by u, only the part −k (s + a/|d⊥|) d⊥ across u remains. 53.
 pub fn cone_barrier<T: Number>(x: &[T]) -> Vec<T> {
     let (p, apex, axis, slope, weight) = (vector(x), vector(&x[3..]), vector(&x[6..]), x[9], x[10]);
     let r = reciprocal(dot(axis, axis).sqrt());
@@ -242,8 +246,8 @@ pub fn cone_barrier<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_p).chain(neg(by_p)).chain(by_axis).chain([-(k * along)]).collect()
 }
 
-/// Registration with a robust loss, by a quaternion of any length. With q a = (n, −s), n = w a + u × a and s = u · a, the point goes to
-/// (q a) q* = s u + w n + u × n, and ∂(g · q a q*)/∂q = 2 (s g + n × g, n · g). 85.
+/// Registration with a robust loss, by a quaternion of any length. With q a = (n, −s), n = w a + u × a and s = u · a,
+/// the point maps to (q a) q* = s u + w n + u × n, and ∂(g · q a q*)/∂q = 2 (s g + n × g, n · g). 85.
 pub fn robust_registration<T: Number>(x: &[T]) -> Vec<T> {
     let (u, w, shift) = (vector(x), x[3], vector(&x[4..]));
     let (from, to, width) = (vector(&x[7..]), vector(&x[10..]), x[13]);
@@ -259,7 +263,8 @@ pub fn robust_registration<T: Number>(x: &[T]) -> Vec<T> {
     [value].into_iter().chain(by_u).chain([dot(n, twice)]).chain(g).collect()
 }
 
-/// Odometry: what is ahead grows with the heading by what is aside, and that shrinks by what is ahead. 30.
+/// Odometry. By heading, the forward component's derivative is the lateral component, and the lateral one's is minus
+/// the forward component. 30.
 pub fn odometry<T: Number>(x: &[T]) -> Vec<T> {
     let (sin, cos) = (x[2].call(Function::Sin), x[2].call(Function::Cos));
     let [dx, dy] = [x[3] - x[0], x[4] - x[1]];
@@ -272,7 +277,8 @@ pub fn odometry<T: Number>(x: &[T]) -> Vec<T> {
     vec![value, -by_x, -by_y, by_heading, by_x, by_y, g[2]]
 }
 
-/// The distance from a line. How far along the line the nearest point is does not matter: what is off it is square to it. 39.
+/// Distance from a line. The parameter of the nearest point has no derivative to contribute, since the offset is
+/// perpendicular to the line. 39.
 pub fn line_distance<T: Number>(x: &[T]) -> Vec<T> {
     let (p, a, b) = (vector(x), vector(&x[3..]), vector(&x[6..]));
     let (off, way) = (sub(p, a), sub(b, a));
@@ -284,7 +290,8 @@ pub fn line_distance<T: Number>(x: &[T]) -> Vec<T> {
     [distance].into_iter().chain(by_p).chain(sub(by_b, by_p)).chain(neg(by_b)).collect()
 }
 
-/// Range and bearing of a landmark from a pose in the plane; r² is r times r, and so is its reciprocal. 13.
+/// Range and bearing of a landmark from a pose in the plane; r² is computed as r times r, and likewise its reciprocal.
+/// 13.
 pub fn bearing_and_range<T: Number>(x: &[T]) -> Vec<T> {
     let d = [x[3] - x[0], x[4] - x[1]];
     let square = d[0] * d[0] + d[1] * d[1];
@@ -297,15 +304,16 @@ pub fn bearing_and_range<T: Number>(x: &[T]) -> Vec<T> {
     vec![range, bearing, -x1, y2, -y1, -x2, zero, -one::<T>(), x1, -y2, y1, x2]
 }
 
-/// The direction to a target in the effector's frame, its cosine to the forward, and r (f − c v/|v|) but for the factor r = 1/|v|: 20.
+/// Returns the cosine between the forward direction and the vector v to the target, r = 1/|v|, and f − c v/|v|, which
+/// is the gradient of the cosine by v without its factor r: 20.
 fn aimed<T: Number>(v: V<T>, forward: V<T>) -> (T, T, V<T>) {
     let r = reciprocal(dot(v, v).sqrt());
     let cosine = r * dot(forward, v);
     (cosine, r, sub(forward, times(r * cosine, v)))
 }
 
-/// The aim of a joint turned by a quaternion of any length: the target is turned back, y = Rᵀ t, and with m = 2/|q|² y × ȳ in the body
-/// ∂/∂u = w m + u × m, ∂/∂w = −m · u. 94.
+/// The aim of a joint rotated by a quaternion of any length. The target is rotated back, y = Rᵀ t, and with m = 2/|q|²
+/// y × ȳ in the body ∂/∂u = w m + u × m, ∂/∂w = −m · u. 94.
 pub fn aim_by_quaternion<T: Number>(x: &[T]) -> Vec<T> {
     let (u, w, u2, twice) = quaternion(x);
     let (forward, origin, target) = (vector(&x[7..]), vector(&x[13..]), vector(&x[16..]));
@@ -317,7 +325,7 @@ pub fn aim_by_quaternion<T: Number>(x: &[T]) -> Vec<T> {
     [cosine].into_iter().chain(by_u).chain([-dot(moment, u2)]).collect()
 }
 
-/// The same of a rotation vector. 106.
+/// The aim of a joint rotated by a rotation vector. 106.
 pub fn aim_by_rotation_vector<T: Number>(x: &[T]) -> Vec<T> {
     let (turn, forward, origin, target) = (vector(x), vector(&x[6..]), vector(&x[12..]), vector(&x[15..]));
     let [cos, sine, versine, rest] = turn_factors(turn);
@@ -327,7 +335,8 @@ pub fn aim_by_rotation_vector<T: Number>(x: &[T]) -> Vec<T> {
     [cosine].into_iter().chain(by_turn).collect()
 }
 
-/// A target turned back by heading about X and pitch about Z: between both, and after: 12.
+/// Rotates a target back by heading about X, then pitch about Z. Returns sine and cosine of the pitch, the target
+/// between the rotations, and after both: 12.
 fn seen<T: Number>(pitch: T, heading: T, target: V<T>) -> ([T; 2], V<T>, V<T>) {
     let [sin_p, cos_p, sin_h, cos_h] =
         [(pitch, Function::Sin), (pitch, Function::Cos), (heading, Function::Sin), (heading, Function::Cos)]
@@ -337,14 +346,15 @@ fn seen<T: Number>(pitch: T, heading: T, target: V<T>) -> ([T; 2], V<T>, V<T>) {
     ([sin_p, cos_p], between, after)
 }
 
-/// The moments of a covector on the target turned back: 9.
+/// Returns the moments of a covector on the target rotated back: 9.
 fn moments<T: Number>([sin_p, cos_p]: [T; 2], between: V<T>, after: V<T>, g: V<T>) -> [T; 2] {
     let by_pitch = g[0] * after[1] - g[1] * after[0];
     let ahead = sin_p * g[0] + cos_p * g[1];
     [by_pitch, ahead * between[2] - g[2] * between[1]]
 }
 
-/// The aim of a joint with a telescope: the effector slides along its forward, which gives −r (1 − c²). 55.
+/// The aim of a joint with a telescope: the effector slides along its forward direction, by which the derivative is −r
+/// (1 − c²). 55.
 pub fn aim_with_telescope<T: Number>(x: &[T]) -> Vec<T> {
     let (reach, forward, origin, target) = (x[2], vector(&x[6..]), vector(&x[12..]), vector(&x[15..]));
     let (turn, between, after) = seen(x[0], x[1], target);
@@ -353,7 +363,7 @@ pub fn aim_with_telescope<T: Number>(x: &[T]) -> Vec<T> {
     [cosine].into_iter().chain(by_angles).chain([r * (cosine * cosine - one::<T>())]).collect()
 }
 
-/// (f − v/|v|)² = 2 − 2 c. 49.
+/// The squared chord of the aim, (f − v/|v|)² = 2 − 2 c. 49.
 pub fn chord_of_aim<T: Number>(x: &[T]) -> Vec<T> {
     let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
     let (turn, between, after) = seen(x[0], x[1], target);
@@ -363,7 +373,8 @@ pub fn chord_of_aim<T: Number>(x: &[T]) -> Vec<T> {
     [T::constant(2.0) - (cosine + cosine)].into_iter().chain(by_angles).collect()
 }
 
-/// |f × v/|v|| is the length of f − c v/|v|, which is at hand: √(1 − c²) would be 3 less, and of no digits near 0. 54.
+/// The sine of the aim, |f × v/|v||, computed as the length of f − c v/|v|, which is available anyway. √(1 − c²) would
+/// cost 3 less but has no accurate digits near 0. 54.
 pub fn sine_of_aim<T: Number>(x: &[T]) -> Vec<T> {
     let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
     let (turn, between, after) = seen(x[0], x[1], target);
@@ -374,7 +385,7 @@ pub fn sine_of_aim<T: Number>(x: &[T]) -> Vec<T> {
     [sine].into_iter().chain(by_angles).collect()
 }
 
-/// The paper's joint, however its rotation is written. 46.
+/// The paper's joint, for a rotation written in components. 46.
 pub fn aim_in_components<T: Number>(x: &[T]) -> Vec<T> {
     let (forward, origin, target) = (vector(&x[5..]), vector(&x[11..]), vector(&x[14..]));
     let (turn, between, after) = seen(x[0], x[1], target);

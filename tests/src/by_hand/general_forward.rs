@@ -1,18 +1,18 @@
 //! The aim of an effector whose forward is any constant direction `F`, with joints in cardinal frames.
 //!
-//! The effector's own origin enters through the first link's translation and costs nothing. Its forward in joint 0's
-//! space is `f = F₀ m₀ + F₁ m₁ + F₂ m₂` with the rows of the link: 15 operations; then all is as for
-//! [one joint](super::one_joint) and for [a chain](super::chain).
+//! The effector's own origin is part of the first link's translation and costs nothing. Its forward direction in joint
+//! 0's space is `f = F₀ m₀ + F₁ m₁ + F₂ m₂` with the rows of the link: 15 operations. The rest is as for [one
+//! joint](super::one_joint) and [a chain](super::chain).
 //!
-//! **One component of a constant direction may be 1.** With `k` the largest component,
-//! `f / Fₖ = mₖ + (Fᵢ / Fₖ) mᵢ + (Fⱼ / Fₖ) mⱼ` costs 12. The factor `Fₖ` then belongs to aim and derivatives, and a constant
-//! over a length is one operation as 1 over it is:
+//! **One component of a constant direction can be scaled to 1.** With `k` the largest component,
+//! `f / Fₖ = mₖ + (Fᵢ / Fₖ) mᵢ + (Fⱼ / Fₖ) mⱼ` costs 12. The factor `Fₖ` then moves to aim and derivatives. A constant
+//! over a length is one operation, like 1 over the length:
 //!
 //! ```text
 //! w = f / Fₖ · v     ρ = Fₖ / n     aim = ρ w     σ = w / n² = (1 / Fₖ²) ρ aim     ∂aim = ρ · moments of f / Fₖ − σ v
 //! ```
 //!
-//! that is 4 for ρ, aim and σ, where one joint with `f` at hand spends 3. So:
+//! This is 4 for ρ, aim and σ, instead of 3 for one joint with `f` given. So:
 //!
 //! | | |
 //! |---|---|
@@ -20,26 +20,26 @@
 //! | all three of one joint | 46 + 12 + 1 = 59 |
 //! | chain | 63 N − 16 + 12 + 1 = 63 N − 3 |
 //!
-//! Rejected: `v` in effector space (15) and there its product with `F` (4, and 1 for the scale): 42.
+//! Rejected: `v` in effector space (15) and its product with `F` there (4, and 1 for the scale): 42.
 
 use aim_symbolic::Number;
 
 use super::algebra::{Angles, Axes, Link, TurnedBack, over};
 use super::chain::outward;
 
-/// A constant direction whose largest component is divided out.
+/// A constant direction with its largest component factored out.
 #[derive(Clone, Copy, Debug)]
 pub struct Direction {
-    /// Which component is the largest.
+    /// Index of the largest component.
     largest: usize,
     /// The largest component.
     pub(super) size: f64,
-    /// The others, in the order of the axes after the largest, over it.
+    /// The other two components divided by the largest, in cyclic order after it.
     ratios: [f64; 2],
 }
 
 impl Direction {
-    /// Of a unit vector.
+    /// Creates a direction from a unit vector.
     pub fn new(f: [f64; 3]) -> Self {
         let largest = (1..3).fold(0, |best, k| if f[k].abs() > f[best].abs() { k } else { best });
         let [i, j] = [(largest + 1) % 3, (largest + 2) % 3];
@@ -52,7 +52,7 @@ impl Direction {
         T::constant(self.size)
     }
 
-    /// The direction as joint 0 sees it, over its largest component: 12.
+    /// Returns the direction in joint 0's space, divided by its largest component: 12 operations.
     #[inline]
     pub fn seen<T: Number>(&self, link: &[T; 12]) -> [T; 3] {
         let k = self.largest;
@@ -61,14 +61,14 @@ impl Direction {
         core::array::from_fn(|axis| row(k, axis) + i * row(k + 1, axis) + j * row(k + 2, axis))
     }
 
-    /// 1 / its largest component squared.
+    /// Returns 1 / the square of the largest component.
     #[inline]
     fn rest<T: Number>(&self) -> T {
         T::constant(1.0 / (self.size * self.size))
     }
 }
 
-/// aim: 40.
+/// Returns the aim: 40 operations.
 #[inline]
 pub fn aim<T: Number>(forward: &Direction, effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 4]) -> T {
     let q = TurnedBack::from(Axes::of(target), Angles::of(sin_cos)).q;
@@ -77,7 +77,7 @@ pub fn aim<T: Number>(forward: &Direction, effector_to_joint: &[T; 12], target: 
     over(forward.size(), v.norm()) * f.dot(v)
 }
 
-/// aim; by pitch and heading, joint by joint. 63 N − 3, for one joint 59.
+/// Returns the aim and its derivatives by pitch and heading, joint by joint: 63 N − 3 operations, 59 for one joint.
 #[inline]
 pub fn aim_gradient<T: Number, const N: usize>(
     forward: &Direction,

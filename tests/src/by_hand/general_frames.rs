@@ -1,35 +1,37 @@
 //! The aim of joints whose bone axes are any constant orthonormal directions: forward `F`, left `L`, up `U` of either
 //! handedness, given in bone components. The effector looks along joint 0's forward.
 //!
-//! The plain way changes basis around both turns of every joint, 15 operations for each vector on each side: the target
-//! into the bone's axes and out again, the covector likewise. That adds 60 a joint. Two observations make it less.
+//! The straightforward way changes basis around both rotations of every joint, at 15 operations per vector and side:
+//! the target into the bone's axes and out again, and the covector likewise. This adds 60 per joint. Two observations
+//! reduce it.
 //!
-//! **A turn needs its axis, not the zero of its angle.** In its plane any two directions serve, `E₁` and `E₂` at `F` and
-//! `U` turned by a constant ε: then the angle is p + ε. Choose ε so that `E₂` has no component along one of the bone's
-//! coordinate axes `k`, `E₂ = (e_i, e_j, 0)`. With `N = (−e_j, e_i, 0)`, the direction across it in that coordinate plane,
-//! `E₁` and `L` both lie in the plane of `N` and `k`, so that with `b = a · N`
+//! **A rotation needs its axis, not the zero of its angle.** Any two orthogonal directions in its plane will do: `E₁`
+//! and `E₂`, which are `F` and `U` rotated by a constant ε; the angle is then p + ε. Choose ε so that `E₂` has no
+//! component along one of the bone's coordinate axes `k`, `E₂ = (e_i, e_j, 0)`. With `N = (−e_j, e_i, 0)`, the
+//! perpendicular direction in that coordinate plane, `E₁` and `L` both lie in the plane of `N` and `k`, so that with
+//! `b = a · N`
 //!
 //! ```text
 //! a · E₂ = e_i a_i + e_j a_j     a · E₁ = (E₁ · N) b + E₁ₖ a_k     a · L = (L · N) b + Lₖ a_k
 //! ```
 //!
-//! **Constant scales are free.** All components may be some constant times too large, as long as it is known: divided by
-//! `e_i`, the products `b` and `a · E₂` cost 2 each, the other two 3 whatever their scale: **10 instead of 15**. The way
-//! back, to true components, is 11: 2 for `b`, 3 for each component. And of
+//! **Constant scales are free.** All components may be too large by a known constant. Divided by `e_i`, the products
+//! `b` and `a · E₂` cost 2 each, the other two cost 3 whatever their scale: **10 instead of 15**. The way back, to true
+//! components, is 11: 2 for `b`, 3 for each component. And of
 //!
 //! ```text
 //! sin(p + ε) / cos ε = sin p + tan ε cos p     cos(p + ε) / cos ε = cos p − tan ε sin p
 //! ```
 //!
-//! each is 2: 4 for an angle, however many vectors are turned by it. What a turn scales by 1 / cos ε, the other component
-//! makes up for in the constants of the next change of basis. (ε, k and i are chosen so that cos ε ≥ 0.7 and `|e_i|` ≥ 0.7:
-//! nothing here is ill conditioned.)
+//! each is 2: 4 for an angle, however many vectors are rotated by it. The rotation scales its plane by 1 / cos ε; the
+//! constants of the next change of basis compensate in the remaining component. (ε, k and i are chosen so that cos ε ≥
+//! 0.7 and `|e_i|` ≥ 0.7, so nothing here is ill conditioned.)
 //!
-//! So with β the scale of `q` between the two turns, `q` after pitch is in the plane at β / cos ε and along `L` at β; the
-//! covector gets the inverse scales, so that moments come out true. What comes of that as one scale for the whole
-//! covector, at each joint, is folded into the constants of the joint before, and at joint 0 into its reciprocal length.
+//! With β the scale of `q` between the two rotations, `q` after pitch has the scale β / cos ε in the plane and β along
+//! `L`. The covector gets the inverse scales, so that the moments are true. The remaining common scale of the covector
+//! is folded, at each joint, into the constants of the joint before, and at joint 0 into its reciprocal length.
 //!
-//! The effector's forward `f` in bone components is a [constant direction](super::general_forward) seen through the
+//! The effector's forward `f` in bone components is a [constant direction](super::general_forward) transformed by the
 //! link: 12, not 15.
 //!
 //! | | each | how often |
@@ -41,12 +43,13 @@
 //! | the covector out of heading's plane | 11 | N − 1 |
 //! | f; its scale and the covector's | 12 + 2 | 1 |
 //!
-//! In all 113 N − 13. With one joint the late factor 1 / n saves 1: 99. The aim alone is 27 + 4 + 10 + 4 + 11 + 12 + 1 = 69.
+//! The total is 113 N − 13. For one joint, applying the factor 1 / n last saves 1: 99. The aim alone is 27 + 4 + 10 + 4
+//! + 11 + 12 + 1 = 69.
 //!
 //! Rejected:
 //! - Change of basis by 15 (14 for one of the target's, scaled so that an entry is 1): 103 for one joint.
-//! - One joint, compared between the turns: `f` and `t` into pitch's plane, turned by pitch: 101.
-//! - One joint, compared in the bone's axes, `f` and `t` brought there: 100.
+//! - One joint, compared between the rotations: `f` and `t` into pitch's plane, rotated by pitch: 101.
+//! - One joint, compared in the bone's axes, with `f` and `t` converted to them: 100.
 //! - Changes of basis multiplied into the links: 45, or 39 with a cross product, to save 30.
 
 use aim_codegen::Frame;
@@ -57,36 +60,40 @@ use super::general_forward::Direction;
 
 type Vector<T> = [T; 3];
 
-/// A vector as a turn sees it: in the turn's plane, and along its axis.
+/// A vector split into its components in a rotation's plane and along its axis.
 #[derive(Clone, Copy, Debug)]
 struct Split<T> {
     plane: [T; 2],
     axis: T,
 }
 
-/// The constants of one turn: its plane's two directions, one of which misses a coordinate axis, and its axis.
+/// The constants of one rotation: two directions of its plane, one of which has no component along a coordinate axis,
+/// and its axis.
 #[derive(Clone, Copy, Debug)]
 struct Turn {
-    /// Coordinate axes: the two that the sparse direction has, the larger first, and the one that it misses.
+    /// Coordinate axes: the two of the sparse direction, the larger component first, and the one along which it has no
+    /// component.
     axes: [usize; 3],
-    /// Which of the plane's two directions is the sparse one.
+    /// Index of the sparse one among the plane's two directions.
     sparse: usize,
-    /// Eᵢ and Eⱼ of the sparse direction.
+    /// Components Eᵢ and Eⱼ of the sparse direction.
     e: [f64; 2],
-    /// The other direction's components along N and k.
+    /// Components of the other direction along N and k.
     other: [f64; 2],
-    /// The axis' components along N and k.
+    /// Components of the rotation axis along N and k.
     axis: [f64; 2],
-    /// tan and cos of the angle from (first, second) to the plane's two directions.
+    /// Tangent of the angle from (first, second) to the plane's two directions.
     tan: f64,
+    /// Cosine of the angle from (first, second) to the plane's two directions.
     cos: f64,
 }
 
 impl Turn {
-    /// The turn from `first` towards `second` about `axis`, all constant.
+    /// Creates the rotation from `first` towards `second` about `axis`, all constant.
     fn new(first: [f64; 3], second: [f64; 3], axis: [f64; 3]) -> Self {
         let k = (1..3).fold(0, |best, k| if axis[k].abs() < axis[best].abs() { k } else { best });
-        // E₁ = cos first + sin second, E₂ = cos second − sin first: the sparse one is that which needs the smaller angle.
+        // E₁ = cos first + sin second, E₂ = cos second − sin first. The sparse one is that which needs the smaller
+        // angle.
         let (sparse, tan) =
             if first[k].abs() >= second[k].abs() { (1, second[k] / first[k]) } else { (0, -first[k] / second[k]) };
         let cos = 1.0 / (1.0 + tan * tan).sqrt();
@@ -105,20 +112,21 @@ impl Turn {
         Self { axes: [i, j, k], sparse, e, other: along(plane[1 - sparse]), axis: along(axis), tan, cos }
     }
 
-    /// Sine and cosine of the angle from the plane's own directions, where `q` is turned back from `first`, over cos:
-    /// 4. `before` where the plane is that of the point to be turned, not of the result.
+    /// Returns sine and cosine of the angle relative to the plane's own directions, divided by cos ε, for rotating `q`
+    /// back: 4 operations. `before` if the plane is that of the point before the rotation, not of the result.
     #[inline]
     fn sin_cos<T: Number>(&self, [sin, cos]: [T; 2], before: bool) -> [T; 2] {
         let tan = T::constant(if before { -self.tan } else { self.tan });
         [sin + tan * cos, cos - tan * sin]
     }
 
-    /// What [`split`](Self::split) multiplies the components in the plane by.
+    /// Returns the factor by which [`split`](Self::split) multiplies the components in the plane.
     fn scale(&self) -> f64 {
         1.0 / self.e[0]
     }
 
-    /// `v` in the plane, multiplied by [`scale`](Self::scale), and along the axis, multiplied by `axis_scale`: 10.
+    /// Splits `v` into its components in the plane, multiplied by [`scale`](Self::scale), and along the axis,
+    /// multiplied by `axis_scale`: 10 operations.
     #[inline]
     fn split<T: Number>(&self, v: Vector<T>, axis_scale: f64) -> Split<T> {
         let [a, b, c] = self.axes.map(|axis| v[axis]);
@@ -134,12 +142,13 @@ impl Turn {
         Split { plane, axis: of(self.axis, axis_scale) }
     }
 
-    /// The vector whose components in the plane and along the axis are `factors` times those of `v`: 11.
+    /// Returns the vector whose components in the plane and along the axis are `factors` times those of `v`: 11
+    /// operations.
     #[inline]
     fn join<T: Number>(&self, v: Split<T>, [plane, axis]: [f64; 2]) -> Vector<T> {
         let (sparse, other) = (v.plane[self.sparse], v.plane[1 - self.sparse]);
         let [other_n, axis_n] = [plane * self.other[0], axis * self.axis[0]];
-        // Along N, over the larger of the two factors.
+        // The component along N, divided by the larger of the two factors.
         let (n, scale) = if other_n.abs() >= axis_n.abs() {
             (other + T::constant(axis_n / other_n) * v.axis, other_n)
         } else {
@@ -154,29 +163,29 @@ impl Turn {
     }
 }
 
-/// The constants of a joint.
+/// The constants of a joint with general axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
     pitch: Turn,
     heading: Turn,
-    /// β: what `q` is multiplied by between the turns.
+    /// Scale β of `q` between the two rotations.
     between: f64,
-    /// What the covector that comes to this joint has to be multiplied by.
+    /// Factor by which the covector that enters this joint must be multiplied.
     covector: f64,
 }
 
 impl Joint {
-    /// Of a joint with these bone axes.
+    /// Computes the constants of a joint with these bone axes.
     pub fn new(frame: &Frame) -> Self {
         let pitch = Turn::new(frame.forward, frame.up, frame.left);
         let heading = Turn::new(frame.forward, frame.left, frame.up);
         let between = heading.scale() / heading.cos;
-        // In the plane, q is at β / cos ε; the covector must be at the inverse of that.
+        // In the plane, q has the scale β / cos ε; the covector must have the inverse.
         let covector = pitch.cos / (between * pitch.scale());
         Self { pitch, heading, between, covector }
     }
 
-    /// The target turned back: 8 + 10 + 12 + 11.
+    /// Rotates the target back: 8 + 10 + 12 + 11 operations.
     #[inline]
     fn turn_back<T: Number>(&self, point: Vector<T>, [sin_p, cos_p, sin_h, cos_h]: [T; 4]) -> (Way<T>, Vector<T>) {
         let pitch = self.pitch.sin_cos([sin_p, cos_p], false);
@@ -189,34 +198,36 @@ impl Joint {
         (Way { pitch, heading, ahead, left, plane }, q)
     }
 
-    /// The covector in the plane of pitch: 10.
+    /// Splits the covector in the plane of pitch: 10 operations.
     #[inline]
     fn split<T: Number>(&self, g: Vector<T>) -> Split<T> {
         self.pitch.split(g, 1.0 / (self.between * self.covector))
     }
 }
 
-/// What the derivatives need of a point's way through a joint.
+/// Intermediate results of a point's way through a joint, which the derivatives need.
 #[derive(Clone, Copy, Debug)]
 struct Way<T> {
     pitch: [T; 2],
     heading: [T; 2],
-    /// Between the turns, in heading's plane.
+    /// Forward component between the rotations, in heading's plane.
     ahead: T,
+    /// Left component between the rotations, in heading's plane.
     left: T,
-    /// After both, in pitch's plane.
+    /// Components after both rotations, in pitch's plane.
     plane: [T; 2],
 }
 
 impl<T: Number> Way<T> {
-    /// By pitch, by heading: 9.
+    /// Returns the derivatives by pitch and heading: 9 operations.
     #[inline]
     fn moments(&self, g: Split<T>) -> [T; 2] {
         let ahead = turned_first(g.plane, self.pitch);
         [moment(g.plane, self.plane), moment([ahead, g.axis], [self.ahead, self.left])]
     }
 
-    /// By pitch, by heading; the covector turned forward, in heading's plane: 18.
+    /// Returns the derivatives by pitch and heading, and the covector rotated forward, in heading's plane: 18
+    /// operations.
     #[inline]
     fn pull(&self, g: Split<T>) -> ([T; 2], Split<T>) {
         let [ahead, up] = turn(g.plane, self.pitch);
@@ -238,7 +249,7 @@ fn origin<T: Number>(link: &[T; 12]) -> Vector<T> {
     [link[9], link[10], link[11]]
 }
 
-/// aim: 69. `forward` is that of the joint.
+/// Returns the aim: 69 operations. `forward` is the joint's.
 #[inline]
 pub fn aim<T: Number>(
     joint: &Joint,
@@ -252,7 +263,8 @@ pub fn aim<T: Number>(
     over(forward.size(), dot(v, v).sqrt()) * dot(forward.seen(effector_to_joint), v)
 }
 
-/// aim; by pitch and heading, joint by joint. 113 N − 13, for one joint 99. `forward` is that of joint 0.
+/// Returns the aim and its derivatives by pitch and heading, joint by joint: 113 N − 13 operations, 99 for one joint.
+/// `forward` is joint 0's.
 #[inline]
 pub fn aim_gradient<T: Number, const N: usize>(
     joints: &[Joint; N],
@@ -290,7 +302,7 @@ pub fn aim_gradient<T: Number, const N: usize>(
     for i in 0..N - 1 {
         let split;
         (gradient[i], split) = ways[i].pull(joints[i].split(g));
-        // In heading's plane q came at that plane's scale, along its axis at β: the covector is at their inverses.
+        // In heading's plane q has that plane's scale, along its axis β; the covector has the inverses.
         let scale = joints[i + 1].covector;
         g = joints[i].heading.join(split, [scale * joints[i].heading.scale(), scale * joints[i].between]);
         let link = links[i + 1];

@@ -1,16 +1,17 @@
 //! The aim of one joint and its derivatives.
 //!
-//! With `q = P Rᵀ` the target turned back, `t` the effector's origin and `f` its forward in the joint's space:
+//! With `q = P Rᵀ` the target rotated back, `t` the effector's origin and `f` its forward direction in the joint's
+//! space:
 //!
 //! ```text
 //! v = q − t     n = |v|     aim = f · v / n
 //! ```
 //!
-//! because turning the effector by `R` and turning the target back by it are the same to a scalar product and a length.
-//! The row of the link that belongs to the effector's forward is `f` itself: nothing to compute.
+//! because rotating the effector by `R` or the target back by it makes no difference to a dot product or a length. The
+//! row of the link for the effector's forward direction is `f` itself, so it costs nothing.
 //!
-//! Derivatives: `d aim = (f − aim v / n) / n · dq`. So the covector on `q`, but for a factor 1 / n that is left to the
-//! end, is `g = f − σ v` with `σ = f · v / n²`, and the derivatives are its moments.
+//! Derivatives: `d aim = (f − aim v / n) / n · dq`. So the covector on `q`, without a factor 1 / n that is applied at
+//! the end, is `g = f − σ v` with `σ = f · v / n²`, and the derivatives are its moments.
 //!
 //! | | aim | ∂/∂pitch | ∂/∂heading | all |
 //! |---|---|---|---|---|
@@ -25,27 +26,27 @@
 //! | | 27 | 37 | 42 | 46 |
 //!
 //! Rejected:
-//! - `g = f + σ t` gives the same moments, for `v` and `−t` differ by `q`: the same count.
-//! - Turning `f` and `t` forward by pitch, so that both moments are taken between the turns, needs no part ahead of `g`
-//!   (−3), but two vectors are turned instead of one (+6).
+//! - `g = f + σ t` gives the same moments, since `v` and `−t` differ by `q`: the same count.
+//! - Rotating `f` and `t` forward by pitch, so that both moments are taken between the rotations, does not need `g`'s
+//!   forward component (−3), but rotates two vectors instead of one (+6).
 //! - `σ = f · v / (n n)` and dividing each output by `n` saves one or two multiplications and costs as many divisions.
 
 use aim_symbolic::Number;
 
 use super::algebra::{Angles, Axes, Link, TurnedBack, over, reciprocal};
 
-/// The target as seen from the effector.
+/// The target relative to the effector, and what value and derivatives share.
 struct View<T> {
     target: TurnedBack<T>,
     f: Axes<T>,
-    /// From the effector to the target.
+    /// Vector from the effector to the target.
     v: Axes<T>,
     distance: T,
     /// f · v
     ahead: T,
 }
 
-/// 26
+/// Costs 26 operations.
 #[inline]
 fn view<T: Number>(link: &[T; 12], target: [T; 3], angles: Angles<T>) -> View<T> {
     let link = Link::of(link);
@@ -54,14 +55,14 @@ fn view<T: Number>(link: &[T; 12], target: [T; 3], angles: Angles<T>) -> View<T>
     View { target, f: link.forward, v, distance: v.norm(), ahead: link.forward.dot(v) }
 }
 
-/// aim: 27.
+/// Returns the aim: 27 operations.
 #[inline]
 pub fn aim<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 4]) -> T {
     let view = view(effector_to_joint, target, Angles::of(sin_cos));
     over(view.ahead, view.distance)
 }
 
-/// ∂aim / ∂pitch: 37.
+/// Returns ∂aim / ∂pitch: 37 operations.
 #[inline]
 pub fn by_pitch<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 4]) -> T {
     let View { target, f, v, distance, ahead } = view(effector_to_joint, target, Angles::of(sin_cos));
@@ -72,7 +73,7 @@ pub fn by_pitch<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos:
     r * target.by_pitch(g)
 }
 
-/// ∂aim / ∂heading: 42.
+/// Returns ∂aim / ∂heading: 42 operations.
 #[inline]
 pub fn by_heading<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 4]) -> T {
     let angles = Angles::of(sin_cos);
@@ -83,7 +84,7 @@ pub fn by_heading<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_co
     r * target.by_heading(g, angles)
 }
 
-/// aim, ∂aim / ∂pitch, ∂aim / ∂heading: 46.
+/// Returns aim, ∂aim / ∂pitch, ∂aim / ∂heading: 46 operations.
 #[inline]
 pub fn aim_gradient<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 4]) -> [T; 3] {
     let angles = Angles::of(sin_cos);

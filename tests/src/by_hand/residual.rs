@@ -1,7 +1,7 @@
 //! The chain's stereographic residual and its 2 × 2 N Jacobian.
 //!
-//! With `l`, `u`, `f` the effector's left, up and forward in joint 0's space (the rows of the first link, nothing to
-//! compute), `v = q − t` the way from the effector to the target, `n = |v|`:
+//! With `l`, `u`, `f` the effector's left, up and forward in joint 0's space (the rows of the first link, which cost
+//! nothing), `v = q − t` the vector from the effector to the target, `n = |v|`:
 //!
 //! ```text
 //! D = n + f · v     s = 2 (l · v, u · v) / D
@@ -13,12 +13,12 @@
 //! ds_l = 2/D l · dv − s_l/D dD = τ g_l · dv     g_l = l − a H     a = s_l / 2n     τ = 2 / D
 //! ```
 //!
-//! and likewise `g_u = u − b H`. (`|H|² = 2 n D` and `H · l = v · l`, so that `g_l` is the mirror image of `l` in the
-//! plane square to `H`: the residual is conformal, its rows are one frame seen in a mirror. It is the mirror that the
-//! small form uses: `g_l` and `g_u` are formed in joint 0's space, where `l`, `u` and `f` lie ready, from one vector `H`.)
+//! and likewise `g_u = u − b H`. (`|H|² = 2 n D` and `H · l = v · l`, so `g_l` is the reflection of `l` in the plane
+//! perpendicular to `H`. The residual is conformal: its rows are a reflected frame. The short form uses that
+//! reflection: `g_l` and `g_u` are formed from one vector `H` in joint 0's space, where `l`, `u` and `f` are given.)
 //!
-//! **H serves twice.** The effector's axes are unit vectors square to each other: `l · H = l · v`, `u · H = u · v`, and
-//! `f · H = n + f · v = D`. So the three products with `H` give what those with `v` would, and the sum besides.
+//! **H serves twice.** The effector's axes are orthogonal unit vectors: `l · H = l · v`, `u · H = u · v`, and
+//! `f · H = n + f · v = D`. So the three products with `H` replace those with `v` and give the sum as well.
 //!
 //! | | each | how often |
 //! |---|---|---|
@@ -34,33 +34,32 @@
 //! | the last joint's two tangents brought to the outer side of its link | 9 + 2 + 15 | 1 |
 //! | their products with both g | 20 | 1 |
 //!
-//! In all 96 N − 16. One joint: 45 for the value and what comes with it, 15 for both g, 9 moments of each (18), the
-//! factor τ on four outputs: 82.
+//! The total is 96 N − 16. One joint: 45 for the value and its intermediate results, 15 for both g, 9 for the moments
+//! of each (18), the factor τ on four outputs: 82.
 //!
-//! **The factor rides on a turn.** Multiplying both covectors by τ costs 6. But at joint 0 both are turned by the pitch:
-//! its sine and cosine times τ are 2, and what that turn leaves alone, their left components, 2 more. Both moments are then
-//! taken after that turn, which is as good as before it.
+//! **The factor is part of a rotation.** Multiplying both covectors by τ costs 6. But at joint 0 both are rotated by
+//! the pitch: multiplying its sine and cosine by τ costs 2, and the left components, which that rotation does not
+//! change, cost 2 more. Both moments are then taken after that rotation, which gives the same result.
 //!
-//! **The last joint** is where both sides may meet: carrying two covectors over the last link costs 30 and taking their
-//! four moments 18; carrying the joint's two tangents `∂q/∂p = (q_u, 0, −q_f)` and
-//! `∂q/∂h = (y cos p, −x, −y sin p)` the other way costs 9 (one component is 0) and 2 + 15, the four products 20: 46
-//! against 48. At any earlier joint the covectors have to pass anyhow.
+//! **At the last joint** tangents may replace covectors. Taking two covectors through the last link costs 30 and their
+//! four moments 18. Taking the joint's two tangents `∂q/∂p = (q_u, 0, −q_f)` and `∂q/∂h = (y cos p, −x, −y sin p)` the
+//! opposite way costs 9 (one component is 0) and 2 + 15, the four products 20: 46 instead of 48. At earlier joints the
+//! covectors have to pass anyway.
 //!
 //! Rejected (counts for N ≥ 2 unless said otherwise):
-//! - The products of v with the axes by writing v in effector space, a reverse sweep from there: both g cost 30 through
-//!   the first link instead of coming from H; 96 N + 1.
-//! - v scaled to a unit vector first: 3 for the scaling and 1 for τ, saves 3 in H: + 1.
+//! - The products of v with the axes by converting v to effector space, and a reverse sweep from there: taking both g
+//!   through the first link costs 30, instead of forming them from H; 96 N + 1.
+//! - Scaling v to a unit vector first: 3 for the scaling and 1 for τ, saves 3 in H: + 1.
 //! - One reciprocal, `1 / (n D)`, for both lengths: + 2.
-//! - Only one covector carried. The other is its cross product with `v / n`, but `v / n` would have to be carried, which
-//!   costs as much. It also follows from `q`, `g_l` and four scalar products, but keeping those up to date costs 51 a
-//!   joint against 27.
-//! - Tangents of all joints carried outward: quadratic in N.
-//! - Frames pushed inward: `l`, `u` and the effector's origin (27 + 27 + 30 a joint) replace the two covectors but not
-//!   `q`, which every derivative needs: + 30 a joint.
-//! - Turns and link composed to one matrix: 36 (33 with a cross product) to save as much on three vectors, but `q` is
-//!   needed between the turns.
-//! - Any other pair of directions across v as the residual's axes, so that a component vanishes: turning each derivative
-//!   back to left and up costs 6.
+//! - Only one covector propagated. The other is its cross product with `v / n`, but propagating `v / n` costs as much.
+//!   It also follows from `q`, `g_l` and four dot products, but updating those costs 51 per joint instead of 27.
+//! - Tangents of all joints propagated outward: quadratic in N.
+//! - Frames propagated inward: `l`, `u` and the effector's origin (27 + 27 + 30 per joint) replace the two covectors
+//!   but not `q`, which every derivative needs: + 30 per joint.
+//! - Rotations and link composed to one matrix: 36 (33 with a cross product), which saves as much on three vectors, but
+//!   `q` is needed between the rotations.
+//! - Any other pair of directions perpendicular to v as the residual's axes, so that a component vanishes: rotating
+//!   each derivative back to left and up costs 6.
 //! - One joint, tangents instead of covectors: 26 for two tangents in effector space, 15 for their derivatives: + 5.
 
 use aim_symbolic::Number;
@@ -68,8 +67,8 @@ use aim_symbolic::Number;
 use super::algebra::{Angles, Axes, Link, TurnedBack, over};
 use super::chain::outward;
 
-/// The residual, left and up; its derivatives (left, up) by pitch and heading, joint by joint. 96 N − 16, for one joint
-/// 82.
+/// Returns the residual, left and up, and its derivatives (left, up) by pitch and heading, joint by joint: 96 N − 16
+/// operations, 82 for one joint.
 #[inline]
 pub fn residual_jacobian<T: Number, const N: usize>(
     links: &[[T; 12]; N],
@@ -111,7 +110,8 @@ pub fn residual_jacobian<T: Number, const N: usize>(
     (s, jacobian)
 }
 
-/// How a joint's pitch and heading move the point that leaves through its link, in outer components: 26.
+/// Returns the derivatives by a joint's pitch and heading of the point that leaves through its link, in outer
+/// components: 26 operations.
 #[inline]
 fn tangents<T: Number>(way: &TurnedBack<T>, angles: Angles<T>, link: &Link<T>) -> [Axes<T>; 2] {
     let TurnedBack { between, q } = *way;

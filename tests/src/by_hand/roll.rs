@@ -1,8 +1,8 @@
 //! Joints with a third angle: roll about the bone's forward, which turns left towards up and acts first, nearest the
 //! effector; then pitch, then heading.
 //!
-//! The target is turned back by heading, pitch and roll, 18; then all is as for [one joint](super::one_joint): the
-//! covector `g = f − σ v`, its moment in roll's plane, turned forward by roll, its moment in pitch's plane, and so on.
+//! The target is rotated back by heading, pitch and roll, 18. The rest is as for [one joint](super::one_joint): the
+//! covector `g = f − σ v`, its moment in roll's plane, rotated forward by roll, its moment in pitch's plane, and so on.
 //!
 //! | | one joint |
 //! |---|---|
@@ -13,13 +13,13 @@
 //! | the factor 1 / n | 3 |
 //! | | 62 |
 //!
-//! A chain of two: 2 · 18 + 18 to go outward, 3 + 6 + 5 + 3 + 6 + 3 for the covector, at joint 0 three moments and three
-//! turns 9 + 18, 15 through the link, 18 at the last joint: 140. Every further joint adds 78.
+//! A chain of two: 2 · 18 + 18 outward, 3 + 6 + 5 + 3 + 6 + 3 for the covector, 9 + 18 for three moments and three
+//! rotations at joint 0, 15 through the link, 18 at the last joint: 140. Every further joint adds 78.
 //!
 //! Rejected, all at the same count:
-//! - `f` and `t` turned forward by roll (12) instead of `q` back (6) and `g` forward (6).
-//! - One moment vector `m = q × g` (9), whose components are the derivatives: `m_f` by roll, after turning by roll that
-//!   along left by pitch (3), then turned by pitch (3 + 3) by heading. In a chain `g` has to be turned besides.
+//! - `f` and `t` rotated forward by roll (12) instead of `q` back (6) and `g` forward (6).
+//! - One moment vector `m = q × g` (9), whose components are the derivatives: `m_f` by roll; rotated by roll, its left
+//!   component by pitch (3); rotated by pitch as well (3 + 3), by heading. In a chain `g` must be rotated in addition.
 
 use aim_symbolic::Number;
 
@@ -39,7 +39,7 @@ impl<T: Number> Three<T> {
     }
 }
 
-/// A point turned back by all three angles.
+/// A point rotated back by all three angles.
 #[derive(Clone, Copy, Debug)]
 struct Rolled<T> {
     before: TurnedBack<T>,
@@ -47,7 +47,7 @@ struct Rolled<T> {
 }
 
 impl<T: Number> Rolled<T> {
-    /// 18
+    /// Rotates the point back by all three angles: 18 operations.
     #[inline]
     fn from(point: Axes<T>, angles: Three<T>) -> Self {
         let before = TurnedBack::from(point, angles.others);
@@ -55,7 +55,7 @@ impl<T: Number> Rolled<T> {
         Self { before, q: Axes { forward: before.q.forward, left, up } }
     }
 
-    /// The moment by roll, and the covector turned forward by roll: 9.
+    /// Returns the moment by roll, and the covector rotated forward by roll: 9 operations.
     #[inline]
     fn pull_roll(&self, g: Axes<T>, angles: Three<T>) -> (T, Axes<T>) {
         let by_roll = moment([g.left, g.up], [self.q.left, self.q.up]);
@@ -63,14 +63,14 @@ impl<T: Number> Rolled<T> {
         (by_roll, Axes { forward: g.forward, left, up })
     }
 
-    /// By roll, pitch, heading: 18.
+    /// Returns the moments by roll, pitch and heading: 18 operations.
     #[inline]
     fn moments(&self, g: Axes<T>, angles: Three<T>) -> [T; 3] {
         let (by_roll, g) = self.pull_roll(g, angles);
         [by_roll, self.before.by_pitch(g), self.before.by_heading(g, angles.others)]
     }
 
-    /// The moments, and the covector on the point before it was turned back: 27.
+    /// Returns the moments, and the covector on the point before it was rotated back: 27 operations.
     #[inline]
     fn pull(&self, g: Axes<T>, angles: Three<T>) -> ([T; 3], Axes<T>) {
         let (by_roll, g) = self.pull_roll(g, angles);
@@ -79,7 +79,7 @@ impl<T: Number> Rolled<T> {
     }
 }
 
-/// aim, g and 1 / n: 23.
+/// Returns aim, g and 1 / n: 23 operations.
 #[inline]
 fn covector<T: Number>(link: &Link<T>, q: Axes<T>) -> (T, Axes<T>, T) {
     let (f, v) = (link.forward, q - link.origin);
@@ -88,7 +88,8 @@ fn covector<T: Number>(link: &Link<T>, q: Axes<T>) -> (T, Axes<T>, T) {
     (aim, f - v.times(r * aim), r)
 }
 
-/// aim; by roll, pitch and heading: 62. `sin_cos` is sin and cos of roll, of pitch, of heading.
+/// Returns the aim and its derivatives by roll, pitch and heading: 62 operations. `sin_cos` holds sine and cosine of
+/// roll, pitch and heading.
 #[inline]
 pub fn aim_gradient<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_cos: [T; 6]) -> (T, [T; 3]) {
     let angles = Three::of(sin_cos);
@@ -97,7 +98,7 @@ pub fn aim_gradient<T: Number>(effector_to_joint: &[T; 12], target: [T; 3], sin_
     (aim, way.moments(g, angles).map(|moment| r * moment))
 }
 
-/// aim; by roll, pitch and heading of joint 0, then of joint 1: 140.
+/// Returns the aim and its derivatives by roll, pitch and heading of joint 0, then of joint 1: 140 operations.
 #[inline]
 pub fn chain_of_two<T: Number>(links: &[[T; 12]; 2], target: [T; 3], sin_cos: &[[T; 6]; 2]) -> (T, [[T; 3]; 2]) {
     let [outer, inner] = links.each_ref().map(Link::of);

@@ -1,10 +1,10 @@
 //! One joint aiming at two targets at once: w₀ aim(P₀) + w₁ aim(P₁).
 //!
-//! For each target all is as for [one joint](super::one_joint), with the same `f` and `t`.
+//! Each target is treated as for [one joint](super::one_joint), with the same `f` and `t`.
 //!
-//! **Meeting between the turns.** With one target, turning `f` and `t` forward by pitch instead of turning the target
-//! back is not worth it: 6 more, 3 saved because both moments can be taken at once. With two targets it is: the two turns
-//! of `f` and `t` replace the two turns of the targets, and 3 are saved for each.
+//! **Meeting between the rotations.** With one target, rotating `f` and `t` forward by pitch instead of the target back
+//! is not worth it: it costs 6 more and saves 3, because both moments can be taken at once. With two targets it is
+//! worth it: the two rotations of `f` and `t` replace those of the two targets, and 3 are saved for each.
 //!
 //! | | |
 //! |---|---|
@@ -18,16 +18,16 @@
 //! | | 12 + 2 · 39 + 3 = 93 |
 //!
 //! Rejected:
-//! - Both targets turned back all the way: 99.
-//! - Since `g` may as well be `f + σ t`, the moments of all targets are those of `f` on `Σ w r q` and of `t` on
-//!   `Σ w r σ q`: 9 + 9 for the two sums and 14 for the moments, against 12 + 12 + 4 + 2: + 2 with two targets. From three
-//!   targets on it would be the smaller one.
+//! - Both targets rotated back all the way: 99.
+//! - Since `g` can also be `f + σ t`, the moments of all targets are those of `f` on `Σ w r q` and of `t` on
+//!   `Σ w r σ q`: 9 + 9 for the two sums and 14 for the moments, instead of 12 + 12 + 4 + 2: + 2 with two targets. From
+//!   three targets on this would be cheaper.
 
 use aim_symbolic::Number;
 
 use super::algebra::{Angles, Axes, Link, moment, reciprocal, turn, turn_back};
 
-/// w₀ aim(P₀) + w₁ aim(P₁), by pitch, by heading: 93.
+/// Returns w₀ aim(P₀) + w₁ aim(P₁) and its derivatives by pitch and heading: 93 operations.
 #[inline]
 pub fn aim_gradient<T: Number>(
     effector_to_joint: &[T; 12],

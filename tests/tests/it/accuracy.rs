@@ -1,14 +1,14 @@
-//! Single precision: what the derived kernel loses against f64 is what careful hand-written code loses.
+//! Single precision: the derived kernel's error against f64 is no larger than that of careful hand-written code.
 
 use aim_benches::pose::{JointPose, joints};
 use aim_benches::{by_hand, derived};
 
 const POSES: usize = 10_000;
-/// From across a room to where expanded formulae fail.
+/// Distances from across a room to so near that expanded formulas fail, metres.
 const DISTANCES_M: [f64; 3] = [2.0, 0.3, 0.01];
 
-/// The same numbers in f64: what is compared is the arithmetic, not the rounding of the input. Sines and cosines are
-/// taken anew.
+/// Converts a pose to f64, so that the arithmetic is compared and not the rounding of the input. Sines and cosines are
+/// recomputed.
 fn widened(pose: &JointPose<f32>) -> JointPose<f64> {
     let angles = pose.angles.map(f64::from);
     let [(sin_p, cos_p), (sin_h, cos_h)] = angles.map(f64::sin_cos);
@@ -20,7 +20,7 @@ fn widened(pose: &JointPose<f32>) -> JointPose<f64> {
     }
 }
 
-/// The largest error of all three outputs, and each output's root mean square.
+/// Returns the largest error of all three outputs, and each output's root mean square error.
 fn errors(poses: &[JointPose<f32>], f: fn(&JointPose<f32>) -> [f32; 3]) -> (f64, [f64; 3]) {
     let (mut worst, mut squares) = (0.0_f64, [0.0; 3]);
     for pose in poses {
@@ -42,7 +42,7 @@ fn derived_code_is_as_accurate_as_hand_written_code() {
         let (derived_worst, derived) = errors(&poses, derived::joint);
         let (worst, by_hand) = errors(&poses, by_hand::joint);
         println!("{distance_m} m: derived {derived_worst:.1e} {derived:?}, by hand {worst:.1e} {by_hand:?}");
-        // The largest of an output alone is a matter of luck: another order of a sum moves it by a fifth either way.
+        // The largest error of a single output is a matter of chance: reordering a sum changes it by a fifth.
         assert!(derived_worst <= 1.1 * worst, "{distance_m} m: {derived_worst:e}, by hand {worst:e}");
         for (output, (derived, by_hand)) in derived.into_iter().zip(by_hand).enumerate() {
             assert!(derived <= 1.1 * by_hand, "{distance_m} m, output {output}: {derived:e}, by hand {by_hand:e}");

@@ -1,4 +1,5 @@
-//! The book of `docs/`: its links and headings, the rigs that it shows, what its tables list, and that its code is run.
+//! Checks the book in `docs/`: its links and headings, the rigs that it shows, the lists in its tables, and that its
+//! code is run.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -24,15 +25,15 @@ fn names(folder: &str) -> Vec<String> {
     names
 }
 
-/// The page whose code is the plugin's.
+/// The page whose code belongs to the plugin.
 const BEVY: &str = "five-minutes-bevy.md";
 
-/// The names of the pages in `docs/`.
+/// Returns the names of the pages in `docs/`.
 fn chapters() -> Vec<String> {
     names("docs").into_iter().filter(|name| name.ends_with(".md") && name != "SUMMARY.md").collect()
 }
 
-/// All pages, with their text.
+/// Returns all pages with their text.
 fn pages() -> BTreeMap<String, String> {
     let mut paths: Vec<String> =
         ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md"].map(str::to_owned).into();
@@ -51,7 +52,7 @@ struct Block {
     text: String,
 }
 
-/// The blocks of a page, and its other lines.
+/// Splits a page into its fenced blocks and its other lines.
 fn take_apart(text: &str) -> (Vec<Block>, Vec<&str>) {
     let (mut blocks, mut prose, mut open) = (Vec::<Block>::new(), Vec::new(), false);
     for line in text.lines() {
@@ -70,12 +71,12 @@ fn take_apart(text: &str) -> (Vec<Block>, Vec<&str>) {
     (blocks, prose)
 }
 
-/// A line without what stands in back-quotes.
+/// Returns a line without its code spans.
 fn without_code(line: &str) -> String {
     line.split('`').step_by(2).collect()
 }
 
-/// The name by which a heading is linked to: as mdBook and GitHub make it.
+/// Returns the anchor of a heading, as mdBook and GitHub generate it.
 fn anchor(heading: &str) -> String {
     let kept = heading.trim().to_lowercase();
     kept.chars()
@@ -96,7 +97,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// The targets of a page's links within the project: `[text](target)`, `[name]: target` and `src="target"`.
+/// Returns the targets of a page's links within the project: `[text](target)`, `[name]: target` and `src="target"`.
 fn targets(text: &str) -> Vec<String> {
     let (_, prose) = take_apart(text);
     let mut targets = Vec::new();
@@ -112,12 +113,12 @@ fn targets(text: &str) -> Vec<String> {
             );
         }
     }
-    // Neither the network nor items of a crate, which rustdoc follows.
+    // Skip URLs and items of a crate; rustdoc checks the latter.
     targets.retain(|target| !target.starts_with("https://") && !target.contains("::"));
     targets
 }
 
-/// The path that a link of a page leads to, from the root.
+/// Resolves a link of a page to a path from the root.
 fn followed(page: &str, link: &str) -> String {
     let mut path = Vec::new();
     for part in Path::new(page).parent().expect("a folder").join(link).components() {
@@ -130,7 +131,7 @@ fn followed(page: &str, link: &str) -> String {
     path.join("/")
 }
 
-/// The broken links of these pages.
+/// Returns the broken links of these pages.
 fn dead_links(pages: &BTreeMap<String, String>) -> Vec<String> {
     let mut dead = Vec::new();
     for (page, text) in pages {
@@ -194,7 +195,7 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
         for Block { language, text } in take_apart(&text).0 {
             match language.as_str() {
                 "rust" => {
-                    // As a file that is included, or as one of the guide's list.
+                    // Either as an included file, or as one in the guide's list.
                     let is_run = [format!("docs/{chapter}\")"), format!(" \"{chapter}\"\n")]
                         .iter()
                         .any(|words| documentation.contains(words));
@@ -202,11 +203,11 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                     run += 1;
                 }
                 "rust,ignore" if chapter == BEVY => {
-                    // That workspace needs a newer Rust, and tests its own code.
+                    // The plugin's workspace needs a newer Rust and tests its own code.
                     let Some(plugin) = &plugin else { continue };
                     assert!(plugin.contains(&text), "{chapter}: not in the plugin's README or its example:\n{text}");
                 }
-                // In an empty folder, with a model and a build script: by `.ci/five-minutes`.
+                // `.ci/five-minutes` runs it in an empty folder, with a model and a build script.
                 "rust,ignore" if chapter == "five-minutes.md" => {}
                 "rust,ignore" => {
                     let included = text.trim().strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}"));
@@ -214,7 +215,7 @@ fn every_block_of_rust_is_run_or_included_from_a_program() {
                     let path = followed(&format!("docs/{chapter}"), path);
                     assert!(root().join(&path).is_file(), "{chapter}: there is no {path}");
                 }
-                // Lines of programs in the package's README, which `.ci/web` runs.
+                // These are lines of programs in the package's README, which `.ci/web` runs.
                 "js" if chapter == "web.md" => {
                     let package = read("integrations/web/README.md");
                     let mut lines = text.lines().filter(|line| !line.is_empty() && !line.starts_with("//"));
@@ -248,7 +249,7 @@ fn every_block_of_toml_is_a_rig_or_a_manifest() {
                 Some(path) => read(&followed(&page, path)),
                 None => text,
             };
-            // A part of a rig is completed by what it leaves out.
+            // Add the parts that an excerpt of a rig leaves out.
             let mut whole = text.clone();
             if !text.split("[[joint]]").next().is_some_and(|rig| rig.contains("name =")) {
                 whole.insert_str(0, "name = 'R'\n");
@@ -265,7 +266,7 @@ fn every_block_of_toml_is_a_rig_or_a_manifest() {
     assert!(rigs >= 6 && manifests >= 1, "{rigs} rigs, {manifests} manifests");
 }
 
-/// The pages that the registry shows of packages, as `readme` in their manifests says.
+/// Returns the pages that the registry shows for packages, from `readme` in their manifests.
 fn front_pages() -> Vec<String> {
     let folders =
         names(".").into_iter().map(|name| format!("{name}/")).chain(["", "integrations/bevy/"].map(str::to_owned));
@@ -278,8 +279,8 @@ fn front_pages() -> Vec<String> {
     pages
 }
 
-/// Parts of a page that cannot be read without the repository and without rustdoc: files beside it, items in brackets that no
-/// definition leads anywhere, and lines of code that rustdoc would hide.
+/// Returns the parts of a page that cannot be read without the repository and rustdoc: links to files, items in
+/// brackets without a definition, and code lines that rustdoc would hide.
 fn unreadable_alone(page: &str) -> Vec<String> {
     let (blocks, prose) = take_apart(page);
     let mut found: Vec<String> = targets(page).into_iter().filter(|target| !target.starts_with('#')).collect();
@@ -319,12 +320,12 @@ fn the_registry_shows_the_example_of_the_readme() {
     assert_eq!(features(&read("src/registry.md")), declared.cloned().collect());
 }
 
-/// The names that the tables of a section list in their first column.
+/// Returns the names in the first column of a section's tables.
 fn listed(page: &str, section: &str) -> BTreeSet<String> {
     let text = read(page);
     let (_, rest) = text.split_once(&format!("\n## {section}\n")).unwrap_or_else(|| panic!("{page} has no {section}"));
     let section = rest.split("\n## ").next().expect("a first part");
-    // The row above the rule is the table's head.
+    // Skip the header row, which is above the rule.
     let lines: Vec<&str> = section.lines().collect();
     let rows =
         lines.windows(2).filter(|pair| !pair[1].starts_with("|---")).map(|pair| pair[0]).chain(lines.last().copied());
@@ -334,7 +335,7 @@ fn listed(page: &str, section: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// The variants of an enum, or the public fields of a struct, in a source file.
+/// Returns the variants of an enum, or the public fields of a struct, in a source file.
 fn parts(file: &str, item: &str) -> BTreeSet<String> {
     let file = syn::parse_file(&read(file)).expect("Rust");
     let found = file.items.iter().find_map(|one| match one {
@@ -349,7 +350,7 @@ fn parts(file: &str, item: &str) -> BTreeSet<String> {
     found.unwrap_or_else(|| panic!("there is no {item}"))
 }
 
-/// The keys of a list in the source of the declarations.
+/// Returns the keys of a list in the source of the declarations.
 fn keys(list: &str) -> BTreeSet<String> {
     let source = read("aim-codegen/src/declare/check/keys.rs");
     let (_, rest) = source.split_once(&format!("const {list}: ")).expect("a list");
@@ -409,7 +410,7 @@ fn percentages_per_bone_are_parts_of_the_turn() {
         let [meaning, weights, parts, stiffness] = cells[..] else { panic!("{row}") };
         let [weights, parts, stiffness] = [numbers(weights, " / "), numbers(parts, " / "), numbers(stiffness, ", ")];
 
-        // What the percentages mean, from the chest outward.
+        // Convert the percentages to shares, from the chest outward.
         let mut left = 100.0;
         let mut meant: Vec<f32> = weights
             .iter()
@@ -436,7 +437,7 @@ fn percentages_per_bone_are_parts_of_the_turn() {
         let spec = aim_codegen::declare::from_toml("recipes.md", &rig).unwrap_or_else(|errors| panic!("{errors}"));
         let mut character = DynAim::new(InterpretedRig::new(&spec));
         let pose = [1.65, 1.5, 1.35].map(|y| Affine3A::from_translation(Vec3::Y * y));
-        // Far away, to the side or above: 0.3 rad.
+        // Far targets at 0.3 rad, to the side or above.
         for (turn, of) in [
             (Quat::from_rotation_y(0.3), Joint::heading as fn(&Joint) -> f32),
             (Quat::from_rotation_x(-0.3), Joint::pitch),

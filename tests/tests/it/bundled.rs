@@ -1,5 +1,5 @@
-//! Every file of `rigs/`: the compiled rig of `aim::rigs`, the interpreter and the emitted C agree with each other and
-//! with central differences.
+//! For every file of `rigs/`, the compiled rig of `aim::rigs`, the interpreter and the emitted C agree with each other
+//! and with central differences.
 
 use aim::rigs::{Mannequin, Mixamo, Rigify, Rocketbox, Thug, Turret, UnrealMannequin, Vrm};
 use aim::{AimRig, Budgets, GazeSharing, LimitsFrom, Rig, Role};
@@ -43,7 +43,7 @@ fn compare<R: AimRig>(name: &str) {
         if FirstLink::of(spec) == FirstLink::Identity {
             case.links[0].rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
             case.links[0].translation = [0.0; 3];
-            // Which moves the effector: the target is not to be behind it, where the residual is steep.
+            // This moves the effector, so check again that the target is not behind it, where the residual is steep.
             let (distance, angle) = case.view(spec);
             if distance < 0.5 || angle > 2.0 {
                 continue;
@@ -104,7 +104,7 @@ fn characters_have_eyes_necks_and_spines_and_a_turret_has_none() {
     }
 }
 
-/// Every setting of a declaration that a solver may ask for, known when compiling.
+/// Every setting of a declaration that a solver may query, as a compile-time constant.
 #[derive(aim::AimRig)]
 #[aim(axes(up = +X, forward = +Y), natural(eyes_only = 10deg, head_share = 0.7, release = 0.1rad, delay = 0.05),
     region(like = bird, head(heading = -130deg..=130deg, rate = 400deg), chest(acceleration = 9rad)))]

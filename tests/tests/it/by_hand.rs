@@ -1,5 +1,5 @@
-//! The references derived by hand: their counts are what their documentation says, their derivatives are right, and
-//! derived programs are no larger.
+//! The references derived by hand: their counts match their documentation, their derivatives are right, and derived
+//! programs are no larger.
 
 use aim_codegen::objective::{AIM_GRADIENT, CHAIN_RESIDUAL_JACOBIAN, CHAIN_VALUE_GRADIENT, FirstLink, Objective};
 use aim_codegen::{Frame, JointSpec, RigSpec};
@@ -16,10 +16,10 @@ use aim_tests::random::Random;
 use aim_tests::rigs::{bare_joint, general_frame};
 use aim_tests::scale::part_of;
 
-/// Up = +X, forward = +Y, left = +Z.
+/// The thug's axes: up = +X, forward = +Y, left = +Z.
 const THUG: Frame = Frame { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
 
-/// A chain of joints with these frames; the effector has joint 0's.
+/// Returns a chain of joints with these frames; the effector has joint 0's.
 fn rig(frames: &[Frame]) -> RigSpec {
     let joints: Vec<JointSpec> = (0..).zip(frames).map(|(i, &frame)| bare_joint(i, frame, true, true)).collect();
     let frame = joints[0].frame;
@@ -51,7 +51,7 @@ impl<T: Number, const N: usize> Inputs<T, N> {
     }
 }
 
-/// Something to count with: the numbers do not matter.
+/// Returns inputs for counting operations; the numbers do not matter.
 fn counted<const N: usize>() -> Inputs<Counted, N> {
     let case = cases(&rig(&[THUG; N]), 7, 1).remove(0);
     Inputs::of(&case)
@@ -61,7 +61,7 @@ fn flat<const N: usize>(value: f64, gradient: [[f64; 2]; N]) -> Vec<f64> {
     [value].into_iter().chain(gradient.into_iter().flatten()).collect()
 }
 
-/// As the derived programs have it: the residual, its left derivatives, its up derivatives.
+/// Flattens a result in the order of the derived programs: the residual, its left derivatives, its up derivatives.
 fn flat_jacobian<const N: usize>((s, jacobian): ([f64; 2], [[[f64; 2]; 2]; N])) -> Vec<f64> {
     let row = |row: usize| jacobian.into_iter().flatten().map(move |column| column[row]);
     s.into_iter().chain(row(0)).chain(row(1)).collect()
@@ -103,12 +103,12 @@ fn one_joint_derivatives() {
     }
 }
 
-/// The operations of what is derived of one of the chain's objectives.
+/// Returns the number of operations derived for one of the chain's objectives.
 fn derived_total(objective: &'static Objective, spec: &RigSpec) -> usize {
     objective.kernels(spec, FirstLink::Given)[0].program.count().total()
 }
 
-/// The derived count exceeds the reference by no more than the `part`th part of it.
+/// Asserts that the derived count exceeds the reference by at most 1/`part` of it.
 fn assert_close_above(derived: usize, reference: usize, part: usize, what: &str) {
     assert!(part * derived <= (part + 1) * reference, "{what}: derived {derived}, by hand {reference}");
 }
@@ -126,7 +126,7 @@ fn chain_of<const N: usize>() {
     assert_eq!((by_hand_residual.sqrt, by_hand_residual.div), (1, 2));
 
     assert!(derived_total(&CHAIN_VALUE_GRADIENT, &spec) <= by_hand.total(), "{N} joints");
-    // The form that is better for one joint alone is not found yet.
+    // The cheaper form for a single joint is not derived.
     if N > 1 {
         assert_close_above(derived_total(&CHAIN_RESIDUAL_JACOBIAN, &spec), total, 20, &format!("{N} joints"));
     }
@@ -222,7 +222,7 @@ fn general_effectors() {
     general_forward_of::<4>(random);
 }
 
-/// Sixth-order central differences of `f` by each of its arguments, after its value.
+/// Returns the value of `f` and its sixth-order central differences by each argument.
 fn value_and_differences<const K: usize>(at: [f64; K], f: impl Fn([f64; K]) -> f64) -> Vec<f64> {
     let by = |k: usize| {
         central_difference(|change| {
@@ -242,12 +242,12 @@ fn sin_cos<const K: usize, const R: usize>(angles: [f64; K]) -> [f64; R] {
     core::array::from_fn(|i| if i % 2 == 0 { angles[i / 2].sin() } else { angles[i / 2].cos() })
 }
 
-/// Roll turns left towards up, then pitch and heading follow.
+/// Applies roll, which turns left towards up, then pitch and heading.
 fn rolled(v: V, [roll, pitch, heading]: [f64; 3]) -> V {
     correct(kinematics::turn(v, THUG.left, THUG.up, roll), &THUG, pitch, heading)
 }
 
-/// The effector's place and forward after all links and rolls.
+/// Returns the effector's position and forward direction after all links and rotations.
 fn pushed<const N: usize>(links: &[Link; N], angles: [[f64; 3]; N]) -> (V, V) {
     let (mut origin, mut forward) = ([0.0; 3], THUG.forward);
     for (link, angles) in links.iter().zip(angles) {
@@ -326,7 +326,7 @@ fn two_targets_at_once() {
     assert_eq!((by_hand.total(), by_hand.sqrt, by_hand.div), (93, 2, 2));
 }
 
-/// The term from its definition, with the cross product.
+/// Returns the term by its definition, with the cross product.
 fn term(points: [V; 3], rest: [f64; 2]) -> f64 {
     let (a, c) = (sub(points[1], points[0]), sub(points[2], points[0]));
     let direction = scale(1.0 / norm(c), c);
@@ -359,7 +359,7 @@ fn target_constraint() {
     assert_eq!((by_hand.total(), by_hand.sqrt, by_hand.div), (58, 2, 2));
 }
 
-/// Link with the identity's rows.
+/// Returns a link without rotation.
 fn straight<T: Number>(translation: [f64; 3]) -> [T; 12] {
     let rows = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
     core::array::from_fn(|i| T::constant(if i < 9 { rows[i] } else { translation[i - 9] }))
@@ -372,7 +372,7 @@ fn degenerate<T: Number>(finite: impl Fn(T) -> bool, near: &[f64]) {
     let random = &mut Random::new(15);
     let joint = Joint::new(&general_frame(random));
     let forward = Direction::new(general_frame(random).forward);
-    // On the effector, exactly behind it, and so near that lengths vanish or squares do not.
+    // Targets on the effector, exactly behind it, and so near that lengths, or only their squares, vanish.
     let behind = [0.0, -1.0, 0.0];
     for target in [[0.0; 3], behind].into_iter().chain(near.iter().map(|&x| [x, -x, x])) {
         let target = target.map(number);

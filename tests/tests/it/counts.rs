@@ -1,4 +1,4 @@
-//! The README's table of operation counts, recounted from emitted C. `AIM_BLESS=1 cargo test -p aim-tests --test it counts`
+//! The README's table of operation counts, counted in emitted C. `AIM_BLESS=1 cargo test -p aim-tests --test it counts`
 //! writes it.
 
 use aim_codegen::emit::{self, Precision, Procedure, Rig};
@@ -16,7 +16,7 @@ fn cardinal(_: &mut Random) -> Frame {
     Frame::cardinal().next().expect("there are 48")
 }
 
-/// The operations in the C of a rig of so many joints: of its first joint alone, and of the chain.
+/// Returns the operations in the C of a rig with this number of joints: of its first joint alone, and of the chain.
 fn counted(joints: usize, frame: fn(&mut Random) -> Frame) -> [Count; 2] {
     let random = &mut Random::new(7);
     let joints: Vec<_> = (0..joints).map(|i| bare_joint(i, frame(random), true, true)).collect();
@@ -27,7 +27,7 @@ fn counted(joints: usize, frame: fn(&mut Random) -> Frame) -> [Count; 2] {
     [name.as_str(), "rig_chain_value_gradient"].map(|name| c::count(c::function(&source, name).1))
 }
 
-/// a N − b of the chain's counts, which they are from two joints on; or which they stay below by a few.
+/// Describes the chain's counts from two joints on as a N − b, exact or as a close upper bound.
 fn of_chain(frame: fn(&mut Random) -> Frame) -> String {
     let counts = [2, 3, 4, 7].map(|joints| (joints, counted(joints, frame)[1].total()));
     let slope = (counts[3].1 - counts[0].1).div_ceil(5);

@@ -1,4 +1,4 @@
-//! Dependencies point one way, and whoever derives a rig compiles no parser but syn.
+//! Dependencies point one way, and deriving a rig compiles no parser but syn.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
@@ -15,10 +15,10 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).expect("cargo writes UTF-8")
 }
 
-/// What a package needs: names, `[build]` after those of the build script, `?` after optional ones. Without those of
-/// tests.
+/// Returns the dependencies of each package without dev-dependencies: names, with ` [build]` for build dependencies and
+/// `?` for optional ones.
 fn declared() -> BTreeMap<String, BTreeSet<String>> {
-    // `--no-deps` reads our manifests alone: no registry, no network.
+    // `--no-deps` reads only the workspace's manifests: no registry, no network.
     let metadata: Value = serde_json::from_str(&cargo(&["metadata", "--no-deps", "--format-version", "1"]))
         .expect("cargo metadata writes JSON");
     let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
@@ -47,7 +47,7 @@ fn point_one_way() {
     let declared = declared();
     assert_eq!(declared["aim-model"], set(&["libm?", "serde?", "wide?"]));
     assert_eq!(declared["aim-symbolic"], set(&["rustc-hash"]));
-    // What reads TOML and writes files stays optional: the derive does neither.
+    // Dependencies for reading TOML and writing files stay optional: the derive does neither.
     let needed = |package: &str| -> BTreeSet<String> {
         declared[package].iter().filter(|name| !name.ends_with('?')).cloned().collect()
     };
@@ -64,13 +64,13 @@ fn point_one_way() {
     let ours = |package: &str| -> BTreeSet<String> {
         declared[package].iter().filter(|name| name.starts_with("aim-")).cloned().collect()
     };
-    // Files know no solver.
+    // The file format crate does not depend on a solver.
     assert_eq!(ours("aim-gltf"), set(&["aim-animation"]));
     assert_eq!(
         ours("aim-character"),
         set(&["aim-animation", "aim-codegen", "aim-gltf", "aim-model", "aim-runtime", "aim-symbolic"])
     );
-    // The window is a feature: without it the command stays lean.
+    // The window is a feature; without it the command has few dependencies.
     let command = set(&[
         "aim-animation",
         "aim-character",
@@ -83,7 +83,7 @@ fn point_one_way() {
     assert!(ours("aim-cli").is_subset(&command), "{:?}", ours("aim-cli"));
 }
 
-/// Every package that building `package` with these features compiles, itself included.
+/// Returns every package that is compiled when `package` is built with these features, itself included.
 fn compiled(package: &str, features: &[&str]) -> BTreeSet<String> {
     let mut arguments = vec!["tree", "--package", package, "--edges", "normal,build", "--prefix", "none"];
     arguments.extend(["--format", "{p}"]);
@@ -117,7 +117,7 @@ fn of_the_facade_are_those_of_the_derive_and_glam() {
         compiled("aim-rig", &["--no-default-features", "--features", "libm"]),
         facade(&["aim-rig", "aim-runtime", "glam", "libm"])
     );
-    // That the two above would notice: with the bundled rigs the build script reads TOML, and lanes are of `wide`.
+    // The two checks above can fail: with the bundled rigs the build script reads TOML, and lanes use `wide`.
     assert!(compiled("aim-rig", &["--features", "rigs"]).contains("toml"));
     assert!(compiled("aim-rig", &["--features", "wide"]).contains("wide"));
 }

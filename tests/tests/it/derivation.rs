@@ -1,4 +1,4 @@
-//! The rules of the derivation: what they reach on the recorded problems, and that each of them is needed.
+//! The rules of the derivation: their results on the recorded problems, and that each rule is needed.
 
 use aim_codegen::{EffectorSpec, Frame, RigSpec, emit, format_rust, kernels};
 use aim_symbolic::Program;

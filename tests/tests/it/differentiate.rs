@@ -1,14 +1,14 @@
-//! Functions of users, differentiated beside themselves: against central differences, and at what cost.
+//! User functions and their derived companions: compared with central differences, and counted.
 
 use aim::glam::{DAffine3, DMat3, DMat4, DQuat, DVec2, DVec3, EulerRot, Mat3, Quat, Vec3, Vec3A};
 use aim::{DRigid, Rigid, differentiate};
 use aim_tests::random::Random;
 
-/// The paper's aim in six statements. What is found must not depend on how it was written down.
+/// The paper's aim in six formulations. The result must not depend on the formulation.
 mod paper {
     use super::*;
 
-    /// As the paper has it: the effector is pushed forward.
+    /// The paper's formulation: the effector is transformed forward.
     #[differentiate(wrt(p, h), budget = 46)]
     pub(super) fn pushed(p: f64, h: f64, m: DRigid, target: DVec3) -> f64 {
         let turned = DAffine3::from_rotation_x(h) * DAffine3::from_rotation_z(p) * m;
@@ -25,7 +25,7 @@ mod paper {
         m.transform_vector3(DVec3::Y).dot(d) / d.length()
     }
 
-    /// By quaternions about named axes.
+    /// With quaternions about named axes.
     #[differentiate(wrt(p, h), budget = 46)]
     pub(super) fn quaternions(p: f64, h: f64, m: DRigid, target: DVec3) -> f64 {
         let added = DQuat::from_axis_angle(DVec3::X, h) * DQuat::from_axis_angle(DVec3::Z, p);
@@ -34,7 +34,7 @@ mod paper {
         forward.dot(to_target / to_target.length())
     }
 
-    /// By matrices, and a link whose matrix need not be a rotation.
+    /// With matrices, and a link whose matrix need not be a rotation.
     #[differentiate(wrt(p, h), budget = 46)]
     pub(super) fn matrices(p: f64, h: f64, m: DMat3, t: DVec3, target: DVec3) -> f64 {
         let added = DMat3::from_rotation_x(h) * DMat3::from_rotation_z(p);
@@ -44,7 +44,7 @@ mod paper {
         forward.dot(to_target.normalize())
     }
 
-    /// Heading first: the angles by other names, in the other order.
+    /// Heading first: the angles have other names and the other order.
     #[differentiate(wrt(heading, pitch), budget = 46)]
     pub(super) fn heading_first(heading: f64, pitch: f64, m: DRigid, target: DVec3) -> f64 {
         let by_pitch = DQuat::from_rotation_z(pitch);
@@ -54,7 +54,7 @@ mod paper {
         forward.dot((target - origin).normalize())
     }
 
-    /// Other names, other order of terms, lengths written out.
+    /// With other names, another order of terms, and lengths written out.
     #[differentiate(wrt(a, b), budget = 46)]
     pub(super) fn renamed(at: &DVec3, link: &DRigid, b: f64, a: f64) -> f64 {
         let q = DQuat::from_rotation_x(b).mul_quat(DQuat::from_rotation_z(a));
@@ -64,7 +64,7 @@ mod paper {
     }
 }
 
-/// By central differences of sixth order.
+/// Returns the sixth-order central difference.
 fn difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     const H: f64 = 1e-3;
     let at = |k: f64| f(x + k * H) - f(x - k * H);
@@ -84,12 +84,12 @@ fn quaternion(random: &mut Random) -> DQuat {
     DQuat::from_xyzw(random.within(1.0), random.within(1.0), random.within(1.0), 1.2 + random.within(0.5)).normalize()
 }
 
-/// `f` with one number of its argument moved.
+/// Returns `x` with component `k` replaced.
 fn moved<const N: usize>(x: [f64; N], k: usize, to: f64) -> [f64; N] {
     core::array::from_fn(|i| if i == k { to } else { x[i] })
 }
 
-/// Every derivative of a function of numbers.
+/// Checks every derivative of a function of numbers.
 fn check<const N: usize>(f: impl Fn([f64; N]) -> f64, x: [f64; N], found: [f64; N]) {
     for k in 0..N {
         near(found[k], difference(|to| f(moved(x, k, to)), x[k]));
@@ -123,7 +123,7 @@ fn the_papers_aim_is_46_operations_however_it_is_stated() {
     }
 }
 
-/// Everything that numbers can do.
+/// Every operation on numbers.
 #[differentiate(wrt(x, y), hessian)]
 fn numbers(x: f64, y: f64) -> f64 {
     const THIRD: f64 = 1.0 / 3.0;
@@ -135,7 +135,7 @@ fn numbers(x: f64, y: f64) -> f64 {
     both + root * grown + x.mul_add(y, 2.5).recip() + y.to_degrees().to_radians()
 }
 
-/// Choices: the derivative is that of the branch taken.
+/// Branches: the derivative is that of the branch taken.
 #[differentiate(wrt(x, y))]
 fn choices(x: f64, y: f64, v: DVec3) -> f64 {
     let left = x < -0.5;
@@ -152,7 +152,7 @@ fn choices(x: f64, y: f64, v: DVec3) -> f64 {
     kept * (turn * w).dot(v) + (turn * v).y
 }
 
-/// By a vector: its methods.
+/// Methods of vectors, differentiated by a vector.
 #[differentiate(wrt(v, s), hessian)]
 fn vectors(v: DVec3, s: f64, w: &DVec3) -> f64 {
     let along = v.project_onto(*w) - v.reject_from(*w).lerp(*w, s);
@@ -167,14 +167,14 @@ fn vectors(v: DVec3, s: f64, w: &DVec3) -> f64 {
         + along.distance_squared(v.with_x(s)) * v[1]
 }
 
-/// By a quaternion, off the unit sphere too: glam's own formula is what is differentiated.
+/// Differentiated by a quaternion, off the unit sphere too: glam's own formula is differentiated.
 #[differentiate(wrt(q))]
 fn spun(q: DQuat, r: DQuat, v: DVec3) -> f64 {
     let both = r * q * r.conjugate();
     (both * v).dot(v) + (q * v).x + q.inverse().mul_vec3(v).z + q.length_squared() + both.w * q.xyz().dot(v)
 }
 
-/// By a matrix that is none in particular.
+/// Differentiated by an arbitrary matrix.
 #[differentiate(wrt(m))]
 fn mixed(m: DMat3, x: f64, v: DVec3) -> f64 {
     let turned = DMat3::from_axis_angle(DVec3::new(0.6, 0.0, -0.8), x) * m * DMat3::from_rotation_y(x);
@@ -182,7 +182,7 @@ fn mixed(m: DMat3, x: f64, v: DVec3) -> f64 {
     back.dot(v) + m.determinant() + (m.inverse() * v).y + (2.0 * m - DMat3::IDENTITY).x_axis.dot(m.col(1))
 }
 
-/// About an axis that moves, by both of glam's formulas.
+/// A rotation about a variable axis, by both of glam's formulas.
 #[differentiate(wrt(axis, x))]
 fn about(axis: DVec3, x: f64, v: DVec3) -> f64 {
     let unit = axis.normalize();
@@ -190,7 +190,7 @@ fn about(axis: DVec3, x: f64, v: DVec3) -> f64 {
     (q * v).dot(m * v) + q.w + m.z_axis.x
 }
 
-/// Rigid transforms, forth and back.
+/// Rigid transforms and their inverses.
 #[differentiate(wrt(x, p))]
 fn rigid(x: f64, p: DVec3, m: DAffine3, n: DRigid) -> DVec3 {
     let turn = DAffine3::from_axis_angle(DVec3::NEG_Y, x);
@@ -199,7 +199,7 @@ fn rigid(x: f64, p: DVec3, m: DAffine3, n: DRigid) -> DVec3 {
     both.transform_point3(p) + both.inverse().transform_vector3(euler * p) + both.matrix3.y_axis * both.translation.x
 }
 
-/// In the plane, to the plane, and by an array.
+/// Plane vectors, conversions to and from them, and an array.
 #[differentiate(wrt(v, weights, x))]
 fn plane(v: DVec2, weights: [f64; 3], x: f64) -> DVec2 {
     let [a, b, c] = weights;
@@ -207,7 +207,7 @@ fn plane(v: DVec2, weights: [f64; 3], x: f64) -> DVec2 {
     turned.lerp(v.normalize(), c) * v.perp_dot(turned) + v.extend(x).cross(DVec3::X).truncate() * weights[1]
 }
 
-/// To four components and back, and what may have no direction.
+/// Vectors of four components, and a normalisation that may fail.
 #[differentiate(wrt(v, w))]
 fn projected(v: DVec3, w: DVec3, m: DMat4) -> DVec3 {
     let seen = m * v.extend(1.0);
@@ -220,7 +220,7 @@ fn projected(v: DVec3, w: DVec3, m: DMat4) -> DVec3 {
     bent + four.truncate() * four.min_element() / seen.element_product() + v.exp().rem_euclid(DVec3::splat(0.4))
 }
 
-/// The same of two, and powers.
+/// Methods of plane vectors, and powers.
 #[differentiate(wrt(v, w))]
 fn flat(v: DVec2, w: DVec2) -> DVec2 {
     let powers = v.exp().powf(1.3) * w.abs().extend(1.0).powf(0.4).truncate();
@@ -236,7 +236,7 @@ fn methods_of_glam_are_what_they_are_there() {
         let m = DMat4::from_cols_array(&core::array::from_fn(|_| random.within(1.0)));
         let at = [v, w].map(|v| v.to_array()).concat().try_into().expect("six numbers");
         let of = |at: [f64; 6]| (DVec3::from_slice(&at[..3]), DVec3::from_slice(&at[3..]));
-        // Away from where a method has a kink.
+        // Keep away from the kinks of the methods.
         let wraps = (v.exp() / 0.4).to_array().into_iter().all(|x| (x - x.round()).abs() > 0.05);
         let (normal, seen) = (w.normalize(), (m * v.extend(1.0)).to_array());
         let bends = 1.0 - 0.49 * (1.0 - normal.dot(v.normalize()).powi(2)) > 0.02;
@@ -284,7 +284,7 @@ fn numbers_and_choices() {
 
         let v = vector(&mut random);
         let y = random.within(1.0);
-        // Away from where the branches meet.
+        // Keep away from where the branches meet.
         if [x - 0.5, x + 0.5, y - 0.2, x - y, x + 0.9, x, y].iter().all(|d| d.abs() > 0.01) {
             let (value, gradient) = choices_gradient(x, y, v);
             near(value, choices(x, y, v));
@@ -318,7 +318,7 @@ fn by_vectors_quaternions_and_matrices() {
         // Not of length 1.
         let q = [random.within(1.0), random.within(1.0), random.within(1.0), random.within(1.0)];
         let by_hand = |q: [f64; 4]| {
-            // glam's operators, without its assertions of length.
+            // glam's operators, without its assertions of unit length.
             let q = DQuat::from_array(q);
             spun(q, r, w)
         };
@@ -367,7 +367,7 @@ fn of_vectors_there_are_jacobians() {
     }
 }
 
-/// In single precision, with an argument by reference and one that is not used.
+/// In single precision, with arguments by reference and one that is not used.
 #[differentiate(wrt(q, v, x))]
 fn single(q: Quat, v: &Vec3, x: &f32, m: Rigid, _: f32) -> Vec3A {
     let a = Vec3A::from(*v) * *x;
@@ -405,11 +405,11 @@ fn degenerate_geometry_is_finite() {
     assert_eq!(root_gradient(0.0), (0.0, (0.0,)));
 }
 
-/// Attributes and visibility are the function's.
+/// Attributes and visibility of the function are kept.
 mod kept {
     use aim::differentiate;
 
-    /// Stays as it is written.
+    /// The function itself stays as written.
     #[differentiate(wrt(x), crate = ::aim)]
     #[cfg(test)]
     #[must_use]
@@ -442,7 +442,7 @@ fn attributes_are_kept() {
     assert_eq!(kept::Associated::square(3.0), 9.0);
 }
 
-/// Smooth where the length is 0, and differentiated twice.
+/// The square of a length is smooth where the length is 0; differentiated twice.
 #[differentiate(wrt(a), hessian)]
 fn squared_distance(a: Vec3, b: Vec3) -> f32 {
     0.5 * a.distance(b).powi(2)

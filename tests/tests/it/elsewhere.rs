@@ -1,4 +1,4 @@
-//! Objectives of other fields: what is derived of them as they are written in `tests/objectives/tests/it/by_hand.rs`, beside the
+//! Objectives of other fields, as written in `tests/objectives/tests/it/by_hand.rs`: the derived programs compared with
 //! derivations by hand. `AIM_BLESS=1 cargo test -p aim-tests --test it elsewhere` writes the table.
 
 use aim_codegen::{Differentiated, emit};
@@ -14,7 +14,7 @@ const FILE: &str = "../../../objectives/tests/it/by_hand.rs";
 const STATED: &str = include_str!("../../objectives/tests/it/by_hand.rs");
 const TABLE: [&str; 2] = ["<!-- derived -->\n", "<!-- /derived -->\n"];
 
-/// A problem, its derivation by hand in two number types, and the place of a rotation among its inputs.
+/// A problem, its derivation by hand in two number types, and the index of a rotation among its inputs.
 struct Problem {
     name: &'static str,
     title: &'static str,
@@ -59,7 +59,8 @@ fn problems() -> impl Iterator<Item = Problem> {
     .into_iter()
 }
 
-/// The operations of the C that is emitted, but for series, and what is derived at random inputs beside what is by hand.
+/// Compares the derived program with the derivation by hand at random inputs, and returns the operation counts of both:
+/// of the emitted C, without series, and by hand.
 fn compared(problem: &Problem, random: &mut Random) -> [usize; 2] {
     let Problem { name, rotation, .. } = *problem;
     let derived = Differentiated::from_file(FILE, STATED, name).expect("the file is compiled, too");
@@ -81,7 +82,7 @@ fn compared(problem: &Problem, random: &mut Random) -> [usize; 2] {
         let by_hand = (problem.run)(&inputs);
         let mut found = vec![0.0; by_hand.len()];
         program.run(&inputs, &mut found);
-        // Outside of a logarithm's domain, and where differences of large numbers are judged by their smaller digits.
+        // Skip points outside a logarithm's domain, and large values, whose differences lose digits.
         if by_hand.iter().chain(&found).any(|x| !x.is_finite() || x.abs() > 1e3) {
             continue;
         }

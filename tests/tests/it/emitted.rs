@@ -1,4 +1,4 @@
-//! The rigs under test as `build.rs` emits them: once, because they take long to compile.
+//! The rigs under test as `build.rs` emits them; in one place, because they take long to compile.
 
 #![allow(unnameable_types, unreachable_pub, reason = "emitted from a file, the rigs are public")]
 
@@ -11,12 +11,12 @@ use crate::lanes::cases::{Seen, compare};
 
 include!(concat!(env!("OUT_DIR"), "/rigs.rs"));
 
-/// What rig `number` gives for `cases`.
+/// Returns the outputs of rig `number` for `cases`.
 pub(crate) fn outputs(number: usize, cases: &[Case]) -> Vec<Outputs> {
     with_rig!(number, |rig| Outputs::of(rig, cases))
 }
 
-/// Rig `number` in lanes against itself in scalars.
+/// Compares rig `number` in lanes with the same rig in scalars.
 pub(crate) fn compared(number: usize, name: &str, cases: &[Case]) -> Seen {
     with_rig!(number, |rig| compare::<f32x8>(name, rig, rig, cases))
 }

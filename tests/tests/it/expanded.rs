@@ -1,4 +1,4 @@
-//! The golden expansions compile, and do bit for bit what the derive on the same declaration does.
+//! The golden expansions compile and behave, bit for bit, like the derive on the same declaration.
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::{Aim, AimRig, Pose, Rig, Settings};
@@ -33,7 +33,7 @@ macro_rules! beside_the_derive {
 
 aim_tests::declarations!(beside_the_derive);
 
-/// Both kernels on the same random input, and the names.
+/// Compares both kernels on the same random input, and the names.
 #[expect(clippy::cast_possible_truncation, reason = "kernels take single precision")]
 fn same_kernels(derived: &dyn Rig, golden: &dyn Rig) {
     let joints = derived.description().joints().len();
@@ -58,7 +58,7 @@ fn outputs(rig: &dyn Rig, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f3
     for joint in 0..links.len() {
         out.extend(rig.aim_gradient(joint, &links[joint], target, &sin_cos[joint]));
     }
-    // Slices of every length up to more than enough: all but one are zeros.
+    // Slices of every length up to more than enough: all but the right length give zeros.
     for length in 0..=2 + 4 * links.len() + 1 {
         let mut buffer = vec![0.0; length];
         rig.residual_jacobian(links, target, sin_cos, &mut buffer);
@@ -67,7 +67,7 @@ fn outputs(rig: &dyn Rig, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f3
     out.into_iter().map(f32::to_bits).collect()
 }
 
-/// What the rigs say of themselves, and what they do.
+/// Compares the rigs' descriptions and their results over frames.
 fn same_frames<D: AimRig, G: AimRig>() {
     let (derived, golden) = (D::RIG.description(), G::RIG.description());
     assert_eq!(derived.joints(), golden.joints());

@@ -1,7 +1,7 @@
-//! What the derive, the C and the WGSL back end write is golden, and the same in every run.
+//! The output of the derive and of the C and WGSL back ends equals golden files, and is the same in every run.
 //!
-//! `AIM_BLESS=1 cargo test -p aim-tests --test it golden` rewrites `tests/expected`. That the Rust files compile, and
-//! that they are what the derive really gives, is the test `expanded`.
+//! `AIM_BLESS=1 cargo test -p aim-tests --test it golden` rewrites `tests/expected`. The test `expanded` checks that
+//! the Rust files compile and match the real derive.
 
 use std::path::Path;
 use std::process::Command;
@@ -12,16 +12,16 @@ use aim_codegen::{declare, kernels};
 use aim_tests::rigs;
 use aim_tests::scale::sampled;
 
-/// Where the second process writes what it expanded.
+/// Environment variable with the file to which the second process writes its expansions.
 const SECOND_PROCESS: &str = "AIM_EXPANSIONS_TO";
 
-/// What the derive makes of a declaration, in the layout of rustfmt.
+/// Returns the expansion of a declaration, formatted by rustfmt.
 fn expansion(declaration: &str) -> String {
     let tokens = format!("#[derive(AimRig)] {declaration}").parse().expect("a declaration is made of tokens");
     aim_codegen::format_rust(aim_codegen::derive(tokens))
 }
 
-/// What a back end writes for `rigs/thug.toml`.
+/// Returns the output of a back end for `rigs/thug.toml`.
 fn of_the_thug(emit: impl Fn(&Rig<'_>) -> String) -> String {
     let spec = declare::from_toml("rigs/thug.toml", include_str!("../../../rigs/thug.toml"))
         .unwrap_or_else(|errors| panic!("{}", errors.render()));
@@ -71,8 +71,8 @@ fn thug_in_wgsl() {
     compare("thug.wgsl", &of_the_thug(emit::wgsl::emit));
 }
 
-/// All that the goldens hold, and every language for the rigs of every convention; by default for every fifth, so that
-/// chains of every length are among them.
+/// Returns the contents of all golden files, and every language's output for the rigs of every convention; by default
+/// for every fifth rig, which includes chains of every length.
 fn everything() -> String {
     let mut all = String::new();
     macro_rules! append {
@@ -100,7 +100,7 @@ fn a_second_process_writes_the_same_bytes() {
     let here = everything();
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let file = folder.path().join("expansions");
-    // Another process has other hash seeds and other addresses.
+    // Another process has different hash seeds and addresses.
     let child = Command::new(env::current_exe().expect("a test knows its own file"))
         .args(["--exact", "golden::a_second_process_writes_the_same_bytes"])
         .env(SECOND_PROCESS, &file)

@@ -1,4 +1,4 @@
-//! Emitted Rust, emitted C and the interpreter against central differences of independent forward kinematics, for
+//! Compares emitted Rust, emitted C and the interpreter with central differences of independent forward kinematics, for
 //! every convention, handedness, general frames and hinges.
 
 use aim_codegen::RigSpec;

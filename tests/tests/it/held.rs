@@ -1,4 +1,4 @@
-//! Arms that hang on a neck stay with the trunk while the neck turns.
+//! Arms whose bones are children of a neck stay with the trunk while the neck turns.
 
 use aim_character::{Baked, InterpretedRig, Live, Measurement, Moment, Plan, Settle, bake, chain_nodes, limbs_on};
 use aim_codegen::RigSpec;
@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
-/// A column of bones from hips to eye, arms on the neck; x left, y up, z forward. The first clavicle is turned, the neck
-/// larger than the rest.
+/// A column of bones from hips to eye, with the arms under the neck; x is left, y up, z forward. The first clavicle is
+/// rotated, the neck scaled up.
 fn arms_on_the_neck() -> Document {
     let bone = |name: &str, translation: [f64; 3], children: &[usize]| {
         let mut node = json!({ "name": name, "translation": translation });
@@ -47,7 +47,7 @@ fn rig() -> RigSpec {
     spec
 }
 
-/// Aims to the left and up for a second.
+/// Bakes one second of aiming to the left and up.
 fn baked(document: &Document, spec: &RigSpec) -> Baked {
     let chain = chain_nodes(spec, document.skeleton()).expect("the bones are there");
     let plan = Plan {
@@ -91,7 +91,7 @@ fn arms_that_hang_on_the_neck_stay_with_the_trunk() {
                 assert!(frame.world[node].abs_diff_eq(written[node], 1e-6));
             }
         }
-        // And what carries them moved, all of it.
+        // The joints that carry them have moved.
         let end = &baked.frames.last().expect("there are frames").world;
         let turned = |node: usize| end[node].matrix3.z_axis.angle_between(rest[node].matrix3.z_axis).to_degrees();
         assert!(turned(chest) > 4.0 && turned(neck) > turned(chest) + 15.0, "{} {}", turned(chest), turned(neck));
@@ -117,12 +117,12 @@ fn what_is_declared_is_held_and_nothing_else() {
     }
 }
 
-/// In a game: the animated local transform of a bone that hangs on a neck, multiplied by the rig's held correction.
+/// At run time: the animated local transform of a bone under a neck, multiplied by the rig's held correction.
 #[test]
 fn a_game_holds_as_a_bake_does() {
     let document = arms_on_the_neck();
     let (skeleton, measurement) = (document.skeleton(), Measurement::of(&document));
-    // A second neck, which the eye's joint is made to be: arms hang on the inner one, the glasses on the outer.
+    // A second neck in place of the eye's joint: the arms are under the inner one, the glasses under the outer.
     let mut spec = rig();
     let [eye, neck, _] = &mut spec.joints[..] else { panic!("three joints") };
     (eye.bones, eye.role, eye.other_eye) = (vec!["head".into()], Role::Neck, None);

@@ -1,10 +1,11 @@
-//! `Aim::aim_inlined` is `Aim::aim`, bit for bit: over frames that it serves by itself and over those that it does not.
+//! `Aim::aim_inlined` equals `Aim::aim` bit for bit, in frames that its own code handles and in those that it passes
+//! on.
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::rigs::{Mannequin, Mixamo, Rigify, Rocketbox, Thug, Turret, UnrealMannequin, Vrm};
 use aim::{Aim, AimRig, Joint, Pose, Settings, Solver, Target};
 
-/// The eye alone: what follows it is another specialisation.
+/// A rig of the eye alone, which has its own specialisation.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z))]
 struct Eye {
@@ -12,7 +13,7 @@ struct Eye {
     eye: Joint,
 }
 
-/// Stacked bones that nod a little from frame to frame.
+/// Returns a pose of stacked bones that nod a little from frame to frame.
 fn pose<R: AimRig>(frame: u16) -> Pose<R::Array<Affine3A>> {
     let mut joints = R::array(Affine3A::IDENTITY);
     let count = joints.as_ref().len();
@@ -34,7 +35,7 @@ fn compare<R: AimRig>() {
         let [mut called, mut inlined] = [Aim::<R>::new(); 2];
         for frame in 0..240 {
             let pose = pose::<R>(frame);
-            // Ahead for two thirds of the time, and then round to behind.
+            // Targets ahead for two thirds of the time, then round to behind.
             let side = 0.4 * (0.05 * f32::from(frame)).sin() + if frame > 160 { 2.5 } else { 0.0 };
             let target = (forward * side.cos() + left * side.sin()) * 3.0 + Vec3::Y * 0.3;
             let weighted = [Target::new(target, 1.0), Target::new(target + left, 0.5)];

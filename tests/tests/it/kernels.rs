@@ -1,6 +1,6 @@
-//! Emitted kernels are what their headers say: straight lines, hygienic paths, and as many operations as were counted.
+//! Emitted kernels match their headers: straight-line code, hygienic paths, and as many operations as counted.
 //!
-//! Parsed again, by syn, by naga and by a few lines that know C, so that no emitter vouches for itself.
+//! They are parsed again by syn, by naga and by a small C tokeniser, so that no emitter checks itself.
 
 use std::sync::LazyLock;
 
@@ -18,7 +18,7 @@ use syn::{BinOp, Expr, File, ImplItem, Item, ItemFn, Stmt, UnOp};
 static RIGS: LazyLock<Vec<(RigSpec, Vec<Kernel>)>> =
     LazyLock::new(|| all_rigs().into_iter().map(|spec| (spec.clone(), kernels(&spec))).collect());
 
-/// The rigs of every convention, or those sampled of them, and those with every setting that a declaration may have.
+/// Returns the rigs of every convention, or a sample of them, and rigs with every setting of a declaration.
 fn all_rigs() -> Vec<RigSpec> {
     let mut all: Vec<RigSpec> = sampled(rigs::rigs()).collect();
     macro_rules! push {
@@ -36,7 +36,7 @@ fn text_of(expr: &impl quote::ToTokens) -> String {
     expr.to_token_stream().to_string().replace(' ', "")
 }
 
-/// Counts a kernel's operations, and refuses everything that a straight line does not need.
+/// Counts a kernel's operations, and panics at anything that straight-line code does not need.
 struct Straight(Count);
 
 impl Visit<'_> for Straight {
@@ -67,7 +67,7 @@ impl Visit<'_> for Straight {
             }
             Expr::Block(block) => assert!(block.block.stmts.len() == 1, "{}", text_of(expr)),
             Expr::Path(_) | Expr::Lit(_) | Expr::Array(_) | Expr::Paren(_) => {}
-            // Constant, so checked by the compiler: it cannot panic.
+            // A constant index is checked by the compiler and cannot panic.
             Expr::Index(index) => assert!(matches!(*index.index, Expr::Lit(_)), "{}", text_of(expr)),
             _ => panic!("a kernel is a straight line, without {}", text_of(expr)),
         }
@@ -86,7 +86,7 @@ impl Visit<'_> for Straight {
     }
 }
 
-/// Every path of the emitted code, which starts with `::core`, with the facade, or is one of these local names.
+/// Checks every path of the emitted code: it must start with `::core` or the facade, or be one of these local names.
 struct Paths<'a> {
     local: &'a dyn Fn(&str) -> bool,
 }
@@ -102,7 +102,7 @@ impl Visit<'_> for Paths<'_> {
         visit::visit_path(self, path);
     }
 
-    /// `<[S]>::fill` and its like name what belongs to a type, whoever defines names beside it.
+    /// Paths such as `<[S]>::fill` name an associated item of a type, whatever names are defined nearby.
     fn visit_expr_path(&mut self, path: &syn::ExprPath) {
         match &path.qself {
             Some(qself) if qself.position == 0 => self.visit_qself(qself),
@@ -110,7 +110,7 @@ impl Visit<'_> for Paths<'_> {
         }
     }
 
-    /// The compiler's own, which nothing can shadow.
+    /// Only built-in attributes, which cannot be shadowed, are allowed.
     fn visit_attribute(&mut self, attribute: &syn::Attribute) {
         let name = text_of(attribute.path());
         assert!(["doc", "inline", "allow", "derive", "automatically_derived"].contains(&name.as_str()), "#[{name}]");
@@ -125,7 +125,7 @@ impl Visit<'_> for Paths<'_> {
     }
 }
 
-/// The items inside `const _: () = { … };`, which stands after the struct of a pose.
+/// Returns the items inside `const _: () = { … };`, which follows the pose struct.
 fn items_of(expansion: &File) -> Vec<&Item> {
     let [Item::Struct(_), Item::Const(constant)] = expansion.items.as_slice() else {
         panic!("an expansion is a struct and a constant")
@@ -174,7 +174,7 @@ fn rust_kernels_are_straight_lines_with_the_operations_that_were_counted() {
             let header = program.count().to_string().replace(' ', "");
             assert!(doc_of(function).contains(&header), "{name} of {}: {}", spec.name, doc_of(function));
         };
-        // Joints with equal programs share a function, called after the first of them.
+        // Joints with equal programs share a function, named after the first of them.
         for Kernel { joints, objective, program } in kernels {
             match objective.name {
                 "aim_gradient" => expect(program, &format!("aim_gradient_{}", joints[0])),
@@ -185,7 +185,7 @@ fn rust_kernels_are_straight_lines_with_the_operations_that_were_counted() {
     }
 }
 
-/// The methods of the trait in an expansion, by name.
+/// Returns the method with this name from the impls of an expansion.
 fn trait_method<'e>(items: &[&'e Item], name: &str) -> &'e syn::ImplItemFn {
     let methods = items.iter().filter_map(|&item| match item {
         Item::Impl(implementation) => Some(&implementation.items),
@@ -204,7 +204,7 @@ fn the_traits_kernels_are_straight_lines_with_the_operations_that_were_counted()
         let kernels = trait_kernels(&spec);
         let expansion = expansion_of(&Rig { spec: &spec, kernels: &[] });
         let items = items_of(&expansion);
-        // The slices are taken apart by a pattern; then come steps, and an output at a time.
+        // A pattern destructures the slices; then follow steps and one assignment per output.
         let chain = trait_method(&items, "residual_jacobian");
         let mut straight = Straight(Count::default());
         for statement in &chain.block.stmts[1..] {
@@ -217,7 +217,7 @@ fn the_traits_kernels_are_straight_lines_with_the_operations_that_were_counted()
             }
         }
         assert_eq!(straight.0, kernels[0].program.count(), "{}", spec.name);
-        // A joint's kernel is an arm of the choice of the joint.
+        // Each joint's kernel is an arm of the match on the joint.
         let joint = trait_method(&items, "aim_gradient");
         let [Stmt::Expr(Expr::Match(choice), None)] = joint.block.stmts.as_slice() else { panic!("no choice") };
         assert_eq!(choice.arms.len(), kernels.len(), "{}: an arm a kernel, and one for no joint", spec.name);
@@ -230,7 +230,7 @@ fn the_traits_kernels_are_straight_lines_with_the_operations_that_were_counted()
     }
 }
 
-/// The names that emitted code binds itself.
+/// Names that emitted code binds itself.
 #[derive(Default)]
 struct Bound {
     types: Vec<String>,
@@ -264,7 +264,8 @@ fn rust_names_nothing_but_core_the_facade_and_its_own() {
         let expansion = expansion_of(&Rig { spec, kernels });
         let mut bound = Bound::default();
         bound.visit_file(&expansion);
-        // A pattern that is called as a user's constant does not bind. No field may begin so, and nobody's constants do.
+        // A pattern named like a user's constant would not bind. Names with two leading underscores are reserved for
+        // the emitted code.
         for variable in &bound.variables {
             assert!(variable.starts_with("__"), "{variable} may be a constant where the rig is declared");
         }
@@ -299,7 +300,7 @@ fn rust_branches_only_where_a_joint_or_a_length_is_chosen() {
                 let ImplItem::Fn(method) = method else { continue };
                 let mut branches = Branches(0, 0);
                 branches.visit_block(&method.block);
-                // A select of the trait's kernels is an `if`: their straight lines are another test's.
+                // A select in the trait's kernels is an `if`; another test checks their straight-line code.
                 let is_of_trait = implementation.trait_.is_some();
                 let expected = match method.sig.ident.to_string().as_str() {
                     "aim_gradient" if is_of_trait => (1, branches.1),
@@ -314,7 +315,7 @@ fn rust_branches_only_where_a_joint_or_a_length_is_chosen() {
     }
 }
 
-/// The functions of emitted C and WGSL: each one's name, and the program behind it.
+/// Returns the functions of emitted C and WGSL: each one's name and its program.
 fn functions_of<'p>(spec: &RigSpec, kernels: &'p [Kernel]) -> Vec<(String, &'p Program)> {
     functions(kernels).into_iter().map(|function| (function.name(spec), &function.kernel.program)).collect()
 }

@@ -1,4 +1,4 @@
-//! The facade as its users meet it, judged by independent oracles.
+//! The public API as users see it, checked by independent oracles.
 
 mod accuracy;
 mod book;

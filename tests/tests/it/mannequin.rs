@@ -1,4 +1,4 @@
-//! The mannequin authored in every convention, per bone: one and the same result in the world.
+//! The mannequin with bones in every convention, and in a different one per bone: the result in the world is the same.
 
 use aim_character::{ChainNodes, InterpretedRig, Measurement, Plan, Settle, bake, mannequin};
 use aim_codegen::{Frame, RigSpec};
@@ -9,13 +9,13 @@ use aim_tests::random::Random;
 
 const RIG: &str = include_str!("../../../rigs/mannequin.toml");
 
-/// One frame in the world: where each joint of the chain is and where its up, forward and left point.
+/// One frame in world space: each joint's position and its up, forward and left axes.
 struct Seen {
     reached: bool,
     joints: Vec<[DVec3; 4]>,
 }
 
-/// The walk aimed at an orbiting target, the rig's and the model's bones having these axes.
+/// Bakes the walk aimed at an orbiting target, with these axes for the bones of the rig and the model.
 fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
     #[expect(clippy::cast_possible_truncation, reason = "axes are ones and zeros")]
     let model = mannequin(|bone| {
@@ -41,7 +41,7 @@ fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
         fps: 30.0,
         settle: Settle::Animation,
         looped: false,
-        // So that every frame goes on to the end: where an ascent stops early is a matter of rounding.
+        // With a tiny tolerance every frame iterates to the end: early stopping would depend on rounding.
         settings: Settings::default().with_tolerance(2e-6),
         target_node: None,
     };
@@ -70,10 +70,10 @@ fn aimed(frame_of: impl Fn(&str) -> Frame) -> Vec<Seen> {
     baked.frames.iter().map(seen).collect()
 }
 
-/// Compares two results, in metres and in units of length of the directions.
+/// Compares two results: positions in metres, and directions by their differences.
 ///
-/// Out of reach the aim is flat where it is best, so that an f32 tells the best angle to no more than the root of its
-/// precision.
+/// For a target out of reach the aim is flat at its maximum, so that f32 determines the best angle only to the square
+/// root of its precision.
 fn assert_same(expected: &[Seen], found: &[Seen], what: &str) {
     assert_eq!(expected.len(), found.len());
     for (number, (a, b)) in expected.iter().zip(found).enumerate() {

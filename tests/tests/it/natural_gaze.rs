@@ -1,4 +1,4 @@
-//! The natural gaze beside what is measured of people, and the figure of `docs/natural-gaze.md`.
+//! The natural gaze compared with measurements of people, and the figure of `docs/natural-gaze.md`.
 //!
 //! `AIM_BLESS=1 cargo test -p aim-tests --test it natural_gaze` rewrites the figure. The test prints the numbers that
 //! the page quotes; `-- --nocapture` shows them.
@@ -19,7 +19,8 @@ fn a_gaze_shift_is_of_the_size_that_is_measured_of_people() {
     }
 }
 
-/// A curve of the figure: its name, its colour, which reads on white and on black, and its dashes.
+/// A curve of the figure: its name, a colour that is legible on white and on black, its dashes, and the plotted
+/// heading.
 type Curve = (&'static str, &'static str, &'static str, fn(&Headings) -> f32);
 
 const CURVES: [Curve; 4] = [
@@ -30,7 +31,7 @@ const CURVES: [Curve; 4] = [
 ];
 const GREY: &str = "#808080";
 
-/// The curves of all shifts, beside each other: headings over time.
+/// Returns the figure as SVG: the headings over time of all shifts, side by side.
 fn figure() -> String {
     const SIZE: [f32; 2] = [220.0, 200.0];
     const TOP: f32 = 58.0;
@@ -106,9 +107,9 @@ fn the_table_of_bakes_has_a_row_for_everything_that_is_measured() {
     for row in &rows {
         assert_eq!(row.held, Some(true), "{}: {}, must be {}", row.what, row.measured, row.must);
     }
-    // A criterion's worst is that of the bake that asks for most.
+    // A criterion's worst value comes from the most demanding bake.
     assert!(rows[0].measured.contains("orbit") || rows[0].measured.contains("150°"), "{}", rows[0].measured);
-    // And what does not hold is marked.
+    // A row that does not hold is marked.
     let broken = aim_benches::solver::row::Row { held: Some(false), ..rows[0].clone() };
     assert!(markdown("bakes", &[broken]).contains("**broken**"));
 }

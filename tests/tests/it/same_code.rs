@@ -1,4 +1,5 @@
-//! A derive and a TOML file of the same declaration give the same code, but for the struct item, which only TOML needs.
+//! A derive and a TOML file with the same declaration give the same code, except for the struct item, which only TOML
+//! needs.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -11,7 +12,7 @@ use aim_tests::scale::sampled;
 use quote::ToTokens;
 use syn::{File, Item};
 
-/// A declaration as a user would write it for this rig, in either notation.
+/// The notation of a declaration.
 #[derive(Clone, Copy, PartialEq)]
 enum Notation {
     Derive,
@@ -27,7 +28,7 @@ impl Notation {
         if self == Self::Toml { format!("[{x:?}, {y:?}, {z:?}]") } else { format!("({x:?}, {y:?}, {z:?})") }
     }
 
-    /// Up and forward; left follows from the handedness.
+    /// Writes up and forward; left follows from the handedness.
     fn bones(self, frame: &Frame) -> String {
         let axes = format!("up = {}, forward = {}", self.vector(frame.up), self.vector(frame.forward));
         if self == Self::Toml { format!("axes = {{ {axes} }}") } else { format!("axes({axes})") }
@@ -68,7 +69,7 @@ impl Notation {
         if self == Self::Toml { format!("region = {{ {settings} }}") } else { format!("region({settings})") }
     }
 
-    /// The settings of the rig.
+    /// Returns the settings of the rig.
     fn rig(self, rig: &RigSpec) -> Vec<String> {
         let mut settings = vec![self.bones(&rig.joints[0].frame), self.effector(&rig.effector)];
         settings.extend(rig.natural.as_ref().map(|natural| self.natural(natural)));
@@ -107,7 +108,7 @@ impl Notation {
         settings
     }
 
-    /// The whole declaration.
+    /// Writes the whole declaration.
     fn write(self, rig: &RigSpec) -> String {
         let mut text = String::new();
         match self {
@@ -171,7 +172,7 @@ fn of_the_bundled_rigs() {
 #[test]
 fn of_every_convention() {
     for mut rig in sampled(rigs::rigs()) {
-        // Left is derived from up and forward, so that neither notation can state a third vector's rounding.
+        // Left is derived from up and forward, so neither notation can state a third vector that differs by rounding.
         let eye = &mut rig.joints[0];
         eye.acceleration = Some(20.0);
         eye.other_eye = Some("other eye".to_owned());

@@ -1,4 +1,5 @@
-//! Pose and target stand still: what can be reached is reached in the time that the rates allow, and then nothing moves.
+//! With a still pose and target, a reachable target is reached in the time that the rates allow, and then nothing
+//! moves.
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::rigs::{Thug, Turret};
@@ -8,21 +9,22 @@ use aim_tests::scale::in_full;
 
 const FRAME: f32 = 1.0 / 60.0;
 
-/// A thug standing, +Y up, facing +Z, in metres.
+/// Returns the pose of a standing thug, +Y up, facing +Z, in metres.
 fn standing() -> Pose<[Affine3A; 3]> {
     let upright = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
     let at = |y, z| Affine3A::from_rotation_translation(upright, Vec3::new(0.0, y, z));
     Pose::new([at(1.66, 0.09), at(1.51, 0.0), at(1.37, 0.0)])
 }
 
-/// Two metres from the eyes, this far to the left and up.
+/// Returns a target two metres from the eyes, this far to the left and up.
 fn direction(azimuth_deg: f32, elevation_deg: f32) -> Vec3 {
     let (sin_a, cos_a) = azimuth_deg.to_radians().sin_cos();
     let (sin_e, cos_e) = elevation_deg.to_radians().sin_cos();
     Vec3::new(0.0, 1.66, 0.0) + 2.0 * Vec3::new(sin_a * cos_e, sin_e, cos_a * cos_e)
 }
 
-/// Aims for five seconds, far more than any way takes; returns the largest movement of an angle in the last second.
+/// Aims for five seconds, far longer than any movement takes, and returns the status and the largest movement of an
+/// angle in the last second.
 fn settle<R: AimRig>(rig: &mut Aim<R>, pose: &Pose<R::Array<Affine3A>>, target: Vec3) -> (Status, f32) {
     let mut moved: f32 = 0.0;
     let mut status = Status::Degenerate;
@@ -47,7 +49,7 @@ fn a_reachable_target_is_reached_whatever_was_looked_at_before() {
             pairs.push((before, target));
         }
     }
-    // Seven divides neither number of directions: all of them occur.
+    // Seven divides neither number of directions, so all of them occur.
     let step = if in_full() { 1 } else { 7 };
     for (before, target) in pairs.into_iter().step_by(step) {
         let target_ws = direction(target.0, target.1);

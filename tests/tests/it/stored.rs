@@ -1,4 +1,5 @@
-//! Stored settings, states and outcomes: read back they are the same, and a character goes on as if it had never been stored.
+//! Stored settings, states and outcomes read back the same, and a restored character continues as if it had never been
+//! stored.
 
 use std::fmt::Debug;
 
@@ -15,7 +16,7 @@ fn json<T: Serialize + DeserializeOwned>(value: &T) -> T {
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error} in {text}"))
 }
 
-/// A format that nobody reads.
+/// Writes and reads a value in a binary format.
 fn cbor<T: Serialize + DeserializeOwned>(value: &T) -> T {
     let mut bytes = Vec::new();
     ciborium::into_writer(value, &mut bytes).expect("values can be written as CBOR");
@@ -27,7 +28,7 @@ fn assert_survives<T: Serialize + DeserializeOwned + PartialEq + Debug>(value: &
     assert_eq!((&json(value), &cbor(value)), (value, value));
 }
 
-/// A thug standing, +Y up, facing +Z, in metres, its neck animated.
+/// Returns the pose of a standing thug with an animated neck, +Y up, facing +Z, in metres.
 fn standing(frame: u16) -> Pose<[Affine3A; 3]> {
     let upright = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
     let nod = Quat::from_rotation_x(0.1 * (f32::from(frame) / 20.0).sin());
@@ -75,7 +76,7 @@ fn files_written_by_hand_need_what_differs_alone() {
     assert_eq!(serde_json::to_value(Status::RateLimited).expect("words can be written"), "rate_limited");
 }
 
-/// A state stored in the middle of a run, at every frame, leads to the same bits as one that was not.
+/// A state that is stored and restored at every frame leads to the same bits as one that is not.
 #[test]
 fn a_character_that_was_stored_goes_on_with_the_same_bits() {
     for (name, settings) in [
@@ -132,7 +133,7 @@ fn a_clip_goes_on_from_where_it_was_stored() {
     assert_survives(&Transform::new(Vec3::new(0.1, 0.2, 0.3), Quat::from_rotation_x(0.3)));
 }
 
-/// Nobody vouches for a file: whatever numbers it has, corrections are finite and unit, and angles return into their ranges.
+/// A stored state may hold any numbers: corrections are still finite and unit, and angles return into their ranges.
 #[test]
 fn a_state_with_nonsense_does_no_harm() {
     let mut random = Random::new(5);
@@ -152,7 +153,7 @@ fn a_state_with_nonsense_does_no_harm() {
     }
 }
 
-/// Puts numbers in the place of some of those that are there.
+/// Replaces some of the numbers.
 fn spoil(value: &mut serde_json::Value, random: &mut Random) {
     match value {
         serde_json::Value::Array(list) => list.iter_mut().for_each(|value| spoil(value, random)),

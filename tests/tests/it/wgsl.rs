@@ -1,5 +1,5 @@
-//! Emitted WGSL is a valid module by itself, and gives the interpreter's very numbers in `f32`: for every bundled rig,
-//! every convention, general frames and hinges, at random poses and where there is nothing to aim at.
+//! Emitted WGSL is a valid module on its own, and gives exactly the interpreter's numbers in `f32`: for every bundled
+//! rig, every convention, general frames and hinges, at random poses and degenerate targets.
 
 use std::path::Path;
 
@@ -26,7 +26,7 @@ fn bundled() -> Vec<RigSpec> {
     paths.iter().map(read).collect()
 }
 
-/// A rig's programs, and the module that was emitted for them.
+/// A rig's programs, and the module emitted for them.
 struct Emitted {
     spec: RigSpec,
     kernels: Vec<Kernel>,
@@ -41,12 +41,12 @@ impl Emitted {
         Self { spec: spec.clone(), kernels, module: Module::read(&source), source }
     }
 
-    /// Every program with its function's name; joints first.
+    /// Returns every program with its function's name; joints first.
     fn functions(&self) -> impl Iterator<Item = (String, &Program)> {
         functions(&self.kernels).into_iter().map(|function| (function.name(&self.spec), &function.kernel.program))
     }
 
-    /// Runs every function and its program on `case`; hands the functions' outputs to `judge` where they are the same.
+    /// Runs every function and its program on `case`, asserts that the outputs are equal, and passes them to `judge`.
     fn compare(&self, case: &Case, judge: impl Fn(&str, &[f32])) {
         for (i, (name, program)) in self.functions().enumerate() {
             let alone = |joint: usize| Case {
@@ -69,12 +69,12 @@ fn thug() -> Emitted {
     Emitted::of(bundled().iter().find(|spec| spec.name == "Thug").expect("the thug is bundled"))
 }
 
-/// Bits, but that those of something that is not a number are nobody's promise.
+/// Returns the bits of each number; `None` for NaN, whose bits are unspecified.
 fn bits(numbers: &[f32]) -> Vec<Option<u32>> {
     numbers.iter().map(|x| (!x.is_nan()).then(|| x.to_bits())).collect()
 }
 
-/// Where the effector is in the last joint's space.
+/// Returns the effector's position in the last joint's space.
 fn effector(spec: &RigSpec, case: &Case) -> V {
     let joints = spec.joints.iter().zip(&case.links).zip(&case.angles);
     joints.fold([0.0; 3], |point, ((joint, link), &[pitch, heading])| {
@@ -117,12 +117,12 @@ fn degenerate_targets_give_the_bits_of_the_interpreter() {
             emitted.compare(&on_effector, |name, found| {
                 assert!(found.iter().all(|x| x.is_finite()), "{name}, nearly on the effector: {found:?}");
             });
-            // Subnormal, below and above the smallest length that is divided by, and beyond what can be squared.
+            // Subnormal, below and above the smallest length that is divided by, and too large to be squared.
             for size in [1e-42, 1e-30, 1e-20, 1e-18, 1e15, 1e30] {
                 emitted.compare(&Case { target: case.target.map(|c| size * c), ..folded.clone() }, |_, _| ());
                 emitted.compare(&Case { target: case.target.map(|c| size * c), ..case.clone() }, |_, _| ());
             }
-            // Turned about, so that the residual's denominator vanishes.
+            // Mirrored to behind, so that the residual's denominator vanishes.
             let behind = case.target.map(|c| -1e3 * c);
             emitted.compare(&Case { target: behind, ..folded }, |_, _| ());
         }
@@ -133,7 +133,7 @@ fn degenerate_targets_give_the_bits_of_the_interpreter() {
 fn the_smallest_length_that_is_divided_by_is_that_of_the_interpreter() {
     let thug = thug();
     let program = &thug.kernels[0].program;
-    // A neck at rest, its link the identity, and the target straight ahead: nothing is rounded before the guard.
+    // A neck at rest with an identity link and the target straight ahead: no rounding before the guard.
     let aim = |distance: f32| {
         let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         let inputs: Vec<f32> = identity.into_iter().chain([0.0, distance, 0.0]).chain([0.0, 1.0, 0.0, 1.0]).collect();
@@ -193,7 +193,7 @@ fn a_shader_calls_the_functions_with_what_its_buffers_hold() {
     );
 }
 
-/// A function that is differentiated, in WGSL: a valid module whose numbers are those of the formulas.
+/// A differentiated function in WGSL: a valid module whose results are those of the formulas.
 #[test]
 fn a_differentiated_function() {
     let source = "

@@ -1,29 +1,29 @@
-//! What users read when a declaration is wrong, word for word, and that nothing else is reported beside it.
+//! Compares the error messages for wrong declarations word for word, and checks that no other errors are reported.
 //!
-//! The texts around ours are rustc's and change with it: the errors are compared with the toolchain that wrote them
-//! only. `AIM_BLESS=1 cargo test -p aim-ui` rewrites them.
+//! rustc's own part of the messages changes between versions, so the errors are only compared with the toolchain that
+//! wrote them. `AIM_BLESS=1 cargo test -p aim-ui` rewrites them.
 //!
-//! rustc is called directly, with the library that cargo has built for this test: a nested cargo would build it, and all
-//! that it depends on, once more.
+//! rustc is called directly, with the library that cargo has built for this test: a nested cargo would build it and all
+//! its dependencies again.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::{env, fs};
 
-/// The rustc whose words the `.stderr` files hold.
+/// The rustc version that wrote the `.stderr` files.
 const WRITTEN_WITH: &str = "rustc 1.95.";
 
 fn rustc() -> Command {
     Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
 }
 
-/// The folder of libraries that this test is linked with.
+/// Returns the folder of libraries that this test is linked with.
 fn libraries() -> PathBuf {
     let test = env::current_exe().expect("the test is a file");
     test.parent().expect("it lies in a folder").to_owned()
 }
 
-/// rustc's words about a program that uses `aim`, a library in the folder of libraries.
+/// Returns rustc's output for a program that uses `aim`, a library in the folder of libraries.
 fn compile(aim: &Path, program: &Path, arguments: &[&str]) -> Output {
     rustc()
         .args(["--edition=2024", "--crate-name=case", "--crate-type=bin", "--color=never", "--diagnostic-width=140"])
@@ -37,14 +37,14 @@ fn compile(aim: &Path, program: &Path, arguments: &[&str]) -> Output {
         .expect("rustc can be started")
 }
 
-/// An empty folder of this test's own.
+/// Creates a folder for this test.
 fn scratch(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ui").join(name);
     fs::create_dir_all(&folder).expect("a folder for what is compiled");
     folder
 }
 
-/// The newest `aim` with all that the cases need. The folder may hold some of other features or toolchains, too.
+/// Returns the newest `aim` that supports all cases. The folder may also hold builds with other features or toolchains.
 fn library(scratch: &Path) -> PathBuf {
     let mut found: Vec<_> = fs::read_dir(libraries())
         .expect("the folder of libraries can be listed")
@@ -62,7 +62,7 @@ fn library(scratch: &Path) -> PathBuf {
     found.into_iter().rev().find(fits).expect("cargo has built the library")
 }
 
-/// The programs in a folder.
+/// Returns the programs in a folder.
 fn programs(folder: &str) -> Vec<PathBuf> {
     let mut found: Vec<_> = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
         .expect("the folder can be listed")
@@ -74,7 +74,7 @@ fn programs(folder: &str) -> Vec<PathBuf> {
     found
 }
 
-/// The errors themselves, without rustc's count of them and where to read more.
+/// Returns the errors themselves, without rustc's count of them and its further hints.
 fn errors_of(output: Output) -> String {
     let text = String::from_utf8(output.stderr).expect("text");
     let words = ["error: aborting due to", "Some errors have detailed", "For more information about"];

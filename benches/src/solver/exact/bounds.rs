@@ -1,4 +1,4 @@
-//! What moves, and how fast: trembling targets, and the declared rates through everything that jumps.
+//! Movement and speed: trembling targets, and the declared rates through all kinds of jumps.
 
 use aim::glam::{Affine3A, Vec3};
 use aim::{AimRig, Behind, Settings};
@@ -11,8 +11,8 @@ use super::super::row::{Row, largest, quantile};
 use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
 use super::super::workload::bearing;
 
-/// A standing target with noise of a millimetre, anywhere on the sphere at 2 m, the poles and the back among them: how
-/// far any angle moves in a frame once everything has settled.
+/// A still target with noise of 1 mm, anywhere on the sphere at 2 m, including the poles and behind: the largest
+/// movement of an angle in a frame after everything has settled.
 pub fn noise(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (behind, name) in [(Behind::Off, "off"), (Behind::Clip, "clip")] {
@@ -35,7 +35,7 @@ pub fn noise(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// The largest movement of an angle in a frame, degrees.
+/// Returns the largest movement of an angle in a frame after settling, degrees.
 fn trembling(pose: &[Affine3A], target: Vec3, settings: &Settings, random: &mut fastrand::Rng) -> f64 {
     let mut scene = Scene::new(Gazer::RIG, pose, target);
     let model = scene.model();
@@ -53,7 +53,7 @@ fn trembling(pose: &[Affine3A], target: Vec3, settings: &Settings, random: &mut 
     worst / DEG
 }
 
-/// What jumps, of everything that may jump in a frame.
+/// The quantity that jumps from one frame to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Jump {
     Behind,
@@ -75,7 +75,7 @@ const JUMPS: [(Jump, &str); 7] = [
     (Jump::Limits, "limit changes"),
 ];
 
-/// The largest speed of any angle over its declared rate, through everything that jumps, at all frame rates and with
+/// The largest ratio of an angle's speed to its declared rate, through every kind of jump, at all frame rates and with
 /// every policy for targets behind.
 pub fn output_rate(sample: &Sample) -> Vec<Row> {
     JUMPS
@@ -85,7 +85,8 @@ pub fn output_rate(sample: &Sample) -> Vec<Row> {
                 let behind = [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release][i / 3 % 4];
                 fastest(jump, i, FRAME_RATES[i % 3], &sample.settings.with_behind(behind))
             });
-            // Angles of a radian are known to 6e-8, a step of 1.2 rad/s at 144 Hz to some 1e-5 of it.
+            // An f32 angle of about 1 rad has a rounding error of 6e-8, which is some 1e-5 of a step at 1.2 rad/s and
+            // 144 Hz.
             let fastest = largest(speeds);
             Row::at_most(format!("output rate through {name}"), 1.0 + 2e-5, " × the declared", fastest)
                 .noting(&format!("{:+.1e}", fastest - 1.0))
@@ -93,7 +94,7 @@ pub fn output_rate(sample: &Sample) -> Vec<Row> {
         .collect()
 }
 
-/// The largest speed over the declared rate within 300 frames.
+/// Returns the largest ratio of an angle's speed to its declared rate within 300 frames.
 fn fastest(jump: Jump, number: usize, hz: f32, settings: &Settings) -> f64 {
     let mut random = fastrand::Rng::with_seed(0xfa_0000 + number as u64);
     let mut scene = Scene::new(NumericRig::like(Gazer::RIG), &random_pose(&mut random), Vec3::ONE);

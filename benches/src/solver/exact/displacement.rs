@@ -1,4 +1,4 @@
-//! How near the angles come to the least displacement.
+//! Deviation of the angles from the least displacement.
 
 use aim::AimRig;
 
@@ -9,22 +9,22 @@ use super::super::row::{Row, quantile};
 use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
 use super::super::workload::{Still, Where, track};
 
-/// What became of one target that stood still.
+/// Result for one target that stood still.
 struct Settled {
-    /// From the least displacement, degrees.
+    /// Largest difference of an angle from the least displacement, degrees.
     off: f64,
-    /// The gaze from the target, degrees.
+    /// Angle between the gaze and the target, degrees.
     remaining: f64,
-    /// How much dearer than the least displacement.
+    /// Relative excess of the cost over that of the least displacement.
     dearer: f64,
 }
 
-/// Still, reachable targets: every angle against the independent solution, and the gaze, once all joints had time to
-/// cross their ranges.
+/// Still, reachable targets: every angle compared with the independent solution, and the error of the gaze, after all
+/// joints have had time to cross their ranges.
 pub fn least_displacement(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for hz in FRAME_RATES {
-        // The first rate at full length; the others in passing.
+        // 60 Hz with all cases, the other rates with a quarter of them.
         let share = if hz == 60.0 { 1 } else { 4 };
         for from_rest in [true, false] {
             let cases: Vec<Still> = [Where::Cone, Where::Front]
@@ -59,7 +59,7 @@ pub fn least_displacement(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// `None` where the target cannot be reached.
+/// Returns `None` if the target cannot be reached.
 fn settle(sample: &Sample, case: &Still, number: usize, hz: f32, from_rest: bool) -> Option<Settled> {
     let mut random = fastrand::Rng::with_seed(0xd15_0000 + number as u64);
     let mut scene = Scene::new(Gazer::RIG, &case.pose, case.target);
@@ -82,20 +82,20 @@ fn settle(sample: &Sample, case: &Still, number: usize, hz: f32, from_rest: bool
     })
 }
 
-/// What one character did.
+/// Lags and costs of one character that follows a target.
 struct Tracked {
     lags: Vec<f64>,
     cost: f64,
     least: f64,
 }
 
-/// A swinging target, followed: the lag, and the displacement cost against that of the independent solution.
+/// Following a swinging target: the lag, and the displacement cost relative to that of the independent solution.
 pub fn tracking(sample: &Sample) -> Vec<Row> {
     let all = [(false, 60.0), (false, 30.0), (false, 144.0), (true, 60.0)];
     all.into_iter().flat_map(|(moving, hz)| tracked(sample, "", moving, hz)).collect()
 }
 
-/// The same at 60 Hz in poses that stand still, of a solver with a name.
+/// The same measurement as [`tracking`] at 60 Hz in still poses, with `name` before the names of the rows.
 pub fn tracking_of(sample: &Sample, name: &str) -> Vec<Row> {
     tracked(sample, name, false, 60.0)
 }
@@ -108,7 +108,7 @@ fn tracked(sample: &Sample, name: &str, moving: bool, hz: f32) -> Vec<Row> {
         for frame in 0_u16..600 {
             scene.follow(&motions[i], f32::from(frame) / hz);
             scene.step(1.0 / hz, &sample.plain());
-            // The first two seconds are arriving.
+            // Skip the first two seconds, in which the gaze arrives.
             if f32::from(frame) < 2.0 * hz {
                 continue;
             }

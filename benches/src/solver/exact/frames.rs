@@ -1,4 +1,4 @@
-//! Single frames: whatever can be reached within ranges and rates is reached at once.
+//! Single frames: a target that can be reached within ranges and rates must be reached in that frame.
 
 use aim::AimRig;
 use aim::Status;
@@ -10,7 +10,7 @@ use super::super::row::Row;
 use super::super::sample::{Sample, Scene};
 use super::super::workload::{Motion, orbits, track};
 
-/// Frames whose target can be met within ranges and rates and that do not say that they reached it.
+/// Counts the frames whose target can be met within ranges and rates, but that do not report it as reached.
 pub fn unreached_frames(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (hz, moving) in [(60.0, false), (60.0, true), (30.0, false), (144.0, false)] {
@@ -26,7 +26,7 @@ pub fn unreached_frames(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// Missed frames, and frames that could be.
+/// Returns the number of missed frames, and the number of frames whose target could be reached.
 fn judge(sample: &Sample, motion: &Motion, hz: f32, number: usize) -> (usize, usize) {
     let settings = sample.plain();
     let mut scene = Scene::new(Gazer::RIG, &motion.body.at(0.0), motion.path.at(0.0));

@@ -1,4 +1,4 @@
-//! The rows of the exact layer.
+//! Measurements of the exact solver. Each public function returns rows of the table.
 
 mod bounds;
 mod displacement;

@@ -1,4 +1,4 @@
-//! From rest without rates, and what is out of reach.
+//! Targets from rest without rate limits, and targets out of reach.
 
 use aim::{AimRig, JointInfo, Pose, Rig};
 
@@ -10,7 +10,7 @@ use super::super::row::{Row, largest, quantile};
 use super::super::sample::{Sample, Scene, frames};
 use super::super::workload::Where;
 
-/// `cone` from rest without rates: solved within three frames, and by one `snap`.
+/// The `cone` workload from rest without rate limits: solved within three frames, and by one `snap`.
 pub fn cold(sample: &Sample) -> Vec<Row> {
     let cases = Where::Cone.cases(sample.of(4096));
     let mut quick: Vec<JointInfo> = Gazer::RIG.description().joints().to_vec();
@@ -51,7 +51,7 @@ pub fn cold(sample: &Sample) -> Vec<Row> {
     ]
 }
 
-/// Targets out of reach: the remaining angle against the best that a global search finds.
+/// Targets out of reach: the remaining angle compared with the best that a global search finds.
 pub fn unreachable(sample: &Sample) -> Vec<Row> {
     let cases = Where::Any.cases(sample.of(4096));
     let mut rows = Vec::new();
@@ -64,7 +64,7 @@ pub fn unreachable(sample: &Sample) -> Vec<Row> {
                 let state = random_state(&scene.rig.rig, &mut fastrand::Rng::with_seed(0x0ff_0000 + i as u64));
                 scene.rig.state.joints = state;
             }
-            // Twice the time: it may be the long way round.
+            // Twice the time, since the solver may take the long way round.
             scene.run(frames(2.0 * model.longest() + 1.0, 60.0), 1.0 / 60.0, &sample.plain());
             let remaining = scene.remaining(&model);
             if remaining <= 0.1 * DEG {
@@ -78,7 +78,8 @@ pub fn unreachable(sample: &Sample) -> Vec<Row> {
             (best > MET_RAD).then_some([remaining - best, remaining - here].map(|worse| worse / DEG))
         });
         let worse: Vec<[f64; 2]> = worse.into_iter().flatten().collect();
-        // Than where a search from the same place leads: what is beyond that is another side of the target.
+        // `nearby` compares with a local search from the same angles. A larger difference to the global best means that
+        // the best is on another side of the target.
         let mut nearby: Vec<f64> = worse.iter().map(|worse| worse[1]).collect();
         let mut worse: Vec<f64> = worse.iter().map(|worse| worse[0]).collect();
         let from = if from_rest { "from rest" } else { "from anywhere" };

@@ -1,4 +1,4 @@
-//! Holding a target, the scale of stiffnesses, and level heads.
+//! Holding a target, invariance to the scale of stiffnesses, and level heads.
 
 use aim::glam::{Quat, Vec3};
 use aim::{AimRig, Axes, DynAim, JointInfo, Pose, Rig, Role};
@@ -10,7 +10,7 @@ use super::super::row::{Row, largest};
 use super::super::sample::{FRAME_RATES, Sample, Scene, apart, frames};
 use super::super::workload::{Where, bearing, track};
 
-/// A still target, once it has been reached: the largest angle that is left afterwards.
+/// The largest remaining angle after a still target was first reached.
 pub fn holding(sample: &Sample) -> Vec<Row> {
     FRAME_RATES
         .into_iter()
@@ -26,7 +26,7 @@ pub fn holding(sample: &Sample) -> Vec<Row> {
                     if arrived {
                         lost = lost.max(remaining);
                     }
-                    // Within the tolerance; what is left of it has one frame to go.
+                    // Arrived, but only within the tolerance: the solver gets one more frame to close the rest.
                     arrived |= remaining <= 0.1;
                 }
                 lost
@@ -36,7 +36,7 @@ pub fn holding(sample: &Sample) -> Vec<Row> {
         .collect()
 }
 
-/// All stiffnesses times 1e±3.
+/// All stiffnesses scaled by 1000 and by 1/1000: the angles must not change.
 pub fn stiffnesses(sample: &Sample) -> Vec<Row> {
     [1e3, 1e-3]
         .into_iter()
@@ -68,7 +68,7 @@ pub fn stiffnesses(sample: &Sample) -> Vec<Row> {
         .collect()
 }
 
-/// A neck that leans forward by 30° and turns by 60°: the roll of the head, level and not.
+/// A neck that leans forward by 30° and turns by 60°: the roll of the head with level and with plain headings.
 pub fn roll(sample: &Sample) -> Vec<Row> {
     let axes = Axes { up: [1.0, 0.0, 0.0], forward: [0.0, 1.0, 0.0], left: [0.0, 0.0, 1.0] };
     [(1.0, Some(5.0)), (0.0, None)]
@@ -85,7 +85,7 @@ pub fn roll(sample: &Sample) -> Vec<Row> {
             let leaning = Quat::from_rotation_x(30_f32.to_radians());
             let bone = posed([Quat::IDENTITY, leaning, Quat::IDENTITY])[1];
             let pose = Pose::new([bone]).with_up(Vec3::Y);
-            // Where a heading of 60° leads: about the world's up, or about the bone's own.
+            // The direction of a 60° heading: about the world's up if level, otherwise about the bone's own.
             let at: Vec3 = bone.translation.into();
             let towards = if level == 1.0 { bearing(60.0, -30.0) } else { leaning * bearing(60.0, 0.0) };
             for _ in 0..120 {

@@ -1,4 +1,4 @@
-//! Whether a target that can be reached is.
+//! Reachable targets that are never reached.
 
 use aim::{AimRig, Behind, Pose, Settings};
 
@@ -11,10 +11,10 @@ use super::super::row::Row;
 use super::super::sample::{FRAME_RATES, Sample, Scene, frames};
 use super::super::workload::{Motion, Path, Where, orbits};
 
-/// Further than this from the target it counts as not reached.
+/// Tolerance for a reached target, radians.
 const TOLERANCE_RAD: f64 = 0.1 * DEG * 1.000_1;
 
-/// Targets that stand still, from rest and from anywhere.
+/// Still targets, from rest and from random angles.
 pub fn stuck_still(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for place in [Where::Cone, Where::Front, Where::Any] {
@@ -42,13 +42,13 @@ pub fn stuck_still(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// By an independent search.
+/// Returns `true` if an independent search meets the target.
 fn within_reach(problem: &Problem<'_>, seed: usize) -> bool {
     problem.is_met(&problem.starts(seed as u64, 10))
 }
 
-/// Targets that go round the character: frames in which the target is within reach and not reached, and would not be if
-/// it stopped there, whatever time the joints had.
+/// Targets that circle the character. Counts the frames in which the target is reachable but not reached, and would not
+/// be reached if it stopped there, however long the joints had.
 pub fn stuck_on_orbits(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (behind, name) in [(Behind::Off, "off"), (Behind::Clip, "clip")] {
@@ -71,14 +71,14 @@ pub fn stuck_on_orbits(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// Frames of one orbit.
+/// Counts of frames in one orbit.
 #[derive(Default)]
 struct Orbited {
-    /// Whose target is within reach, as far as they were judged.
+    /// Frames whose target is within reach: all that reached it, and judged ones that could.
     reachable: usize,
-    /// Of these, those not reached, but to be reached in time.
+    /// Reachable frames that are not reached, but would be in time if the target stopped.
     on_the_way: usize,
-    /// Those never reached.
+    /// Reachable frames that would never be reached.
     stuck: usize,
 }
 
@@ -95,7 +95,7 @@ fn orbit(motion: &Motion, hz: f32, settings: &Settings, number: usize) -> Orbite
             orbited.reachable += 1;
             continue;
         }
-        // A search is dear: frames that are not reached are judged one in five.
+        // The search is expensive: of the frames that are not reached, only one in five is judged.
         let judged = frame % 5 == 0;
         if judged && within_reach(&Problem::within_ranges(&model, scene.target.as_dvec3()), number) {
             orbited.reachable += 1;
@@ -111,7 +111,7 @@ fn orbit(motion: &Motion, hz: f32, settings: &Settings, number: usize) -> Orbite
     orbited
 }
 
-/// A hundred thousand rigs of one to seven joints.
+/// A hundred thousand random rigs of one to seven joints: reachable targets must be reached.
 pub fn stuck_on_random_rigs(sample: &Sample) -> Vec<Row> {
     let count = sample.of(100_000);
     let settings = sample.plain();

@@ -1,4 +1,4 @@
-//! A target that moves, on bodies that may; and what becomes of the displacement.
+//! Moving targets, on still and moving bodies, and the displacement of the resulting angles.
 
 use super::super::chain::{DEG, Gazer};
 use super::super::parallel;
@@ -9,7 +9,7 @@ use super::super::workload::{Where, track};
 use aim::glam::DVec3;
 use aim::{AimRig, Rig};
 
-/// The lag behind a swinging target.
+/// Measures the lag behind a swinging target.
 pub fn following(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for (moving, hz) in [(false, 60.0), (false, 30.0), (false, 144.0), (true, 60.0)] {
@@ -20,7 +20,7 @@ pub fn following(sample: &Sample) -> Vec<Row> {
             for frame in 0_u16..600 {
                 scene.follow(&motions[i], f32::from(frame) / hz);
                 scene.step(1.0 / hz, &sample.plain());
-                // The first two seconds are arriving.
+                // Skip the first two seconds, in which the gaze arrives.
                 if f32::from(frame) >= 2.0 * hz {
                     lags.push(scene.remaining(&scene.model()) / DEG);
                 }
@@ -39,7 +39,8 @@ pub fn following(sample: &Sample) -> Vec<Row> {
     rows
 }
 
-/// Still targets, all around: what is well within reach is reached, and what is out of it is seen at its elevation.
+/// Still targets in all directions: those well within reach must be reached, and those out of reach must be looked at
+/// with the right elevation.
 pub fn resting(sample: &Sample) -> Vec<Row> {
     let mut rows = Vec::new();
     for hz in FRAME_RATES {
@@ -49,13 +50,14 @@ pub fn resting(sample: &Sample) -> Vec<Row> {
             let mut scene = Scene::new(Gazer::RIG, &cases[i].pose, cases[i].target);
             let model = scene.model();
             scene.run(frames(model.longest() + 1.0, hz), 1.0 / hz, &sample.plain());
-            // Well within: heading and elevation may have to make their ways apart from each other.
+            // Well within reach means within 80 % of the ranges, since heading and elevation may be limited separately.
             let mut narrow = model.clone();
             narrow.angles.iter_mut().for_each(|angle| angle.range = angle.range.map(|end| 0.8 * end));
             let problem = Problem::within_ranges(&narrow, target);
             let is_well_within = problem.is_met(&problem.starts(i as u64, 3));
             let values = scene.angles(&model);
-            // About the trunk's up, which is what is level where no pose tells its own.
+            // Elevation is relative to the trunk's up axis, which the solver takes as level unless the pose sets an up
+            // direction.
             let up = cases[i].pose[2].transform_vector3a(Gazer::RIG.description().joints()[2].axes().up.into());
             let elevation = |v: DVec3| v.normalize().dot(up.as_dvec3().normalize()).asin() / DEG;
             let elevations = [model.gaze(&values), target - model.origin(&values)].map(elevation);

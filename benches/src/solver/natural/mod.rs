@@ -1,4 +1,4 @@
-//! The rows of the natural layer.
+//! Measurements of the natural gaze. Most public functions return rows of the table.
 
 mod following;
 mod people;

@@ -1,4 +1,4 @@
-//! Shifts of a natural gaze beside what is measured of people: `docs/natural-gaze.md` names the sources.
+//! Gaze shifts compared with measurements of people; `docs/natural-gaze.md` names the sources.
 
 use aim::glam::{Affine3A, Quat, Vec3};
 use aim::rigs::Thug;
@@ -6,33 +6,33 @@ use aim::{Aim, Pose, Settings, Status};
 
 use super::super::row::Row;
 
-/// Frames a second.
+/// Frame rate of the simulation, frames a second.
 pub const HZ: f32 = 600.0;
-/// A second.
+/// Number of frames of a shift: one second.
 const FRAMES: u16 = 600;
-/// The eye's animated place, +Y up, in metres; the character faces +Z.
+/// Animated position of the eye, metres; +Y is up, the character faces +Z.
 const EYE: Vec3 = Vec3::new(0.0, 1.66, 0.09);
-/// The shifts that are measured.
+/// Sizes of the measured shifts, degrees.
 pub const SHIFTS_DEG: [f32; 3] = [10.0, 30.0, 60.0];
 
-/// Headings in the world, positive to the left, degrees; that of the eye is in the head.
+/// Headings of gaze, head and chest in the world and of the eye in the head, degrees, positive to the left.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Headings {
-    /// Of the eye in the world.
+    /// Heading of the eye in the world.
     pub gaze: f32,
-    /// Of the head, which the chest carries.
+    /// Heading of the head in the world.
     pub head: f32,
-    /// Of the chest.
+    /// Heading of the chest in the world.
     pub chest: f32,
-    /// Of the eye in the head.
+    /// Heading of the eye relative to the head.
     pub eye: f32,
 }
 
-/// A person who looks straight ahead until a target appears this far to the left, frame by frame from then on. The target
-/// is 100 m away, so that its heading stays the same while the head carries the eye along.
+/// Returns the frames of a person who looks straight ahead until a target appears this far to the left. The target is
+/// 100 m away, so that its heading stays the same while the head carries the eye along.
 ///
 /// # Panics
-/// A gaze that is off its target later than 0.4 s.
+/// Panics if the gaze is off its target after 0.4 s.
 pub fn shift(degrees: f32) -> Vec<Headings> {
     let standing = Quat::from_xyzw(0.5, 0.5, 0.5, 0.5);
     let joints = [EYE, Vec3::new(0.0, 1.51, 0.0), Vec3::new(0.0, 1.37, 0.0)]
@@ -42,7 +42,7 @@ pub fn shift(degrees: f32) -> Vec<Headings> {
     let mut frames = vec![Headings::default()];
     for frame in 1..=FRAMES {
         let aimed = person.aim(&pose, target, 1.0 / HZ, &Settings::default());
-        // Forward kinematics from the root outward, by the links between the joints' transforms.
+        // Forward kinematics from the root outward, with the links taken from the joints' transforms.
         let mut carried = Affine3A::IDENTITY;
         let mut parent = Affine3A::IDENTITY;
         let mut headings = [0.0; 3];
@@ -60,19 +60,20 @@ pub fn shift(degrees: f32) -> Vec<Headings> {
     frames
 }
 
-/// The time from which on a condition holds, milliseconds; infinite where it does not hold in the end.
+/// Returns the time after which a condition holds until the end, milliseconds; infinite if it does not hold in the last
+/// frame.
 fn since_ms(frames: &[Headings], holds: impl Fn(&Headings) -> bool) -> f32 {
     let first = frames.iter().rposition(|frame| !holds(frame)).map_or(0, |frame| frame + 1);
     if first < frames.len() { first as f32 / HZ * 1e3 } else { f32::INFINITY }
 }
 
-/// The largest speed of a heading in a frame, degrees a second, and the heading at the end of that frame.
+/// Returns the largest speed of a heading, degrees a second, and the heading at the end of that frame.
 fn peak(frames: &[Headings], heading: impl Fn(&Headings) -> f32) -> (f32, f32) {
     let speeds = frames.windows(2).map(|pair| ((heading(&pair[1]) - heading(&pair[0])) * HZ, heading(&pair[1])));
     speeds.fold((0.0, 0.0), |most, now| if now.0 > most.0 { now } else { most })
 }
 
-/// When, how fast and how far gaze, head and chest turn, each within what people do.
+/// Time, speed and extent of the movements of gaze, head and chest, each within the range measured of people.
 pub fn people() -> Vec<Row> {
     let mut rows = Vec::new();
     for degrees in SHIFTS_DEG {
@@ -97,7 +98,7 @@ pub fn people() -> Vec<Row> {
         let mut row = |what: &str, unit: &str, bounds: [f64; 2], found: f32| {
             rows.push(Row::between(format!("{degrees}°: {what}"), bounds, unit, found.into()));
         };
-        // A frame more or less.
+        // Allow one frame either way.
         let ms = |least: f32, most: f32| [(least - 1e3 / HZ).max(0.0), most + 1e3 / HZ].map(f64::from);
         match degrees {
             10.0 => {

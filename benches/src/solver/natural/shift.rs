@@ -1,4 +1,4 @@
-//! [`Shift`]: one shift of the gaze, from a target straight ahead to one that appears aside, frame by frame.
+//! [`Shift`]: one gaze shift, frame by frame, from a target straight ahead to one that appears to the side.
 
 use aim::glam::{Affine3A, DVec3, Quat};
 use aim::{AimRig, Rig, Settings};
@@ -8,18 +8,18 @@ use super::super::model::{Angles, MOST, Model, angle};
 use super::super::row::largest;
 use super::super::sample::{Scene, frames};
 
-/// The eye's pitch and heading, then the neck's and the chest's, in the order of the declared angles.
+/// Indices of the eye's pitch and heading among the declared angles.
 const EYE: [usize; 2] = [0, 1];
-/// See [`EYE`].
+/// Indices of the neck's pitch and heading among the declared angles.
 pub(crate) const NECK: [usize; 2] = [2, 3];
-/// See [`EYE`].
+/// Indices of the chest's pitch and heading among the declared angles.
 pub(crate) const CHEST: [usize; 2] = [4, 5];
-/// How near the gaze has to be to have arrived.
+/// Angle within which the gaze has arrived, radians.
 const ARRIVED: f64 = 0.1 * DEG;
-/// How long it is watched, seconds.
+/// Length of the observation, seconds.
 const SECONDS: f64 = 1.5;
 
-/// What a frame of it was like; the first is before the target appears.
+/// State of one frame; the first is before the target appears.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     angles: Angles,
@@ -27,19 +27,20 @@ struct Frame {
     remaining: f64,
 }
 
-/// A shift of the gaze.
+/// A recorded gaze shift.
 #[derive(Clone, Debug)]
 pub(crate) struct Shift {
     frames: Vec<Frame>,
     hz: f64,
-    /// From straight ahead to the target.
+    /// Direction of the gaze before the shift.
     ahead: DVec3,
+    /// Direction of the target after the shift.
     aside: DVec3,
     accelerations: Vec<f64>,
 }
 
 impl Shift {
-    /// A target at 2 m jumps by so many degrees, in this direction: 0 is left, a quarter turn up.
+    /// Records the shift to a target at 2 m that jumps by `degrees` in a direction: 0 is left, a quarter turn is up.
     pub(crate) fn new(pose: &[Affine3A; 3], degrees: f64, direction: f64, hz: f32, settings: &Settings) -> Self {
         let rig = Gazer::RIG;
         let model = Model::new(rig, pose);
@@ -69,12 +70,13 @@ impl Shift {
         frame.angles[pitch].hypot(frame.angles[heading])
     }
 
-    /// How far a joint turns at most, degrees.
+    /// Returns the largest rotation of a joint, degrees.
     pub(crate) fn most(&self, joint: [usize; 2]) -> f64 {
         largest(self.frames.iter().map(|frame| Self::turned(frame, joint))) / DEG
     }
 
-    /// How much later than the eye the neck has turned by a degree, milliseconds, within the frame as the way goes.
+    /// Returns the delay between the eye's first degree of rotation and the neck's, milliseconds, interpolated within
+    /// the frame.
     pub(crate) fn neck_after_eye(&self) -> f64 {
         1e3 * (self.begins(NECK) - self.begins(EYE))
     }
@@ -95,18 +97,18 @@ impl Shift {
         self.frames.iter().position(|frame| frame.remaining <= ARRIVED)
     }
 
-    /// When the gaze is on the target, milliseconds.
+    /// Returns the time at which the gaze first reaches the target, milliseconds; NaN if it does not.
     pub(crate) fn arrives(&self) -> f64 {
         self.arrival().map_or(f64::NAN, |frame| 1e3 * frame as f64 / self.hz)
     }
 
-    /// How far the gaze is off the target at most from then on, degrees.
+    /// Returns the largest angle between gaze and target after arrival, degrees; NaN if it does not arrive.
     pub(crate) fn off_later(&self) -> f64 {
         let later = self.arrival().map_or(&[][..], |arrival| &self.frames[arrival..]);
         if later.is_empty() { f64::NAN } else { largest(later.iter().map(|frame| frame.remaining)) / DEG }
     }
 
-    /// How much further the neck turns from then on, degrees: what the eye has to make up for meanwhile.
+    /// Returns the rotation of the neck between arrival and the end, degrees, which the eye has to compensate.
     pub(crate) fn neck_turns_later(&self) -> f64 {
         let end = self.frames[self.frames.len() - 1];
         self.arrival().map_or(f64::NAN, |arrival| {
@@ -115,17 +117,18 @@ impl Shift {
         })
     }
 
-    /// The eye's eccentricity at its largest and in the end, degrees.
+    /// Returns the eye's largest and final eccentricity, degrees.
     pub(crate) fn eccentricities(&self) -> [f64; 2] {
         let end = &self.frames[self.frames.len() - 1];
         [self.most(EYE), Self::turned(end, EYE) / DEG]
     }
 
-    /// The largest change of an angle's speed from frame to frame, as a part of what its acceleration allows.
+    /// Returns the largest acceleration of a joint's angles, from second differences of the frames, relative to the
+    /// declared limit.
     pub(crate) fn jerkiest(&self, joint: [usize; 2]) -> f64 {
         let dt = 1.0 / self.hz;
         largest(joint.into_iter().flat_map(|i| {
-            // It stood still before.
+            // The joints are at rest before the first frame.
             let still = [self.frames[0]];
             let all: Vec<f64> = still.iter().chain(&self.frames).map(|frame| frame.angles[i]).collect();
             let changes: Vec<f64> = all.windows(3).map(|w| (w[2] - 2.0 * w[1] + w[0]).abs() / (dt * dt)).collect();
@@ -134,8 +137,9 @@ impl Shift {
         }))
     }
 
-    /// How far the gaze goes past the target, or the chest or neck and chest together past where they end, degrees: the neck
-    /// alone makes up for a chest that comes later.
+    /// Returns the largest overshoot, degrees: of the gaze past the target, and of the chest alone and of neck and
+    /// chest together past their final angles. The neck alone is left out, since it compensates for a chest that
+    /// arrives later.
     pub(crate) fn overshoot(&self) -> f64 {
         let whole = angle(self.ahead, self.aside);
         let along = self.aside.reject_from_normalized(self.ahead).normalize();
@@ -151,7 +155,7 @@ impl Shift {
         largest(joints.into_iter().chain([gaze])) / DEG
     }
 
-    /// How far the gaze is off the great circle from where it was to the target at most, degrees.
+    /// Returns the largest deviation of the gaze from the great circle between its start and the target, degrees.
     pub(crate) fn off_arc(&self) -> f64 {
         let normal = self.ahead.cross(self.aside).normalize();
         largest(self.frames.iter().map(|frame| frame.gaze.dot(normal).asin().abs())) / DEG

@@ -1,4 +1,4 @@
-//! A target that jumps: who moves, when and how.
+//! A target that jumps: which joints move, when and how.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use super::super::row::{Row, largest};
 use super::super::sample::{FRAME_RATES, Sample};
 use super::shift::{CHEST, NECK, Shift};
 
-/// Steps of 10, 30 and 60 degrees.
+/// Measures steps of 10, 30 and 60 degrees at all frame rates.
 pub fn steps(sample: &Sample) -> Vec<Row> {
     FRAME_RATES
         .into_iter()
@@ -18,7 +18,7 @@ pub fn steps(sample: &Sample) -> Vec<Row> {
         .collect()
 }
 
-/// One step to either side, in the pose of rest and in others.
+/// Measures one size of step to both sides and obliquely, in the rest pose and in random poses.
 fn step(sample: &Sample, degrees: f64, hz: f32) -> Vec<Row> {
     let mut random = fastrand::Rng::with_seed(0x57e9);
     let mut poses: Vec<[Affine3A; 3]> = vec![posed([Quat::IDENTITY; 3])];
@@ -73,7 +73,7 @@ fn step(sample: &Sample, degrees: f64, hz: f32) -> Vec<Row> {
     }
     let overshoot = of(&level, Shift::overshoot).max(of(&oblique, Shift::overshoot));
     rows.push(Row::at_most(format!("{name}: overshoot"), 0.5, "°", overshoot));
-    // Straight in heading and elevation is up to 3.4° off the great circle.
+    // A straight line in heading and elevation deviates by up to 3.4° from the great circle.
     rows.push(
         Row::at_most(format!("{name}: an oblique one off its arc"), 4.0, "°", of(&oblique, Shift::off_arc))
             .noting(&format!("arriving by {:.0} ms", of(&oblique, Shift::arrives))),

@@ -6,7 +6,7 @@ use aim_animation_tests::Hero;
 use crate::glue::{Character, model, parents};
 
 const LENGTH: f32 = 0.3;
-/// Up, forward and left of every bone.
+/// Up, forward and left axes of every bone.
 const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
 
 struct Drawn {
@@ -15,7 +15,7 @@ struct Drawn {
     lines: Vec<GizmoLine>,
 }
 
-/// A character that looks at a target of its armature's space, and the lines of that.
+/// Aims a character at a target in its armature's space, and returns the character with the lines drawn for it.
 fn drawn(armature: Transform, place: Affine3A, target: Vec3) -> (Character, Drawn) {
     let mut character = Character::new(armature, 0.3);
     let right = character.bone("right_eye");
@@ -40,8 +40,8 @@ fn wide(v: Vec3) -> DVec3 {
     v.as_dvec3()
 }
 
-/// By forward kinematics in f64: gazes and axes are those of the bones, and each point of a rim is where the joint's forward
-/// comes to at an end of its range.
+/// Compared with forward kinematics in f64: gazes and axes are those of the bones, and each point of a rim is where the
+/// joint's forward direction points at an end of its range.
 #[test]
 fn lines_are_where_the_bones_and_their_limits_are() {
     let placed = Affine3A::from_scale_rotation_translation(Vec3::splat(1.5), Quat::from_rotation_y(2.0), Vec3::NEG_X);
@@ -75,7 +75,7 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                         let at = bones[joint];
                         let way = wide(line.to) - at.translation;
                         assert!((way.length() - f64::from(LENGTH)).abs() < 1e-5, "{name} {line:?}");
-                        // The upright neck is below.
+                        // The upright neck has a test of its own below.
                         if joint != 1 {
                             let touched = on_the_limits(&at, corrections[joint], way, joint);
                             let rim = u32::from(matches!(line.kind, GizmoKind::Rim { .. }));
@@ -89,7 +89,7 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                 assert!(wide(line.from).distance(at.translation) < 1e-5, "{name} {line:?}");
                 assert!(wide(line.to).distance(to) < 2e-5, "{name} {line:?} instead of {to}");
             }
-            // Round about, without a gap.
+            // The rim is closed, without a gap.
             for joint in 0..3 {
                 let is_rim = |line: &&GizmoLine| line.kind == GizmoKind::Rim { joint };
                 let rim: Vec<_> = lines.iter().filter(is_rim).collect();
@@ -97,7 +97,7 @@ fn lines_are_where_the_bones_and_their_limits_are() {
                     assert!(one.to.distance(next.from) < 1e-5, "{name} {one:?} {next:?}");
                 }
             }
-            // A quarter of the rim along each end, the corners of both.
+            // Each end accounts for a quarter of the rim; the corners belong to two ends.
             assert!(
                 [0, 2].iter().all(|joint| ends[*joint].iter().all(|end| (16..=18).contains(end))),
                 "{name} {ends:?}"
@@ -106,8 +106,8 @@ fn lines_are_where_the_bones_and_their_limits_are() {
     }
 }
 
-/// Heading and pitch of a way from a bone, before its own turn was multiplied in, are at an end of a declared range.
-/// Tells which: the low and the high end of heading, then of pitch.
+/// Checks that heading and pitch of a direction from a bone, before its own correction, are at an end of a declared
+/// range. Returns at which: the low and the high end of heading, then of pitch.
 fn on_the_limits(at: &aim::glam::DAffine3, own: Quat, way: DVec3, joint: usize) -> [bool; 4] {
     let local = own.as_dquat().normalize() * at.matrix3.inverse().mul_vec3(way).normalize();
     let [up, ahead, left] = [local.x, local.y, local.z];
@@ -121,7 +121,7 @@ fn on_the_limits(at: &aim::glam::DAffine3, own: Quat, way: DVec3, joint: usize) 
     [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(k, end)| (angles[k] - ends[k][end]).abs() < 1e-5)
 }
 
-/// A joint that a solver has turned as far as it may looks at the rim, level headings included.
+/// A joint that a solver has turned to its limit points at the rim, level headings included.
 #[test]
 fn joints_at_their_limits_are_on_the_rim() {
     for target in
@@ -138,7 +138,7 @@ fn joints_at_their_limits_are_on_the_rim() {
             let part = ((ahead - from).dot(way) / way.length_squared().max(1e-12)).clamp(0.0, 1.0);
             (from + way * part).distance(ahead)
         });
-        // A chord of an arc of at most 7.5° is that far from it.
+        // The distance of a chord of at most 7.5° from its arc.
         let away = away.fold(f64::INFINITY, f64::min);
         assert!(away < f64::from(LENGTH) * 2.2e-3, "{target}: the neck looks {away} beside its rim");
     }

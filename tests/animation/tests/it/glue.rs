@@ -3,7 +3,7 @@ use aim::glam::{Affine3A, DAffine3, DMat3, DQuat, DVec3, Quat, Vec3};
 use aim::{Aim, AimRig, DynAim, Rig, Settings, Status};
 use aim_animation_tests::{Hero, gait, skeleton};
 
-/// A bone is called `spine`, but none `spine_O3`.
+/// A rig with a misspelt bone name: the skeleton has a bone `spine`, but no `spine_O3`.
 #[derive(AimRig)]
 #[aim(axes(up = +Y, forward = +Z, left = +X))]
 struct Misspelt {
@@ -13,7 +13,7 @@ struct Misspelt {
     spine: aim::Joint,
 }
 
-/// Each bone in the space of the model by its definition.
+/// Returns each bone in model space, by the definition.
 pub(crate) fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     let mut model: Vec<DAffine3> = Vec::new();
     for (at, parent) in local.iter().zip(skeleton.parents()) {
@@ -27,7 +27,7 @@ pub(crate) fn model(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
     model
 }
 
-/// The six kinds of parents.
+/// Returns six kinds of parent transforms.
 pub(crate) fn parents() -> [(&'static str, Transform); 6] {
     let turned = Transform::from_rotation(Quat::from_euler(aim::glam::EulerRot::XYZ, 0.3, -0.9, 0.4));
     [
@@ -61,7 +61,7 @@ impl Character {
         self.skeleton.find(name).unwrap()
     }
 
-    /// The angle between where an eye looks and where the target is, in the space of the targets.
+    /// Returns the angle between an eye's direction and the direction to the target, in the space of the targets.
     fn error(&self, place: &Affine3A, eye: &str, target: Vec3) -> f64 {
         let at = DAffine3::from_cols_array(&place.to_cols_array().map(f64::from))
             * model(&self.skeleton, &self.local)[self.bone(eye)];
@@ -69,14 +69,14 @@ impl Character {
     }
 }
 
-/// A target that a character on this armature sees a little up and to its left.
+/// Returns a target a little up and to the left of a character on this armature.
 fn target_for(character: &Character, place: &Affine3A) -> Vec3 {
     let armature = *place * character.model[0];
     armature.transform_point3(Vec3::new(0.7, 1.9, 2.0))
 }
 
-/// Under every kind of parent, in its own space and placed in a world, both eyes come to look at the target, by forward kinematics
-/// that knows nothing of the solver.
+/// With every kind of parent, in model space and placed in a world, both eyes reach the target, as checked by
+/// independent forward kinematics.
 #[test]
 fn both_eyes_reach_the_target() {
     let placed = Affine3A::from_scale_rotation_translation(Vec3::splat(1.5), Quat::from_rotation_y(2.0), Vec3::NEG_X);
@@ -91,7 +91,7 @@ fn both_eyes_reach_the_target() {
             let target = target_for(&character, &place);
             let mut outcome = None;
             for step in 0..120_u8 {
-                // The animation goes on below the aim.
+                // The animation continues beneath the aim.
                 character = Character::new(armature, 0.3 + 0.002 * f32::from(step));
                 chain.gather(&mut frame, &mut character.local, &mut character.model).unwrap();
                 assert_eq!(frame.model(), character.model, "the pose as it was gathered");
@@ -107,7 +107,7 @@ fn both_eyes_reach_the_target() {
                 let other = character.error(&place, "right_eye", target);
                 assert!(error < 2e-3 && other < 2e-3, "{name}: {error} {other}");
             }
-            // What is told of the model is so.
+            // The returned model transforms are correct.
             for (found, truth) in character.model.iter().zip(model(&character.skeleton, &character.local)) {
                 let found = DAffine3::from_cols_array(&found.to_cols_array().map(f64::from));
                 assert!(found.abs_diff_eq(truth, 1e-5), "{name}");
@@ -116,14 +116,14 @@ fn both_eyes_reach_the_target() {
     }
 }
 
-/// A joint that its own scale mirrors is turned behind the mirror.
+/// A joint mirrored by its own scale still aims correctly.
 #[test]
 fn joints_that_are_mirrored_themselves() {
     for mirror in [Vec3::new(-1.0, 1.0, 1.0), Vec3::new(1.0, -1.0, 1.0), Vec3::new(1.0, 1.0, -1.0), Vec3::NEG_ONE] {
         let mut character = Character::new(Transform::IDENTITY, 0.3);
         let spine = character.bone("spine");
         character.local[spine].scale = mirror;
-        // Whatever that mirrors, the target is where the eye can turn to.
+        // The target is placed where the eye can turn to, whichever axes are mirrored.
         character.skeleton.to_model(&character.local, &mut character.model).unwrap();
         let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap();
         let target = character.model[spine].transform_point3(Vec3::new(0.8, 2.0, 0.7));
@@ -148,12 +148,12 @@ fn aimed(character: &mut Character, chain: &AimChain) -> AimFrame {
     frame
 }
 
-/// Up is that of the model below a lean of 45°, the trunk's own from 75° on, and between them their mean by a smooth step.
+/// The up direction is the model's below a lean of 45°, the trunk's own from 75° on, and a smooth blend between.
 #[test]
 fn who_lies_down_has_an_up_of_its_own() {
     let place = Affine3A::from_rotation_translation(Quat::from_rotation_z(0.7), Vec3::X);
     for lean_deg in [0.0_f64, 20.0, 44.9, 50.0, 60.0, 72.0, 75.1, 90.0, 170.0] {
-        // Wherever it faces and leans to.
+        // Lean in an arbitrary direction, facing an arbitrary one.
         let lean = DQuat::from_axis_angle(DVec3::new(0.6, 0.0, -0.8), lean_deg.to_radians());
         let mut character = Character::new(Transform::IDENTITY, 0.0);
         let hips = character.bone("hips");
@@ -173,7 +173,7 @@ fn who_lies_down_has_an_up_of_its_own() {
     }
 }
 
-/// A bind pose that is given is as good as one at rest.
+/// A given bind pose is equivalent to the same pose at rest.
 #[test]
 fn a_bind_pose_beside_the_rest_pose() {
     for (name, armature) in parents() {
@@ -196,7 +196,7 @@ fn a_bind_pose_beside_the_rest_pose() {
     }
 }
 
-/// An eye that follows looks as joint 0 does.
+/// A following eye looks in joint 0's direction.
 #[test]
 fn the_other_eye_follows() {
     for (name, armature) in parents() {
@@ -210,21 +210,21 @@ fn the_other_eye_follows() {
         let model = model(&character.skeleton, &character.local);
         let [left, right] = ["left_eye", "right_eye"].map(|eye| model[character.bone(eye)].matrix3);
         let scale = left.determinant().abs().cbrt();
-        // At rest, and at the beginning of the gait, both have the same axes.
+        // Both have the same axes at rest and at the beginning of the gait.
         assert!((left * scale.recip()).abs_diff_eq(right * scale.recip(), 1e-5), "{name}");
         let turned = character.local[character.bone("left_eye")].rotation;
         assert!(turned.angle_between(character.skeleton.rest()[5].rotation) > 0.05, "{name}: it has turned");
     }
 }
 
-/// A clavicle on the neck keeps its place in the chest, and without a carrier in the animation.
+/// A clavicle under the neck keeps its place relative to the chest, or, without a carrier, in the animation.
 #[test]
 fn what_is_held_stays() {
     for (name, armature) in parents() {
         for carrier in [Some(2), None] {
             let mut character = Character::new(armature, 0.3);
             let clavicle = character.bone("left_clavicle");
-            // Hidden and mirrored bones are held, too; a scale of its own stays.
+            // Mirrored bones are held as well; a bone's own scale is kept.
             character.local[clavicle].scale = Vec3::new(1.1, -1.1, 1.1);
             character.skeleton.to_model(&character.local, &mut character.model).unwrap();
             // The rig itself names the clavicle.
@@ -242,7 +242,7 @@ fn what_is_held_stays() {
             assert_eq!(character.local[clavicle].scale, Vec3::new(1.1, -1.1, 1.1));
             for bone in [clavicle, character.bone("left_arm")] {
                 let (was, is) = (on(&before, bone), on(&after, bone));
-                // Under uneven scale a rotation can but come near.
+                // Under uneven scale, a rotation can only approximate.
                 let most = if name == "uneven" { 0.1 } else { 1e-4 };
                 assert!(was.abs_diff_eq(is, most), "{name} {carrier:?}: {was} {is}");
             }
@@ -252,7 +252,7 @@ fn what_is_held_stays() {
     }
 }
 
-/// Where the animation lets one eye drift, the other eye is brought parallel before it is aimed.
+/// If the animation lets one eye drift, the other eye is made parallel before it is aimed.
 #[test]
 fn eyes_are_parallel_when_gathered() {
     for (name, armature) in parents() {
@@ -278,8 +278,8 @@ fn eyes_are_parallel_when_gathered() {
     }
 }
 
-/// The pose for solvers: each joint in the space of the targets, without uneven scale of its own; ranges from a rest pose that is
-/// carried along.
+/// The gathered pose: each joint in the space of the targets, without its own uneven scale; ranges relative to a rest
+/// pose that the parent carries.
 #[test]
 fn what_is_gathered() {
     let mut character = Character::new(Transform::IDENTITY, 0.3);
@@ -298,7 +298,7 @@ fn what_is_gathered() {
         let found = DAffine3::from_cols_array(&found.to_cols_array().map(f64::from));
         assert!(found.abs_diff_eq(truth, 1e-5), "{found} {truth}");
     };
-    // The neck's own scale is gone, its mirror is not.
+    // The neck's own scale is removed, its mirroring is not.
     let unscaled = DMat3::from_diagonal(DVec3::new(1.0 / 1.5, 0.5, 1.0 / 3.0));
     close(&pose.joints[1], place * now[3] * DAffine3::from_mat3(unscaled));
     close(&pose.joints[2], place * now[2]);
@@ -312,7 +312,7 @@ fn what_is_gathered() {
     assert!(frame.pose_of::<2>().is_none());
 }
 
-/// A derived rig and the same rig behind a trait object are one.
+/// A derived rig and the same rig behind a trait object give the same results.
 #[test]
 fn derived_and_dynamic() {
     let mut character = Character::new(Transform::IDENTITY, 0.2);
@@ -355,7 +355,7 @@ fn what_is_no_chain() {
         error => panic!("{error}"),
     };
     assert_eq!(unknown(&nameless, Hero::RIG), (0, vec!["left_eye".into()]));
-    // A name that is declared is meant, and not the field's where that is misspelt.
+    // A declared bone name is used even if it is misspelt; the field's name is no fallback.
     assert_eq!(unknown(&skeleton, Misspelt::RIG), (1, vec!["spine_O3".into()]));
     let (mut local, mut model) = (skeleton.rest().to_vec(), vec![Affine3A::IDENTITY; 10]);
     let mut foreign = chain(&[5]).unwrap().frame();
@@ -370,8 +370,8 @@ fn what_is_no_chain() {
     assert_eq!(local, skeleton.rest());
 }
 
-/// Of two bones of a name the one counts that makes a chain with the others: a mesh has the name of the bone that moves it, and hangs
-/// beside it.
+/// If two bones share a name, the one that forms a chain with the others counts. A mesh often has the name of the bone
+/// that moves it, as a sibling in the hierarchy.
 #[test]
 fn names_that_repeat() {
     let character = Character::new(Transform::IDENTITY, 0.0);
@@ -381,17 +381,17 @@ fn names_that_repeat() {
         let more = more.iter().map(|(name, parent)| Bone::new(*name, *parent));
         Skeleton::new(own.chain(more)).unwrap()
     };
-    // A mesh at the root; an eye on another neck that carries nothing.
+    // A mesh at the root, and an eye on another neck that carries nothing.
     let repeated = bones(&[("neck", Some(0)), ("left_eye", Some(0)), ("left_eye", None)]);
     let chain = AimChain::named(&repeated, Hero::RIG).unwrap();
     let sources: Vec<Option<usize>> = chain.joints().iter().map(|&bone| repeated.source_of(bone)).collect();
     assert_eq!(sources[..2], [Some(eye), Some(neck)]);
-    // Two eyes on one neck are anybody's guess.
+    // Two eyes on one neck are ambiguous.
     let error = AimChain::named(&bones(&[("left_eye", Some(neck))]), Hero::RIG).unwrap_err();
     assert!(matches!(error, AimChainError::Names { joint: 0, .. }), "{error:?}");
 }
 
-/// A chain on the fewest bones gathers and applies what it did on all of them.
+/// A chain reduced to the fewest bones gathers and applies the same as on all of them.
 #[test]
 fn reduced_to_the_fewest_bones() {
     for (name, armature) in parents() {

@@ -1,5 +1,5 @@
-//! Hits on characters in motion, against the crate `bvh` in f64: it has a hierarchy of boxes of its own around the
-//! triangles, and the test of Möller and Trumbore.
+//! Hits on characters in motion, compared with the crate `bvh` in f64, which has its own hierarchy of boxes around the
+//! triangles and the Möller–Trumbore test.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;
 use nalgebra::{Point3, Vector3};
 
-/// A small generator of random numbers in 0…1.
+/// A small generator of random numbers in [0, 1).
 struct Rng(u64);
 
 impl Rng {
@@ -28,7 +28,7 @@ impl Rng {
     }
 }
 
-/// A triangle in the other crate's hierarchy.
+/// A triangle in `bvh`'s hierarchy.
 struct Leaf {
     corners: [Point3<f64>; 3],
     node: usize,
@@ -37,7 +37,7 @@ struct Leaf {
 impl Bounded<f64, 3> for Leaf {
     fn aabb(&self) -> bvh::aabb::Aabb<f64, 3> {
         let [a, b, c] = &self.corners;
-        // Boxes of triangles that lie along an axis are flat, which it does not like.
+        // Triangles perpendicular to an axis have flat boxes, which `bvh` does not handle.
         let slack = Vector3::repeat(1e-9);
         bvh::aabb::Aabb::with_bounds(a.inf(b).inf(c) - slack, a.sup(b).sup(c) + slack)
     }
@@ -53,22 +53,22 @@ impl BHShape<f64, 3> for Leaf {
     }
 }
 
-/// The part of the way to the nearest triangle from either side.
+/// Returns the ray parameter of the nearest triangle, hit from either side.
 fn by_the_other(bvh: &Bvh<f64, 3>, leaves: &[Leaf], ray: &Ray) -> Option<f64> {
     let [origin, direction] = [ray.origin, ray.direction].map(Vec3::as_dvec3);
     let length = direction.length();
     let cast = bvh::ray::Ray::new(Point3::from(origin.to_array()), Vector3::from(direction.to_array()));
     let met = bvh.traverse(&cast, leaves).into_iter().map(|leaf| {
         let [a, b, c] = &leaf.corners;
-        // It sees fronts alone.
+        // `bvh` only hits front faces, so test both windings.
         let sides = [cast.intersects_triangle(a, b, c), cast.intersects_triangle(a, c, b)];
         sides[0].distance.min(sides[1].distance) / length
     });
     met.min_by(f64::total_cmp).filter(|part| part.is_finite() && *part <= f64::from(ray.end))
 }
 
-/// The least distance between the ray's line and the edges of the mesh, and between its ends and the triangles' planes: where the
-/// two may differ.
+/// Returns the least distance between the ray's line and the mesh's edges, and between its ends and the triangles'
+/// planes. The two libraries may differ where it is small.
 fn closeness(mesh: &Mesh, placed: &[Vec3], ray: &Ray) -> f64 {
     let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3().normalize());
     let ends = [0.0, ray.end].map(|part| ray.at(part).as_dvec3());
@@ -87,7 +87,7 @@ fn closeness(mesh: &Mesh, placed: &[Vec3], ray: &Ray) -> f64 {
     least
 }
 
-/// The distance between a line and an edge: sought in thirds, as it is convex along the edge.
+/// Returns the distance between a line and an edge, by ternary search, since it is convex along the edge.
 fn to_edge(origin: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     let distance = |part: f64| (from.lerp(to, part) - origin).reject_from_normalized(direction).length();
     let (mut low, mut high) = (0.0, 1.0);
@@ -98,8 +98,9 @@ fn to_edge(origin: DVec3, direction: DVec3, from: DVec3, to: DVec3) -> f64 {
     distance(0.5 * (low + high))
 }
 
-/// Casts rays at a document in a pose: the rays, those that hit, the shares of the triangles that hang on bones whose boxes
-/// are met, which are more than are tested, and the rays that hit something else than in the other library.
+/// Casts rays at a document in a pose. Returns the number of rays; the number that hit; the sum over rays of the share
+/// of triangles on bones whose boxes are met, an upper bound of those tested; and the number of rays that differ from
+/// the other library.
 fn cast(document: &Document, seconds: f32, rays: usize, rng: &mut Rng) -> [f64; 4] {
     let (skeleton, surface) = (document.skeleton(), document.surface());
     let (mesh, skin) = surface.mesh(skeleton);
@@ -132,7 +133,7 @@ fn cast(document: &Document, seconds: f32, rays: usize, rng: &mut Rng) -> [f64; 
         hits += f64::from(u8::from(hit.is_some()));
         let is_same = match (&hit, other) {
             (None, None) => true,
-            // Of triangles at one place, either.
+            // If triangles coincide, either may be hit.
             (Some(hit), Some(part)) => (f64::from(hit.part) - part).abs() < 1e-6 * part.max(1.0),
             _ => false,
         };
@@ -147,7 +148,8 @@ fn cast(document: &Document, seconds: f32, rays: usize, rng: &mut Rng) -> [f64; 
     [rays as f64, hits, tested / mesh.triangles().len() as f64, differ]
 }
 
-/// The number of rays, and for each on average: hits, the share of the triangles tested, and differences near an edge.
+/// Returns the number of rays, and per ray on average: hits, the share of the triangles tested, and differences near an
+/// edge.
 fn shares(casts: impl Iterator<Item = [f64; 4]>) -> (f64, [f64; 3]) {
     let [rays, hits, tested, differ] = casts.fold([0.0; 4], |sum, cast| [0, 1, 2, 3].map(|k| sum[k] + cast[k]));
     (rays, [hits, tested, differ].map(|count| count / rays))

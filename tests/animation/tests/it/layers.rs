@@ -1,4 +1,4 @@
-//! The aim as a layer: bit by bit what gather, aim and apply do.
+//! The aim layer equals gather, aim and apply, bit for bit.
 
 use aim::animation::{AimChain, AimLayer, Figure, PoseError, Transform};
 use aim::glam::{Affine3A, Quat, Vec3};

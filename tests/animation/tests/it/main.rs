@@ -1,4 +1,4 @@
-//! Aimed on top of an animation: judged by forward kinematics in f64.
+//! Aiming on top of an animation, checked by forward kinematics in f64.
 
 mod gizmos;
 mod glue;

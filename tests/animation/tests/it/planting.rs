@@ -1,5 +1,5 @@
-//! Feet planted on uneven ground while the mannequin walks and runs: slip and added acceleration of its joints in the world, by forward
-//! kinematics in f64.
+//! Feet planted on uneven ground while the mannequin walks and runs: slip and added acceleration of its joints in the
+//! world, by forward kinematics in f64.
 
 use aim::animation::{
     Clip, ClipControl, Figure, Ground, Instance, Model, Motion, Plant, Root, RootPath, Skeleton, Stance, Transform,
@@ -16,11 +16,11 @@ const LEGS: [[&str; 4]; 2] = [
     ["right_upper_leg", "right_lower_leg", "right_foot", "right_toes"],
 ];
 
-/// The parts of a cycle at which the ball of the left foot comes down and leaves, as the mannequin's gaits are made.
+/// Phases of the walk's cycle at which the ball of the left foot lands and lifts.
 const WALK: [f32; 2] = [0.11, 0.62];
 const RUN: [f32; 2] = [0.06, 0.34];
 
-/// The clip with events at which feet come down and leave.
+/// Returns the clip with events where feet land and lift.
 fn with_steps(clip: &Clip, [down, up]: [f32; 2]) -> Clip {
     let at = |part: f32| (part % 1.0) * clip.length_s();
     let events = [("left down", down), ("left up", up), ("right down", down + 0.5), ("right up", up + 0.5)];
@@ -31,8 +31,8 @@ fn hips(skeleton: &Skeleton) -> Root {
     Root::Shadow { bone: skeleton.find("hips").unwrap(), up: Vec3::Y }
 }
 
-/// A frame of a walk: knees and ankles of both legs and the contacts of both feet in the world, which feet are planted, and which of them
-/// have come to rest.
+/// A frame of a walk, in world space: knees and ankles of both legs, the contacts of both feet, which feet are planted,
+/// and which of those are at rest.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
     joints: [DVec3; 4],
@@ -41,12 +41,13 @@ struct Frame {
     at_rest: [bool; 2],
 }
 
-/// The mannequin at a gait over a ground, for some seconds; `pace` is how far its place goes beside what the clip says.
+/// The mannequin walking or running over a ground for some seconds. `pace` is the ratio of its actual root motion to
+/// the clip's.
 struct Walk<'a> {
     gait: (&'a str, [f32; 2]),
     pace: f32,
     ground: &'a dyn Fn(Vec3) -> Ground,
-    /// Where the place stands; the ground itself but for stairs.
+    /// Height of the character's place; it follows the ground except on stairs.
     way: &'a dyn Fn(Vec3) -> f32,
 }
 
@@ -104,7 +105,7 @@ fn exact(place: &Transform) -> DAffine3 {
     DAffine3::from_rotation_translation(place.rotation.as_dquat().normalize(), place.translation.as_dvec3())
 }
 
-/// The largest way of a contact from where its foot came down, or came to rest.
+/// Returns the largest distance of a contact from where its foot landed or came to rest.
 fn slip(frames: &[Frame], stands: impl Fn(&Frame) -> [bool; 2]) -> f64 {
     let mut most = 0.0_f64;
     for foot in 0..2 {
@@ -117,14 +118,15 @@ fn slip(frames: &[Frame], stands: impl Fn(&Frame) -> [bool; 2]) -> f64 {
     most
 }
 
-/// Second differences of a joint, metres a second squared.
+/// Returns the accelerations of a joint from second differences, m/s².
 fn acceleration(frames: &[Frame], joint: usize) -> Vec<DVec3> {
     let rate = f64::from(FPS) * f64::from(FPS);
     let second = |w: &[Frame]| (w[2].joints[joint] - 2.0 * w[1].joints[joint] + w[0].joints[joint]) * rate;
     frames.windows(3).map(second).collect()
 }
 
-/// The largest acceleration of knees and ankles as animated on level ground, and the largest that planting adds.
+/// Returns, for knees and ankles, the largest acceleration as animated on level ground, and the largest that planting
+/// adds.
 fn accelerations(animated: &[Frame], planted: &[Frame]) -> [(f64, f64); 2] {
     [0, 1].map(|kind| {
         let (mut own, mut added) = (0.0_f64, 0.0_f64);
@@ -153,8 +155,8 @@ fn stairs(at: Vec3) -> Ground {
     Ground::new(at.with_y(0.12 * (at.z / 0.4).floor()), Vec3::Y)
 }
 
-/// Slip of what has come to rest, slip since coming down, and the largest accelerations of knee and ankle that planting adds beside the
-/// clip's own.
+/// Returns the slip of feet at rest, the slip since landing, and the largest accelerations of knee and ankle that
+/// planting adds, relative to the clip's own.
 fn measured(name: &str, walk: &Walk<'_>) -> [f64; 4] {
     let level = Walk { ground: &level, way: &|_| 0.0, ..*walk };
     let (animated, planted) = (level.frames(false), walk.frames(true));
@@ -181,7 +183,7 @@ fn level(at: Vec3) -> Ground {
     Ground::new(at.with_y(0.0), Vec3::Y)
 }
 
-/// Walking and running, over slopes and bumps, as the clips move and 7 % slower, so that their feet slide.
+/// Walking and running over slopes and bumps, at the clip's pace and 7 % slower, so that the animated feet slide.
 #[test]
 fn planted_feet_do_not_slip_and_move_smoothly() {
     let (up, down) = (slope(0.15), slope(-0.15));
@@ -200,7 +202,7 @@ fn planted_feet_do_not_slip_and_move_smoothly() {
     }
 }
 
-/// Over stairs, whose edges pass below a swinging foot, with the place on a ramp.
+/// Over stairs whose edges pass below a swinging foot, with the character's place on a ramp.
 #[test]
 fn stairs_are_climbed_without_slip() {
     for gait in [("walk_ahead", WALK), ("run", RUN)] {
@@ -213,7 +215,7 @@ fn stairs_are_climbed_without_slip() {
     }
 }
 
-/// Without planting the clip that is moved too slowly slides by centimetres: what the tests above would see.
+/// Without planting, a clip that moves too slowly slides by centimetres, which the tests above would detect.
 #[test]
 fn feet_that_are_not_planted_slide() {
     let walk = Walk { gait: ("walk_ahead", WALK), pace: 0.93, ground: &level, way: &|_| 0.0 };

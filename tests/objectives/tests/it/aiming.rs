@@ -1,4 +1,4 @@
-//! Turning something to look at something: eyes, pairs of eyes, turrets.
+//! Objectives of aiming: eyes, pairs of eyes, turrets.
 
 use aim_objectives::{At, Function, Random, singular};
 
@@ -7,7 +7,7 @@ macro_rules! objectives {
         use aim::glam::{$quat, $vec2, $vec3};
         use aim::{differentiate, $rigid};
 
-        /// The cosine of the angle to the target, less what the displacement costs.
+        /// The cosine of the angle to the target, minus the displacement cost.
         #[differentiate(wrt(p, h), budget = 57)]
         pub(super) fn displaced(p: $real, h: $real, eye: $rigid, target: $vec3, stiffness: $real) -> $real {
             let turned = $rigid::from_quat($quat::from_rotation_x(h) * $quat::from_rotation_z(p)) * eye;
@@ -16,7 +16,7 @@ macro_rules! objectives {
             forward.dot(to_target.normalize_or_zero()) - 0.5 * stiffness * (p * p + h * h)
         }
 
-        /// One eye between two targets.
+        /// A weighted aim of one eye at two targets.
         #[differentiate(wrt(p, h), budget = 94)]
         pub(super) fn between(p: $real, h: $real, eye: $rigid, first: $vec3, second: $vec3, weight: $real) -> $real {
             let turned = $rigid::from_quat($quat::from_rotation_x(h) * $quat::from_rotation_z(p)) * eye;
@@ -27,7 +27,7 @@ macro_rules! objectives {
             weight * forward.dot(to_first) + (1.0 - weight) * forward.dot(to_second)
         }
 
-        /// A camera that looks at the target and stays upright.
+        /// A camera that looks at the target and stays level.
         #[differentiate(wrt(p, h, r), budget = 111)]
         pub(super) fn rolled(p: $real, h: $real, r: $real, camera: $rigid, target: $vec3, up: $vec3) -> $real {
             let turn = $quat::from_rotation_x(h) * $quat::from_rotation_z(p) * $quat::from_rotation_y(r);
@@ -37,7 +37,8 @@ macro_rules! objectives {
             aim + 0.25 * turned.transform_vector3($vec3::X).dot(up)
         }
 
-        /// How far from the target a turret shoots: the bore is beside the trunnion, that beside the bearing.
+        /// The distance by which a turret's bore line misses the target. The bore is offset from the trunnion, and the
+        /// trunnion from the bearing.
         #[differentiate(wrt(bearing, elevation), budget = 77)]
         pub(super) fn missed(bearing: $real, elevation: $real, trunnion: $vec3, muzzle: $vec3, target: $vec3) -> $real {
             let base = $quat::from_rotation_y(bearing);
@@ -47,7 +48,7 @@ macro_rules! objectives {
             bore.cross(target - at).length()
         }
 
-        /// The target's direction in the eye's frame, as a residual that does not come back to 0 behind.
+        /// The target's direction in the eye's frame as a stereographic residual, which does not return to 0 behind.
         #[differentiate(wrt(p, h), budget = 94)]
         pub(super) fn stereographic(p: $real, h: $real, eye: $rigid, target: $vec3) -> $vec2 {
             let turned = $rigid::from_quat($quat::from_rotation_x(h) * $quat::from_rotation_z(p)) * eye;
@@ -55,7 +56,7 @@ macro_rules! objectives {
             2.0 * $vec2::new(v.x, v.z) / (v.length() + v.y)
         }
 
-        /// Two eyes that look up and aside together and squint at one target.
+        /// Two eyes that turn up and aside together and converge on one target.
         #[differentiate(wrt(up, aside, inward), budget = 58)]
         pub(super) fn squint(
             up: $real,
@@ -71,7 +72,7 @@ macro_rules! objectives {
             left_forward.dot((target - left).normalize()) + right_forward.dot((target - right).normalize())
         }
 
-        /// A free orientation: looks at the target with its eyes level.
+        /// A free orientation that looks at the target with its eyes level.
         #[differentiate(wrt(q), budget = 147)]
         pub(super) fn level(q: $quat, target: $vec3, up: $vec3) -> $real {
             let turn = q.normalize();
@@ -90,11 +91,11 @@ mod double {
     objectives!(f64, DVec2, DVec3, DQuat, DRigid);
 }
 
-/// The same, turned the other way round: the target and the world are brought into the effector's frame.
+/// The same objectives in the inverse form: the target and the world are transformed into the effector's frame.
 mod dual {
     use aim_objectives::dual::{Frame, Number, Quaternion, Vector};
 
-    /// What is seen of `v`, in directions of the joint before it was turned.
+    /// Rotates `v` back into the joint's space before its rotation.
     fn back<D: Number>(v: Vector<D>, p: D, h: D) -> Vector<D> {
         v.about(0, -h).about(2, -p)
     }
@@ -155,12 +156,12 @@ mod dual {
     }
 }
 
-/// Two angles, and an eye at most 0.5 from the joint.
+/// Samples two angles and an eye at most 0.5 from the joint.
 fn eye(random: &mut Random) -> Vec<f64> {
     [random.numbers(2, -2.5..2.5), random.frame(0.5)].concat()
 }
 
-/// An eye that is not turned and looks along Y from 0.5 along X.
+/// An unrotated eye that looks along Y, offset by 0.5 along X.
 const STRAIGHT: [f64; 9] = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.5, 0.0, 0.0];
 
 #[test]
@@ -171,7 +172,7 @@ fn aim_with_displacement_penalty() {
         single::displaced_gradient,
         dual::displaced,
     );
-    // The target on the eye is in no direction. Straight ahead and straight behind nothing is gained by turning.
+    // A target on the eye has no direction. Straight ahead and straight behind, turning has no first-order effect.
     for target in [[0.5, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, -2.0, 0.0]] {
         singular(
             &[&STRAIGHT[..], &target, &[0.1]].concat(),
@@ -203,7 +204,7 @@ fn aim_with_roll() {
 fn barrel_with_offset_muzzle() {
     let sample =
         |r: &mut Random| [r.numbers(2, -2.5..2.5), r.vector(0.0..0.3), r.vector(0.0..0.3), r.vector(1.0..4.0)].concat();
-    // Where it hits there is an edge.
+    // The distance has a kink where it is 0.
     At(|r: &mut Random| r.until(sample, |x| double::missed.feed(x)[0] > 0.1)).check(
         double::missed,
         double::missed_gradient,
@@ -217,14 +218,14 @@ fn barrel_with_offset_muzzle() {
 #[test]
 fn stereographic_residual() {
     let sample = |r: &mut Random| [eye(r), r.vector(1.0..4.0)].concat();
-    // Behind, it grows without a limit.
+    // Behind, the residual grows without bound.
     At(|r: &mut Random| r.until(sample, |x| double::stereographic.feed(x).iter().all(|s| s.abs() < 8.0))).check(
         double::stereographic,
         double::stereographic_jacobian,
         single::stereographic_jacobian,
         dual::stereographic,
     );
-    // Straight ahead it is the angle.
+    // Straight ahead, its derivative is that of the angle.
     singular(
         &[&STRAIGHT[..], &[0.5, 2.0, 0.0]].concat(),
         double::stereographic,
@@ -248,7 +249,7 @@ fn look_at_with_level_eyes() {
         single::level_gradient,
         dual::level,
     );
-    // On target and level: nothing to be gained.
+    // On target and level the gradient vanishes.
     let there = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 1.0, 0.0];
     singular(&there, double::level, double::level_gradient, single::level_gradient, &[0.0; 4]);
 }

@@ -1,4 +1,4 @@
-//! Branches within branches, conditions used again, and branches that are infinite or NaN where they are not taken.
+//! Nested branches, reused conditions, and branches that are infinite or NaN where they are not taken.
 
 use aim_objectives::dual::Dual64;
 use aim_objectives::{At, Random, singular};
@@ -8,7 +8,7 @@ macro_rules! objectives {
         use aim::differentiate;
         use aim::glam::{$quat, $vec3};
 
-        /// Four layers of a network with one neuron each.
+        /// A network of four layers with one neuron each.
         #[differentiate(wrt(x, w, b), budget(operations = 14, selects = 30))]
         pub(super) fn layers(x: $real, w: [$real; 4], b: [$real; 4]) -> $real {
             let x = (w[0] * x + b[0]).max(0.0);
@@ -17,7 +17,7 @@ macro_rules! objectives {
             (w[3] * x + b[3]).max(0.0)
         }
 
-        /// A product of a quotient, a logarithm and a root, as far as there are such.
+        /// Quotients, logarithms and roots, guarded where they are undefined.
         #[differentiate(wrt(x, y))]
         pub(super) fn guarded(x: $real, y: $real) -> $real {
             let quotient = if y > 0.0 { x / y } else { 0.0 };
@@ -27,7 +27,7 @@ macro_rules! objectives {
             both + if y > 1.0 && x < 5.0 { grown / y } else { quotient }
         }
 
-        /// Between two points by turns that depend on where one is.
+        /// A product of rotations that depend on the arguments.
         #[differentiate(wrt(x, p))]
         pub(super) fn turned(x: $real, p: $vec3) -> $real {
             let q = if x > 0.3 { $quat::from_rotation_x(x) } else { $quat::from_rotation_y(2.0 * x) };
@@ -48,7 +48,7 @@ mod double {
     objectives!(f64, DVec3, DQuat);
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Vector};
 
@@ -76,7 +76,7 @@ mod dual {
         both + rest
     }
 
-    /// The turns in the order in which they act, each an axis and an angle.
+    /// The rotations in the order in which they act, each an axis and an angle.
     pub(super) fn turned<D: Number>(x: D, p: Vector<D>) -> D {
         let [a, b, c] = p.0.map(|c| c.re());
         let mut turns = vec![if x.re() > 0.3 { (0, x) } else { (1, x * 2.0) }];
@@ -106,7 +106,7 @@ mod dual {
 #[test]
 fn network_of_layers() {
     let sample = |r: &mut Random| [r.numbers(5, -1.5..1.5), r.numbers(4, -1.0..1.0)].concat();
-    // Away from where a layer begins to count.
+    // Keep away from the kinks of the layers.
     let keep = |x: &[f64]| {
         let mut sum = x[0];
         (0..4).all(|i| {
@@ -132,8 +132,7 @@ fn branches_that_are_not_finite() {
         single::guarded_gradient,
         dual::guarded::<Dual64>,
     );
-    // Where y is 0 nothing is divided by it; where x is, there is neither logarithm nor root; far away the exponential
-    // is infinite.
+    // For y = 0 there is no division; for x ≤ 0 there is no logarithm or root; for large x the exponential is infinite.
     for (point, expected) in [
         ([2.0, 0.0], [0.0, 2.0_f64.ln()]),
         ([0.0, -1.0], [0.0, -2.0]),
@@ -180,7 +179,7 @@ mod not_a_number {
     }
 }
 
-/// The table of the guide.
+/// Checks the guide's table of comparisons with NaN.
 #[test]
 fn what_is_not_a_number_is_not_below_and_not_above() {
     use not_a_number::{best_jacobian, cast_gradient, compared, compared_jacobian};

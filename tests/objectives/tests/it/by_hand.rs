@@ -1,5 +1,5 @@
-//! Objectives of which `tests/src/by_hand/elsewhere.rs` has derivations by hand. `aim-tests` reads this file, counts what is derived
-//! of it, and writes the table of `docs/operation-counts.md`.
+//! Objectives with derivations by hand in `tests/src/by_hand/elsewhere.rs`. `aim-tests` reads this file, counts the
+//! derived operations, and writes the table of `docs/operation-counts.md`.
 
 #[aim::differentiate(check = true)]
 pub(crate) mod problems {
@@ -25,7 +25,7 @@ pub(crate) mod problems {
         focal * distortion * image - observed
     }
 
-    /// Registration of a point to a plane, by a rotation vector.
+    /// Point-to-plane registration, by a rotation vector.
     #[differentiate(wrt(turn, shift), budget = 89)]
     pub(crate) fn point_to_plane(turn: DVec3, shift: DVec3, point: DVec3, normal: DVec3, offset: f64) -> f64 {
         normal.dot(rotated(turn, point) + shift) - offset
@@ -37,7 +37,7 @@ pub(crate) mod problems {
         weight * (to - from - q.normalize() * rest).length_squared()
     }
 
-    /// The force of a damped spring, with its Jacobian by place and speed.
+    /// The force of a damped spring, with its Jacobian by position and velocity.
     #[differentiate(wrt(a, va), budget = 68)]
     pub(crate) fn damped_spring(
         a: DVec3,
@@ -64,7 +64,7 @@ pub(crate) mod problems {
         k * (1.0 + (n * phi - phase).cos())
     }
 
-    /// A Gaussian's negative log-likelihood, by the place and the covariance.
+    /// A Gaussian's negative log-likelihood, by the point and the covariance.
     #[differentiate(wrt(x, covariance), budget = 110)]
     pub(crate) fn gaussian(x: DVec3, mean: DVec3, covariance: DMat3) -> f64 {
         let d = x - mean;
@@ -88,14 +88,14 @@ pub(crate) mod problems {
         [(dx * dx + dy * dy).sqrt(), dy.atan2(dx) - pose[2]]
     }
 
-    /// Registration of two points with a robust loss, by a quaternion as it is.
+    /// Registration of two points with a robust loss, by a quaternion that is not normalised.
     #[differentiate(wrt(q, shift), budget = 90)]
     pub(crate) fn robust_registration(q: DQuat, shift: DVec3, from: DVec3, to: DVec3, width: f64) -> f64 {
         let square = (q * from + shift - to).length_squared();
         square / (square + width * width)
     }
 
-    /// What a pose in the plane, seen from another, is off a measured one.
+    /// The squared error of a relative pose in the plane against a measured one.
     #[differentiate(wrt(pose, other), budget = 30)]
     pub(crate) fn odometry(pose: [f64; 3], other: [f64; 3], measured: DVec3) -> f64 {
         let (dx, dy) = (other[0] - pose[0], other[1] - pose[1]);
@@ -113,7 +113,7 @@ pub(crate) mod problems {
         (off - off.dot(way) / way.dot(way) * way).length()
     }
 
-    /// The aim of an eye, its joint turned by a quaternion.
+    /// The aim of an eye whose joint is rotated by a quaternion.
     #[differentiate(wrt(q), budget = 96)]
     pub(crate) fn aim_by_quaternion(q: DQuat, eye: DRigid, target: DVec3) -> f64 {
         let turned = DRigid::from_quat(q.normalize()) * eye;
@@ -121,7 +121,7 @@ pub(crate) mod problems {
         forward.dot((target - turned.transform_point3(DVec3::ZERO)).normalize())
     }
 
-    /// The same, by a rotation vector.
+    /// The aim of an eye whose joint is rotated by a rotation vector.
     #[differentiate(wrt(turn), budget = 106)]
     pub(crate) fn aim_by_rotation_vector(turn: DVec3, eye: DRigid, target: DVec3) -> f64 {
         let turned = DRigid::from_quat(DQuat::from_scaled_axis(turn)) * eye;
@@ -133,7 +133,7 @@ pub(crate) mod problems {
         DRigid::from_quat(DQuat::from_rotation_x(h) * DQuat::from_rotation_z(p)) * eye
     }
 
-    /// The aim of an eye that slides along its forward.
+    /// The aim of an eye that slides along its forward direction.
     #[differentiate(wrt(p, h, reach), budget = 58)]
     pub(crate) fn aim_with_telescope(p: f64, h: f64, reach: f64, eye: DRigid, target: DVec3) -> f64 {
         let turned = turned(p, h, eye);
@@ -142,7 +142,7 @@ pub(crate) mod problems {
         forward.dot((target - origin).normalize())
     }
 
-    /// The square of the chord between where an eye looks and where it should.
+    /// The squared chord between an eye's direction and the direction to its target.
     #[differentiate(wrt(p, h), budget = 49)]
     pub(crate) fn chord_of_aim(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
         let turned = turned(p, h, eye);
@@ -150,7 +150,7 @@ pub(crate) mod problems {
         (turned.transform_vector3(DVec3::Y) - direction).length_squared()
     }
 
-    /// The sine of the angle between them.
+    /// The sine of the angle between an eye's direction and the direction to its target.
     #[differentiate(wrt(p, h), budget = 54)]
     pub(crate) fn sine_of_aim(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
         let turned = turned(p, h, eye);
@@ -158,7 +158,7 @@ pub(crate) mod problems {
         turned.transform_vector3(DVec3::Y).cross(direction).length()
     }
 
-    /// The aim, both turns written out in components.
+    /// The aim, with both rotations written out in components.
     #[differentiate(wrt(p, h), budget = 46)]
     pub(crate) fn aim_in_components(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
         let ((sp, cp), (sh, ch)) = (p.sin_cos(), h.sin_cos());
@@ -170,7 +170,7 @@ pub(crate) mod problems {
         forward.dot((target - turn(eye.translation)).normalize())
     }
 
-    /// The aim, both turns as matrices of columns.
+    /// The aim, with both rotations as matrices of columns.
     #[differentiate(wrt(p, h), budget = 46)]
     pub(crate) fn aim_in_columns(p: f64, h: f64, eye: DRigid, target: DVec3) -> f64 {
         let ((sp, cp), (sh, ch)) = (p.sin_cos(), h.sin_cos());

@@ -1,4 +1,4 @@
-//! Products with derivatives are what the derivatives themselves give when they are multiplied out.
+//! Companion products (`jvp`, `vjp`, `hvp`, Gauss–Newton) equal the multiplied-out derivatives.
 
 use aim::differentiate;
 use aim::glam::{DQuat, DVec3};
@@ -10,14 +10,14 @@ mod camera {
 
     const FOCAL: f64 = 1.3;
 
-    /// Where a camera sees a point, beside where it was measured.
+    /// The reprojection error: the image of a point minus its measured place.
     #[differentiate(wrt(turn, place, point), jvp, vjp, gauss_newton)]
     pub(super) fn reprojection(turn: f64, place: DVec3, point: &DVec3, seen: [f64; 2]) -> [f64; 2] {
         let local = DQuat::from_rotation_y(turn) * (*point - place);
         [FOCAL * local.x / local.z - seen[0], FOCAL * local.y / local.z - seen[1]]
     }
 
-    /// Of a hanging chain the energy of its springs and its weight.
+    /// The energy of a hanging chain: its springs and its weight.
     #[differentiate(wrt(points), hessian, hvp, vjp)]
     pub(super) fn chain(points: [[f64; 2]; 4], rest: f64) -> f64 {
         let mut energy = 0.0;
@@ -28,7 +28,7 @@ mod camera {
         energy
     }
 
-    /// A direction and how it is lit.
+    /// A direction scaled by the light that it receives.
     #[differentiate(wrt(normal), jvp, vjp, gauss_newton)]
     pub(super) fn lit(normal: DVec3, light: DVec3) -> DVec3 {
         let unit = normal.normalize();

@@ -1,19 +1,19 @@
-//! How many objectives are judged, and by what: a count of the tests' own text.
+//! Counts the objectives that are checked, from the source text of the tests.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What follows `before` and is a name, wherever that stands.
+/// Returns the names that follow `before` in the text.
 fn names<'t>(text: &'t str, before: &str) -> BTreeSet<&'t str> {
     let starts = text.match_indices(before).map(|(at, _)| &text[at + before.len()..]);
     starts.map(|rest| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default()).collect()
 }
 
-/// The functions of a file that central differences and dual numbers both judge.
+/// Counts the functions of a file that both central differences and dual numbers check.
 fn judged(file: &str) -> usize {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it").join(file);
     let text = std::fs::read_to_string(path).expect("the tests are there");
-    // By name, or by the short form of `fields`.
+    // Called by name, or through the macro of `fields`.
     (&names(&text, "dual::") | &names(&text, "check!("))
         .iter()
         .filter(|name| name.starts_with(char::is_lowercase))

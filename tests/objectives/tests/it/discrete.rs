@@ -1,4 +1,4 @@
-//! Derivatives by values of which a part does not vary: that part is as it was given, in options and enums too.
+//! Derivatives by values with discrete parts: those parts are returned as given, in options and enums too.
 
 #[aim::differentiate(check = true)]
 mod functions {
@@ -10,7 +10,7 @@ mod functions {
         Squared,
     }
 
-    /// Without `Copy`: parts that do not vary are made anew.
+    /// A type without `Copy`: its discrete parts must be rebuilt.
     #[derive(Debug, PartialEq)]
     pub(super) struct Gain {
         pub(super) factor: f64,
@@ -72,7 +72,7 @@ mod functions {
         }
     }
 
-    /// A polynomial of a degree that an argument says, by Horner's rule.
+    /// A polynomial whose degree is an argument, by Horner's rule.
     #[differentiate(wrt(x, coefficients))]
     pub(super) fn polynomial(x: f64, coefficients: &[f64; 4], degree: usize) -> f64 {
         assert!(degree < coefficients.len(), "as many as there are");
@@ -156,7 +156,7 @@ fn parts_of_a_struct() {
     assert_near(second[0][0], 2.0 * y * y / 1.5 / 1.5);
     assert_near(second[2][2], 2.0 * y * y / 2.0 / 2.0);
     assert_near(second[0][2], 4.0 * y * y / 1.5 / 2.0);
-    // What does not vary in a direction is of no account.
+    // The discrete parts of a direction are ignored.
     let along = gain(0.0, Mode::Linear, 0, false, Some(1.0));
     let (slope, (by_gain, by_x)) = functions::amplified_hvp(&squared, 2.0, along, 0.0);
     assert_near(slope, 2.0 * y * 2.0 * 3.0 * 1.25);
@@ -178,7 +178,7 @@ fn fields_of_variants() {
     assert_eq!(by_shapes[1], [Shape::Ball { centre: [0.0, 0.0], radius: 0.0 }, Shape::Line(-1.0, true)]);
     assert_eq!(by_at, [(1.0, 0.0), (0.0, 1.0)]);
 
-    // No division where there is no line.
+    // No division where the shape is no line.
     let shapes = [Shape::Nothing, Shape::Line(1.1, true)];
     let (values, (by_shapes, by_at)) = functions::distances_jacobian(shapes, (1.1, 0.2));
     assert_eq!(values[0], 3.0);
@@ -187,7 +187,7 @@ fn fields_of_variants() {
     let (_, along) = functions::distances_jvp(shapes, (1.1, 0.2), [ball, Shape::Line(2.0, false)], (0.0, 1.0));
     assert_eq!(along, [0.0, -1.0]);
 
-    // Four numbers vary, of the other variants by nothing.
+    // Four numbers vary; the derivatives by the other variants' numbers are 0.
     let (_, slope, second) = functions::distance_hessian(Shape::Line(-0.3, false));
     assert_eq!(slope, (Shape::Line(1.0, false),));
     for (i, row) in second.iter().enumerate() {
@@ -213,7 +213,7 @@ fn parts_have_no_tangent() {
     let joint = Joint { is_mirrored: true, turn: DQuat::IDENTITY, mode: Mode::Squared, length: 3.0 };
     let (value, (by_joint,)) = functions::tip_jacobian(&joint, DVec3::Y);
     assert_eq!(value, DVec3::Y * -9.0);
-    // −9 ω × Y of a turn ω, then by the length.
+    // −9 ω × Y by the rotation ω, then the derivative by the length.
     assert_eq!(by_joint, [DVec3::Z * -9.0, DVec3::ZERO, DVec3::X * 9.0, DVec3::Y * -6.0]);
 }
 

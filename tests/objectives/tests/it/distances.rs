@@ -1,4 +1,4 @@
-//! Points, lines, planes, and limbs that reach for them.
+//! Objectives of points, lines, planes and reaching limbs.
 
 use aim_objectives::dual::Dual64;
 use aim_objectives::{At, Function, Random, singular};
@@ -8,26 +8,26 @@ macro_rules! objectives {
         use aim::differentiate;
         use aim::glam::{$quat, $vec3};
 
-        /// |p − q|²
+        /// The squared distance |p − q|².
         #[differentiate(wrt(p, q), budget = 11)]
         pub(super) fn squared(p: $vec3, q: $vec3) -> $real {
             p.distance_squared(q)
         }
 
-        /// From a point to a line.
+        /// The distance from a point to a line.
         #[differentiate(wrt(p, origin, direction), budget = 60)]
         pub(super) fn to_line(p: $vec3, origin: $vec3, direction: $vec3) -> $real {
             (p - origin).reject_from(direction).length()
         }
 
-        /// From a point to the plane through three, signed.
+        /// The signed distance from a point to the plane through three points.
         #[differentiate(wrt(p, a, b, c), budget = 67)]
         pub(super) fn to_plane(p: $vec3, a: $vec3, b: $vec3, c: $vec3) -> $real {
             let normal = (b - a).cross(c - a).normalize_or_zero();
             normal.dot(p - a)
         }
 
-        /// From a point to a piece of a line.
+        /// The distance from a point to a line segment.
         #[differentiate(wrt(p), budget = 68)]
         pub(super) fn to_segment(p: $vec3, a: $vec3, b: $vec3) -> $real {
             let (along, from_a) = (b - a, p - a);
@@ -52,7 +52,7 @@ macro_rules! objectives {
             least - sum.ln() / sharpness
         }
 
-        /// How far the hand of a limb of two bones is from where it should be.
+        /// The squared distance of a two-bone limb's hand from its goal.
         #[differentiate(wrt(lift, bend), budget = 26)]
         pub(super) fn reach(lift: $real, bend: $real, upper: $real, lower: $real, goal: $vec3) -> $real {
             let shoulder = $quat::from_rotation_z(lift);
@@ -61,21 +61,22 @@ macro_rules! objectives {
             goal.distance_squared(hand)
         }
 
-        /// Where that hand is, with a shoulder that turns as well.
+        /// The position of the hand of a limb whose shoulder also turns.
         #[differentiate(wrt(turn, lift, bend), budget = 19)]
         pub(super) fn hand(turn: $real, lift: $real, bend: $real, upper: $real, lower: $real) -> $vec3 {
             let shoulder = $quat::from_rotation_y(turn) * $quat::from_rotation_z(lift);
             shoulder * ($vec3::new(upper, 0.0, 0.0) + $quat::from_rotation_z(bend) * $vec3::new(lower, 0.0, 0.0))
         }
 
-        /// The elbow's angle when the hand is at a point, by the law of cosines; straight or folded where it cannot be.
+        /// The elbow's angle for a hand at a point, by the law of cosines; straight or folded if the point is out of
+        /// reach.
         #[differentiate(wrt(p, upper, lower), budget = 28)]
         pub(super) fn elbow(p: $vec3, upper: $real, lower: $real) -> $real {
             let cosine = (upper * upper + lower * lower - p.length_squared()) / (2.0 * upper * lower);
             cosine.clamp(-1.0, 1.0).acos()
         }
 
-        /// One who goes so far towards another, or away from it.
+        /// A point that moves a distance towards another, or away from it.
         #[differentiate(wrt(p, far))]
         pub(super) fn pursuit(p: $vec3, far: $real, other: $vec3) -> $vec3 {
             p.move_towards(other, far)
@@ -91,7 +92,7 @@ mod double {
     objectives!(f64, DVec3, DQuat);
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Vector};
 
@@ -140,7 +141,7 @@ mod dual {
         Vector([out * turn.cos(), upper * lift.sin() + lower * (lift + bend).sin(), -out * turn.sin()])
     }
 
-    /// By half the angle.
+    /// By the half angle.
     pub(super) fn elbow<D: Number>(p: Vector<D>, upper: D, lower: D) -> D {
         let far = p.length();
         if far.re() >= (upper + lower).re() {
@@ -212,7 +213,7 @@ fn point_to_segment() {
         single::to_segment_gradient,
         dual::to_segment,
     );
-    // On it, at an end, and abreast of an end, where both branches agree.
+    // On the segment, at an end, and level with an end, where both branches agree.
     let ends = [0.0, 0.0, 0.0, 2.0, 0.0, 0.0];
     for (p, expected) in
         [([1.0, 0.0, 0.0], 0.0), ([0.0, 0.0, 0.0], 0.0), ([2.0, 0.0, 0.0], 0.0), ([2.0, 1.0, 0.0], 1.0)]
@@ -240,7 +241,7 @@ fn smooth_minimum_of_distances() {
         single::smooth_nearest_gradient,
         dual::smooth_nearest,
     );
-    // On all three, and between two that are equally far, where the least of them changes.
+    // On all three points, and equally far from two, where the least distance changes.
     let on = [&[1.0; 12][..], &[2.0]].concat();
     let between = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1000.0, 0.0, 2.0];
     for point in [on, between.to_vec()] {
@@ -258,7 +259,7 @@ fn smooth_minimum_of_distances() {
 fn two_bone_reach() {
     let sample = |r: &mut Random| [r.numbers(2, -3.0..3.0), r.numbers(2, 0.3..1.0), r.numbers(3, -2.0..2.0)].concat();
     At(sample).check(double::reach, double::reach_gradient, single::reach_gradient, dual::reach);
-    // Stretched out on the goal.
+    // Stretched out, with the hand on the goal.
     let there = [0.0, 0.0, 1.0, 0.5, 1.5, 0.0, 0.0];
     singular(&there, double::reach, double::reach_gradient, single::reach_gradient, &[0.0; 2]);
 }
@@ -285,7 +286,7 @@ fn elbow_by_the_law_of_cosines() {
         single::elbow_gradient,
         dual::elbow,
     );
-    // Stretched to the full, out of reach, and folded.
+    // Fully stretched, out of reach, and folded.
     for x in [1.5, 4.0, 0.5, 0.25, 0.0] {
         let point = [x, 0.0, 0.0, 1.0, 0.5];
         singular(&point, double::elbow, double::elbow_gradient, single::elbow_gradient, &[0.0; 5]);

@@ -1,4 +1,4 @@
-//! The tables of `docs/singularities.md`, number by number.
+//! Checks every number in the tables of `docs/singularities.md`.
 
 macro_rules! objectives {
     ($real:ident, $vec3:ident) => {
@@ -145,7 +145,7 @@ macro_rules! objectives {
             x.rem_euclid(1.0)
         }
 
-        /// What is derived of this expression: value, slope and curvature.
+        /// Returns value, slope and curvature of this expression by its derived function.
         pub(super) fn derived(expression: &str, x: $real) -> Option<[$real; 3]> {
             let (value, (slope,), [[curvature]]) = match expression {
                 "x.sin() / x" => sinc_hessian(x),
@@ -193,7 +193,7 @@ mod double {
 
 const PAGE: &str = include_str!("../../../../docs/singularities.md");
 
-/// The rows of the table under this heading: the expression and the other cells.
+/// Returns the rows of the table under this heading: the expression and the other cells.
 fn rows(heading: &str) -> Vec<(&'static str, Vec<&'static str>)> {
     let table = PAGE.split(heading).nth(1).expect("the page has the heading").split("\n## ").next().expect("the first");
     let rows = table.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | "));
@@ -241,7 +241,7 @@ fn conventions_are_as_documented_on_both_sides() {
             let x = at + side * 1e-6;
             let found = double::derived(expression, x).expect("each expression is a function here")[1];
             near(&format!("{expression} at {x}"), found, number(cell), 1e-6);
-            // In single precision 10⁻⁶ beside 1 is rounded.
+            // In single precision, 1 + 10⁻⁶ is rounded.
             if side == 0.0 || at == 0.0 {
                 let found = single::derived(expression, single_of(x)).expect("each expression is a function here")[1];
                 near(&format!("{expression} at {x} in f32"), found.into(), number(cell), 1e-5);

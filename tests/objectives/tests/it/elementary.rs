@@ -1,4 +1,4 @@
-//! Logarithms beside 1, inverse hyperbolic functions and roundings: values and slopes, and limits of quotients at 0.
+//! Logarithms near 1, inverse hyperbolic functions and roundings: values, slopes, and limits of quotients at 0.
 
 use aim::differentiate;
 
@@ -26,13 +26,13 @@ macro_rules! functions {
             pub(super) fn atanh(x: $real) -> $real {
                 x.atanh()
             }
-            /// Odds by a probability p = 1/(1 + e⁻ʷ).
+            /// Odds of a probability p = 1/(1 + e⁻ʷ).
             #[differentiate(wrt(w, x))]
             pub(super) fn odds(w: $real, x: $real) -> $real {
                 let p = 1.0 / (1.0 + (-w).exp());
                 (1.0 - p) / (x + p)
             }
-            /// A share that goes from x to 1 as e²ʷ goes from infinity to 0.
+            /// A share that grows from x to 1 as e²ʷ falls from infinity to 0.
             #[differentiate(wrt(w, x))]
             pub(super) fn bound(w: $real, x: $real) -> $real {
                 let a = (2.0 * w).exp();
@@ -46,7 +46,7 @@ macro_rules! functions {
             pub(super) fn ln_1p_over(x: $real) -> $real {
                 x.ln_1p() / x
             }
-            /// ln t / (t − 1), by the distance from 1.
+            /// ln t / (t − 1), computed from the distance to 1.
             #[differentiate(wrt(t), hessian)]
             pub(super) fn ln_over_distance(t: $real) -> $real {
                 let u = t - 1.0;
@@ -78,7 +78,7 @@ fn single_of(x: f64) -> f32 {
     x as f32
 }
 
-/// The value, the slope and the second derivative are near, by the digits that the type has.
+/// Checks value, slope and second derivative to the precision of the type.
 #[track_caller]
 fn near(what: &str, x: f64, expected: [f64; 3], double: Second<f64>, single: Second<f32>) {
     let found = [double.0, double.1.0, double.2[0][0]];
@@ -107,7 +107,7 @@ fn no_digits_are_lost_beside_zero() {
                     single::ln_1p_hessian(f),
                 );
             }
-            // That of std is odd only so far as its logarithm is exact: it is compared with a series of its own.
+            // For small x, `asinh` of std is only as accurate as its logarithm, so the series is the reference there.
             let asinh = if size < 0.01 { x - x.powi(3) / 6.0 } else { x.asinh() };
             let slope = 1.0 / x.hypot(1.0);
             near("asinh", x, [asinh, slope, -x * slope.powi(3)], double::asinh_hessian(x), single::asinh_hessian(f));
@@ -120,7 +120,7 @@ fn no_digits_are_lost_beside_zero() {
     }
     for x in [1.0 + 2.0_f32.powi(-20), 1.01, 1.5, 3.0, 1e4].map(f64::from) {
         let slope = 1.0 / ((x - 1.0) * (x + 1.0)).sqrt();
-        // Near 1 that of std loses digits: acosh(1 + e) = √(2e) (1 − e/12 + 3e²/160 − …).
+        // Near 1, `acosh` of std loses digits: acosh(1 + e) = √(2e) (1 − e/12 + 3e²/160 − …).
         let e = x - 1.0;
         let acosh = if e < 1e-3 { (2.0 * e).sqrt() * (1.0 - e / 12.0 + 0.01875 * e * e) } else { x.acosh() };
         near(
@@ -146,7 +146,7 @@ fn quotients_have_limits_at_zero() {
         assert!(off < 1e-14, "{found:?} instead of {expected:?}");
     }
     assert_eq!(single::ln_1p_over_gradient(0.0), (1.0, (-0.5,)));
-    // Beside 0 it is 1/2, and nothing overflows far away.
+    // At 0 the slope is not checked; far away nothing overflows.
     for (x, value, slope) in [
         (0.0, core::f64::consts::LN_2, 0.0),
         (1e3, 1e3, 1.0),

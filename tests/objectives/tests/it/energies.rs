@@ -1,12 +1,13 @@
-//! Costs of shapes and motions: springs, wells, pendulums, and trajectories that keep their shape.
+//! Costs of shapes and motions: springs, wells, pendulums, and shape-preserving trajectories.
 
 use aim_objectives::dual::{Dual64, HyperDual64};
 use aim_objectives::{At, Random, singular};
 
-// Whole types and expressions here, names elsewhere: the compiler hands the former over in groups that cannot be seen.
+// This macro takes whole types and expressions, where others take names: the compiler passes the former on in invisible
+// groups.
 macro_rules! objectives {
     ($real:ty, $vec3:ty, $mat3:ty, $floor:expr) => {
-        /// One term of a trajectory's cost: its points' place along the chord of their neighbours and beside it.
+        /// One term of a trajectory's cost: a point's coordinates along the chord of its neighbours and beside it.
         #[differentiate(wrt(before, here, after), budget = 58)]
         pub(super) fn shape(before: $vec3, here: $vec3, after: $vec3, along: $real, beside: $real) -> $real {
             let chord = (after - before).normalize();
@@ -16,20 +17,20 @@ macro_rules! objectives {
             (along - alpha).powi(2) + (beside - beta).powi(2)
         }
 
-        /// A spring between two points.
+        /// The energy of a spring between two points.
         #[differentiate(wrt(a, b), hessian, budget = 18)]
         pub(super) fn spring(a: $vec3, b: $vec3, rest: $real, stiffness: $real) -> $real {
             let stretch = a.distance(b) - rest;
             0.5 * stiffness * stretch * stretch
         }
 
-        /// A well that draws a point, and only when it is near.
+        /// A potential well that attracts a point only when it is near.
         #[differentiate(wrt(p, width), hessian, budget = 19)]
         pub(super) fn well(p: $vec3, width: $real, centre: $vec3) -> $real {
             -(-(p - centre).length_squared() / (2.0 * width * width)).exp()
         }
 
-        /// ½ x·A x − b·x
+        /// The quadratic form ½ x·A x − b·x.
         #[differentiate(wrt(x), hessian, budget = 48)]
         pub(super) fn quadratic(x: $vec3, a: $mat3, b: $vec3) -> $real {
             0.5 * x.dot(a * x) - b.dot(x)
@@ -42,7 +43,7 @@ macro_rules! objectives {
             0.5 * (theta_rate * theta_rate + (sin * phi_rate).powi(2)) - gravity * cos
         }
 
-        /// Two pieces of a rope that bend as little as they can and do not go through the floor.
+        /// Two pieces of a rope that resist bending and do not pass through the floor.
         #[differentiate(wrt(p), budget = 78)]
         pub(super) fn rope(p: [$real; 9], stiffness: $real) -> $real {
             let [ax, ay, az, bx, by, bz, cx, cy, cz] = p;
@@ -66,7 +67,7 @@ mod double {
     objectives!(f64, DVec3, DMat3, 2.0 * 5.0);
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Vector};
 
@@ -96,7 +97,7 @@ mod dual {
         sum
     }
 
-    /// By the velocity in space.
+    /// By the velocity in Cartesian coordinates.
     pub(super) fn pendulum<D: Number>(theta: D, theta_rate: D, phi_rate: D, gravity: D) -> D {
         let velocity = Vector([theta_rate * theta.cos(), theta.sin() * phi_rate, theta_rate * theta.sin()]);
         velocity.dot(velocity) / 2.0 - gravity * theta.cos()
@@ -126,11 +127,11 @@ fn shape_of_a_trajectory() {
         single::shape_gradient,
         dual::shape,
     );
-    // A straight trajectory: nothing beside it has a direction, what is along it moves as before.
+    // On a straight trajectory the offset has no direction; the component along it has its ordinary derivative.
     let straight = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.5, 0.25];
     let expected = [-1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     singular(&straight, double::shape, double::shape_gradient, single::shape_gradient, &expected);
-    // The point on the one before it.
+    // The point coincides with the one before it.
     let stopped = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.25];
     singular(&stopped, double::shape, double::shape_gradient, single::shape_gradient, &[0.0; 9]);
 }
@@ -142,7 +143,7 @@ fn spring_between_points() {
     let at = At(|r: &mut Random| r.until(sample, keep));
     at.check(double::spring, double::spring_gradient, single::spring_gradient, dual::spring);
     at.check_second(double::spring_gradient, double::spring_hessian, single::spring_hessian, dual::spring);
-    // Both ends at one place: it pushes nowhere.
+    // With both ends in one place the force vanishes.
     let together = [1.0, 2.0, 3.0, 1.0, 2.0, 3.0, 0.5, 4.0];
     singular(&together, double::spring, double::spring_gradient, single::spring_gradient, &[0.0; 6]);
     let hessian = double::spring_hessian;
@@ -155,7 +156,7 @@ fn gaussian_attraction() {
     let at = At(|r: &mut Random| [r.vector(0.0..2.0), r.numbers(1, 0.5..2.0), r.vector(0.0..2.0)].concat());
     at.check(double::well, double::well_gradient, single::well_gradient, dual::well);
     at.check_second(double::well_gradient, double::well_hessian, single::well_hessian, dual::well);
-    // In its middle, and so far away that nothing is left of it.
+    // At its centre, and so far away that the well vanishes.
     for x in [0.0, 1e4] {
         let point = [x, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
         singular(&point, double::well, double::well_gradient, single::well_gradient, &[0.0; 4]);
@@ -179,7 +180,7 @@ fn spherical_pendulum() {
         single::pendulum_hessian,
         dual::pendulum::<HyperDual64>,
     );
-    // At its pole, where turning about the vertical is no motion.
+    // At the pole, where a rotation about the vertical does not move the mass.
     let hanging = [0.0, 0.0, 2.0, 9.81];
     singular(&hanging, double::pendulum, double::pendulum_gradient, single::pendulum_gradient, &[0.0; 3]);
 }
@@ -197,7 +198,7 @@ fn bending_of_a_rope() {
         single::rope_gradient,
         dual::rope::<Dual64>,
     );
-    // Pieces without a length have no direction: nothing bends. The floor begins softly.
+    // Pieces of length 0 have no direction, so nothing bends. The floor's penalty has slope 0 at the floor.
     let rest = [&[0.0; 9][..], &[1.0]].concat();
     let expected = [0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0];
     singular(&rest, double::rope, double::rope_gradient, single::rope_gradient, &expected);

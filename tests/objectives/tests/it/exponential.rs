@@ -1,4 +1,4 @@
-//! The exponential and the logarithm of rotations, as people write them, at the identity and beside it.
+//! The exponential and the logarithm of rotations in their usual forms, at the identity and near it.
 
 use aim::glam::{DMat3, DQuat, DVec3, Mat3, Quat, Vec3};
 
@@ -7,13 +7,13 @@ macro_rules! objectives {
         use aim::differentiate;
         use aim::glam::{$quat, $vec3};
 
-        /// By axis and angle.
+        /// The rotation by axis and angle.
         #[differentiate(wrt(w))]
         pub(super) fn by_axis(w: $vec3, p: $vec3) -> $vec3 {
             $quat::from_axis_angle(w.normalize_or_zero(), w.length()) * p
         }
 
-        /// By the constructor.
+        /// The rotation by the constructor.
         #[differentiate(wrt(w))]
         pub(super) fn by_vector(w: $vec3, p: $vec3) -> $vec3 {
             $quat::from_scaled_axis(w) * p
@@ -27,7 +27,7 @@ macro_rules! objectives {
             p * angle.cos() + axis.cross(p) * angle.sin() + axis * (axis.dot(p) * (1.0 - angle.cos()))
         }
 
-        /// The same with quotients, and the first one between cross products.
+        /// Rodrigues' formula with quotients and nested cross products.
         #[differentiate(wrt(w))]
         pub(super) fn quotients(w: $vec3, p: $vec3) -> $vec3 {
             let angle = w.length();
@@ -35,7 +35,7 @@ macro_rules! objectives {
             p + once * (angle.sin() / angle) + w.cross(once) * ((1.0 - angle.cos()) / (angle * angle))
         }
 
-        /// The quaternion by its half angle.
+        /// The quaternion rotation written out with the half angle.
         #[differentiate(wrt(w))]
         pub(super) fn by_half(w: $vec3, p: $vec3) -> $vec3 {
             let angle = w.dot(w).sqrt();
@@ -44,7 +44,7 @@ macro_rules! objectives {
             p + (0.5 * angle).cos() * twice + v.cross(twice)
         }
 
-        /// A square of a distance, whose second derivatives have limits, too.
+        /// A squared distance, whose second derivatives have limits too.
         #[differentiate(wrt(w), hessian)]
         pub(super) fn distance(w: $vec3, p: $vec3, goal: $vec3) -> $real {
             ($quat::from_axis_angle(w.normalize_or_zero(), w.length()) * p).distance_squared(goal)
@@ -67,19 +67,19 @@ macro_rules! objectives {
             2.0 * v.length().atan2(q.w) * v.normalize_or_zero()
         }
 
-        /// A length times a direction: the vector.
+        /// A length times a direction, which is the vector itself.
         #[differentiate(wrt(v))]
         pub(super) fn itself(v: $vec3) -> $vec3 {
             v.length() * v.normalize_or_zero()
         }
 
-        /// What is left of a vector that is shortened smoothly.
+        /// A vector whose length is compressed by tanh.
         #[differentiate(wrt(v))]
         pub(super) fn shortened(v: $vec3) -> $vec3 {
             v.length().tanh() * v.normalize_or_zero()
         }
 
-        /// There and back.
+        /// The logarithm of the exponential: the identity.
         #[differentiate(wrt(w))]
         pub(super) fn there_and_back(w: $vec3) -> $vec3 {
             $quat::from_scaled_axis(w).to_scaled_axis()
@@ -95,12 +95,12 @@ mod double {
     objectives!(f64, DVec3, DQuat);
 }
 
-/// The matrix of v × …
+/// Returns the matrix [v]× of the cross product with v.
 fn crossed(v: DVec3) -> DMat3 {
     DMat3::from_cols(DVec3::new(0.0, v.z, -v.y), DVec3::new(-v.z, 0.0, v.x), DVec3::new(v.y, -v.x, 0.0))
 }
 
-/// R p and ∂(R p)/∂w = −R [p]× J, with the turn R = Σ [w]×ᵏ/k! and the right Jacobian J = Σ (−[w]×)ᵏ/(k + 1)!.
+/// Returns R p and ∂(R p)/∂w = −R [p]× J by series, with R = Σ [w]×ᵏ/k! and the right Jacobian J = Σ (−[w]×)ᵏ/(k + 1)!.
 fn by_series(w: DVec3, p: DVec3) -> (DVec3, DMat3) {
     let (mut rotation, mut jacobian) = (DMat3::ZERO, DMat3::ZERO);
     let (mut power, mut power_back, mut factorial) = (DMat3::IDENTITY, DMat3::IDENTITY, 1.0);
@@ -118,7 +118,7 @@ fn by_series(w: DVec3, p: DVec3) -> (DVec3, DMat3) {
 fn near(what: &str, angle: f64, found: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(found.len(), expected.len());
     let worst = found.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, |worst: f64, error| {
-        // What is no number is wrong, too.
+        // NaN is an error too.
         if error <= worst { worst } else { error }
     });
     assert!(worst <= tolerance, "{what} at {angle:e}: {worst:e}\nfound    {found:?}\nexpected {expected:?}");
@@ -164,7 +164,7 @@ fn second_derivatives_of_a_turned_distance_are_those_of_the_series() {
     let (p, goal) = (DVec3::new(0.3, -0.7, 0.5), DVec3::new(-0.2, 0.4, 0.9));
     for angle in ANGLES {
         let w = angle * direction();
-        // Of |R p − g|² the gradient is −2 g · ∂(R p), of which the differences are taken.
+        // The gradient of |R p − g|² is −2 g · ∂(R p); its differences are taken here.
         let gradient = |w: DVec3| by_series(w, p).1.transpose() * goal * -2.0;
         let by_differences = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| {
             let step = 1e-3;
@@ -181,8 +181,8 @@ fn second_derivatives_of_a_turned_distance_are_those_of_the_series() {
     }
 }
 
-/// d (2 atan2(|v|, w)/|v| v) by x, y, z and w of a unit quaternion that turns by `angle`, by series in its sine s = |v|:
-/// asin s / s = 1 + s²/6 + …, for small angles.
+/// Returns the derivative of 2 atan2(|v|, w)/|v| v by x, y, z and w of a unit quaternion that rotates by `angle`. For
+/// small angles it is a series in the sine s = |v|: asin s / s = 1 + s²/6 + ….
 fn logarithm_by_series(angle: f64, direction: DVec3) -> Vec<f64> {
     let (half, cos) = ((0.5 * angle).sin(), (0.5 * angle).cos());
     let v = half * direction;

@@ -1,9 +1,9 @@
-//! That what judges would notice.
+//! Checks that the test harness itself detects wrong values and derivatives.
 
 use aim_objectives::dual::Dual64;
 use aim_objectives::{At, Random, singular};
 
-/// x², by whose mistakes the others are told.
+/// The function x², whose derivatives the tests below falsify.
 fn square(x: f64) -> f64 {
     x * x
 }

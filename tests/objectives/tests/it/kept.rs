@@ -1,4 +1,5 @@
-//! Loops that stay loops: over slices, to numbers of which no bound is known, and as long as it takes.
+//! Loops that remain loops in the derived code: over slices, up to numbers without a known bound, and until
+//! convergence.
 
 #[aim::differentiate(check = true)]
 mod functions {
@@ -19,7 +20,7 @@ mod functions {
         x.iter().map(|x| 0.5 * ((x - mean) / width).powi(2) + width.ln()).sum()
     }
 
-    /// Two loops, of which the second uses what the first has left, and what the round before was.
+    /// Two loops: the second uses the results of the first, and those of its own previous iteration.
     #[differentiate(wrt(base, shock, decay))]
     pub(super) fn volatility(base: f64, shock: f64, decay: f64, scale: f64, returns: &[f64]) -> [f64; 2] {
         let mean = scale * returns.iter().map(|r| r * decay).sum::<f64>() / returns.len() as f64;
@@ -51,18 +52,18 @@ mod functions {
         rough + late + x[0] * k + x[x.len() - 1] * k * k
     }
 
-    /// Newton's method, until it has converged.
+    /// Newton's method, iterated until it converges.
     #[differentiate(wrt(a))]
     pub(super) fn cube_root(a: f64) -> f64 {
         let mut x = 1.0;
         while (x * x * x - a).abs() > 1e-13 {
             x -= (x * x * x - a) / (3.0 * x * x);
         }
-        // The slope is that of a round, after the last one, too.
+        // One more step, so that the derivative is that of a full step.
         x - (x * x * x - a) / (3.0 * x * x)
     }
 
-    /// Tries that may end early: written out, they would be thousands of operations.
+    /// A loop with an early exit; unrolled, it would be thousands of operations.
     #[differentiate(wrt(price), budget = 50)]
     pub(super) fn bond_yield(price: f64, flows: &[[f64; 2]]) -> Option<f64> {
         let mut y = 0.05;
@@ -78,7 +79,7 @@ mod functions {
         None
     }
 
-    /// Written out, these would be too many operations.
+    /// Unrolled, these loops would be too many operations.
     #[differentiate(wrt(a, b))]
     pub(super) fn quadrature(a: f64, b: f64) -> f64 {
         let mut sum = 0.0;
@@ -91,7 +92,7 @@ mod functions {
         sum / 2400.0
     }
 
-    /// Many tries where no loop can stay: a list grows.
+    /// A loop with an early exit that must be unrolled, because a list grows in it.
     #[differentiate(wrt(a))]
     pub(super) fn trail(a: f64) -> f64 {
         let mut trail = vec![a];
@@ -117,7 +118,7 @@ mod functions {
         x.iter().cycle().skip(2).take(7).enumerate().map(|(i, x)| i as f64 * x * x).sum()
     }
 
-    /// Kepler's equation.
+    /// Solves Kepler's equation.
     #[differentiate(wrt(mean, eccentricity))]
     pub(super) fn anomaly(mean: f64, eccentricity: f64) -> Option<f64> {
         if !(0.0..0.9).contains(&eccentricity) {
@@ -136,7 +137,7 @@ mod functions {
         if rounds > 1000 { None } else { Some(x) }
     }
 
-    /// Returned from inside of the loop.
+    /// A return from inside the loop.
     #[differentiate(wrt(x, limit))]
     pub(super) fn crossing(x: &[f64; 2], limit: f64, values: &[f64]) -> f64 {
         let mut sum = 0.0;
@@ -161,7 +162,7 @@ mod functions {
         pub(super) hits: usize,
     }
 
-    /// A ball that bounces, its state a struct.
+    /// A bouncing ball whose state is a struct.
     #[differentiate(wrt(start, drag))]
     pub(super) fn ball(start: DVec3, drag: f64, turn: DQuat, steps: usize) -> DVec3 {
         let speed = turn * DVec3::new(0.0, 0.5, 0.25);
@@ -186,7 +187,7 @@ mod functions {
         pub(super) is_used: bool,
     }
 
-    /// Samples that are left out, and a loop that is written out around.
+    /// A filtered sum inside a loop that is unrolled.
     #[differentiate(wrt(tangent(turn), bias))]
     pub(super) fn samples(turn: DQuat, bias: f64, samples: &[Sample]) -> f64 {
         let used = samples.iter().filter(|sample| sample.is_used);
@@ -206,7 +207,7 @@ mod functions {
         if any { total + most } else { total }
     }
 
-    /// What the round before has left, if there was one.
+    /// A value of the previous iteration, if there was one.
     #[differentiate(wrt(gain, decay))]
     pub(super) fn controlled(gain: f64, decay: f64, errors: &[f64]) -> f64 {
         let mut last: Option<f64> = None;
@@ -239,7 +240,7 @@ mod functions {
         if reynolds < 2300.0 { laminar } else { friction(reynolds) }
     }
 
-    /// A loop that would not end where control does not come.
+    /// A loop that would not terminate on the path that is not taken.
     #[differentiate(wrt(x))]
     pub(super) fn guarded(x: f64) -> f64 {
         if x < 1.0 {
@@ -255,7 +256,7 @@ mod functions {
 
 use functions::{Sample, State};
 
-/// (f(x + h) − f(x − h)) / 2h.
+/// Returns the central difference (f(x + h) − f(x − h)) / 2h.
 pub(crate) fn difference(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     let h = 1e-6;
     (f(x + h) - f(x - h)) / (2.0 * h)
@@ -371,7 +372,7 @@ fn what_was_nothing_and_what_is_returned() {
     for reynolds in [1.0, 100.0, 5e3, 1e6] {
         let (value, (slope,)) = functions::resistance_gradient(reynolds);
         assert_near(value, functions::resistance(reynolds));
-        // That of the rounds is not all of it, but for a last part.
+        // The derivative of the iterations lacks a small remainder, hence the tolerance.
         let h = 1e-3 * reynolds;
         let expected = (functions::resistance(reynolds + h) - functions::resistance(reynolds - h)) / (2.0 * h);
         assert!((slope - expected).abs() < 1e-4 * expected.abs(), "{reynolds}: {slope}, not {expected}");
@@ -418,7 +419,7 @@ use std::f64::consts::{PI, TAU as TURN};
 
 const FRAC_PI_2: f64 = std::f64::consts::FRAC_PI_2;
 
-/// Constants that are imported elsewhere.
+/// Uses constants that are imported elsewhere.
 #[aim::differentiate(wrt(x))]
 fn turned(x: f64) -> f64 {
     (PI * x).sin() + FRAC_PI_2

@@ -1,5 +1,5 @@
-//! Loops that stay loops, where what is not chosen must not count: ways around a loop, values that are not there, loops that do not
-//! end where control does not come, and states of all kinds.
+//! Loops that remain loops, in which unselected parts must not contribute: paths around a loop, absent values, loops
+//! that would not terminate on a path not taken, and states of all kinds.
 
 #[aim::differentiate]
 mod functions {
@@ -39,7 +39,7 @@ mod functions {
         r
     }
 
-    /// It ends where x is below 0 alone.
+    /// Terminates only for x < 0.
     fn falls(x: f64) -> f64 {
         let mut z = x;
         while z > -5.0 {
@@ -107,7 +107,7 @@ mod functions {
         Some(sum)
     }
 
-    /// What a loop takes of a part, and what asks no further than it has to.
+    /// Loops over parts of a slice, and searches that end early.
     #[differentiate(wrt(x, y))]
     pub(super) fn parts(x: f64, y: f64, s: &[f64]) -> f64 {
         let mut k = 0.0;
@@ -120,7 +120,7 @@ mod functions {
         part + turned + if any { k } else { y }
     }
 
-    /// Lent variables, one without a value, and a count that grows fast.
+    /// Borrowed variables, one without a value, and a counter that grows fast.
     #[differentiate(wrt(x, y))]
     pub(super) fn lent(x: f64, y: f64, s: &[f64]) -> f64 {
         fn gather(sum: &mut f64, s: &[f64], by: f64) {
@@ -184,7 +184,7 @@ mod functions {
     }
 }
 
-/// States that have nothing at first: what they have in the end comes in more than one round.
+/// States that are empty at first and are filled over more than one iteration.
 #[aim::differentiate]
 mod filled {
     #[derive(Clone, Copy)]
@@ -257,7 +257,7 @@ mod filled {
         sum + none.unwrap_or(y)
     }
 
-    /// The first round has filled it.
+    /// The first iteration fills the option.
     #[differentiate(wrt(x, y))]
     pub(super) fn unwrapped(x: f64, y: f64, s: &[f64]) -> f64 {
         let (mut sum, mut last) = (y, None);
@@ -288,7 +288,7 @@ mod filled {
         option.unwrap()
     }
 
-    /// The function that is called fails as long as nothing is known to be in the option.
+    /// The called function panics unless the option is known to be filled.
     #[differentiate(wrt(x, y))]
     pub(super) fn unwrapped_elsewhere(x: f64, y: f64, s: &[f64]) -> f64 {
         let (mut sum, mut last) = (x, None);
@@ -309,7 +309,7 @@ mod filled {
         twice_sine(v)
     }
 
-    /// It is tried round by round first.
+    /// A loop that is first tried unrolled.
     #[differentiate(wrt(x, y))]
     pub(super) fn counted_by_an_option(x: f64, y: f64, s: &[f64]) -> f64 {
         let (mut sum, mut count, mut some) = (x, 0, Some(y));
@@ -400,7 +400,7 @@ mod filled {
         if x > 0.0 { Some(x.sqrt()) } else { None }
     }
 
-    /// What is not there would be no number.
+    /// An absent value would be NaN.
     #[differentiate(wrt(x, y))]
     pub(super) fn of_a_root(x: f64, y: f64, s: &[f64]) -> f64 {
         let mut length = root(x);
@@ -416,7 +416,7 @@ mod filled {
         Bent { radius: f64, height: f64 },
     }
 
-    /// The same of the variants that an enum is not.
+    /// The fields of other variants of an enum would be NaN.
     #[differentiate(wrt(x, y))]
     pub(super) fn of_another_variant(x: f64, y: f64, s: &[f64]) -> f64 {
         let mut path = if x > y { Path::Bent { radius: (x - y).ln(), height: y } } else { Path::Straight(y) };
@@ -443,7 +443,7 @@ mod filled {
         None
     }
 
-    /// And of what a loop is not left with.
+    /// Candidates for a loop's result that are not returned would be NaN.
     #[differentiate(wrt(x, y))]
     pub(super) fn left_with_a_root(x: f64, y: f64, s: &[f64]) -> f64 {
         first_root(x, s).map_or(x, |root| root * y).sin()
@@ -465,7 +465,7 @@ mod filled {
 
 type Gradient<R> = fn(f64, f64, &[f64]) -> R;
 
-/// Holds a gradient against differences, with slices of several lengths.
+/// Compares a gradient with differences, for slices of several lengths.
 fn agrees(name: &str, f: Gradient<f64>, gradient: Gradient<(f64, (f64, f64))>, least: usize) {
     let s = [0.9, 1.2, -1.3, 0.25, 0.7, -0.4];
     for n in least..=s.len() {

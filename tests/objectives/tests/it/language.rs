@@ -1,4 +1,4 @@
-//! What Rust means by an expression that depends on its place, its module or its trait: companions compute the same.
+//! Expressions whose meaning in Rust depends on their place, module or trait: companions compute the same.
 
 use aim::glam::{DMat3, DQuat, DVec2, DVec3, DVec4};
 
@@ -87,7 +87,7 @@ mod functions {
         near * GAIN + shapes::pair(p).b * NODES.iter().map(|&(t, w)| w * (p * t).length_squared()).sum::<f64>()
     }
 
-    /// By Cholesky's factors.
+    /// The logarithm of a determinant, by Cholesky factorisation.
     #[differentiate(wrt(a))]
     pub(super) fn log_determinant(a: [[f64; 3]; 3]) -> f64 {
         let mut l = [[0.0f64; 3]; 3];
@@ -259,7 +259,7 @@ fn companions_compute_what_rust_means() {
     }
 }
 
-/// The angle between a turn and itself has no slope; it counts as 0.
+/// The angle between a rotation and itself has no slope; the derivative is 0.
 #[test]
 fn no_angle_between() {
     let (value, (by_q, _)) = functions::turned_jacobian(DQuat::IDENTITY, DQuat::IDENTITY, DMat3::IDENTITY);

@@ -1,16 +1,16 @@
-//! Levenberg and Marquardt from no turn, where rotation vectors are 0: as good a start as any other.
+//! Levenberg–Marquardt from the identity, where rotation vectors are 0, works as well as from any other start.
 
 use aim::differentiate;
 use aim::glam::{DQuat, DVec3};
 use aim_objectives::Random;
 
-/// How far a scanned point is from the plane that it belongs to.
+/// The signed distance of a scanned point from its plane.
 #[differentiate(wrt(turn, shift), gauss_newton)]
 fn off_plane(turn: DVec3, shift: DVec3, point: DVec3, normal: DVec3, offset: f64) -> f64 {
     normal.dot(DQuat::from_axis_angle(turn.normalize_or_zero(), turn.length()) * point + shift) - offset
 }
 
-/// Where a point is seen beside where it should be.
+/// The reprojection error: the image of a point minus its observed place.
 #[differentiate(wrt(turn, shift, point), gauss_newton)]
 fn reprojection(turn: DVec3, shift: DVec3, point: DVec3, seen: [f64; 2]) -> [f64; 2] {
     let angle = turn.length();
@@ -32,7 +32,7 @@ impl Normal {
         Self { cost: 0.0, gradient: vec![0.0; size], matrix: vec![vec![0.0; size]; size] }
     }
 
-    /// Adds a block of residuals whose variables are at these places.
+    /// Adds a block of residuals whose variables have these indices.
     fn add(&mut self, residuals: &[f64], places: &[usize], gradient: &[f64], matrix: &[&[f64]]) {
         self.cost += residuals.iter().map(|r| r * r).sum::<f64>();
         for (i, &row) in places.iter().enumerate() {
@@ -43,7 +43,7 @@ impl Normal {
         }
     }
 
-    /// The step of Levenberg and Marquardt, by Cholesky's decomposition.
+    /// Returns the Levenberg–Marquardt step, by Cholesky factorisation.
     fn step(&self, damping: f64) -> Vec<f64> {
         let n = self.gradient.len();
         let mut factor = self.matrix.clone();
@@ -68,7 +68,7 @@ impl Normal {
     }
 }
 
-/// The least cost found and how many steps were tried until it was.
+/// Returns the least cost found, and the number of steps tried.
 fn minimized(mut x: Vec<f64>, normal: impl Fn(&[f64]) -> Normal) -> (f64, usize) {
     let mut damping = 1e-3;
     let mut here = normal(&x);
@@ -89,7 +89,8 @@ fn minimized(mut x: Vec<f64>, normal: impl Fn(&[f64]) -> Normal) -> (f64, usize)
     (here.cost, 200)
 }
 
-/// From no turn the same minimum is found as from most other turns, and in at most a fifth more steps than from half of them.
+/// The identity leads to the same minimum as most other start rotations, and takes at most a fifth more steps than
+/// their median.
 #[track_caller]
 fn no_turn_is_as_good_a_start(start: impl Fn(DVec3) -> Vec<f64>, normal: impl Fn(&[f64]) -> Normal) {
     let mut random = Random::new(7);
@@ -139,7 +140,7 @@ fn bundle_adjustment_starts_at_no_turn() {
     let mut random = Random::new(5);
     let points: Vec<DVec3> =
         (0..12).map(|_| DVec3::from_slice(&random.numbers(3, -2.5..2.5)) + DVec3::new(0.0, 0.0, 6.0)).collect();
-    // The first camera stays where it is, so that nothing but the scale is free.
+    // The first camera is fixed, so that only the scale is free.
     let cameras: Vec<(DQuat, DVec3)> = (1..4)
         .map(|i| {
             let along = f64::from(i);
@@ -164,7 +165,7 @@ fn bundle_adjustment_starts_at_no_turn() {
             for (i, &view) in views.iter().enumerate() {
                 let at = 18 + 3 * i;
                 let point = DVec3::from_slice(&x[at..]);
-                // The still camera has no place among the variables.
+                // The fixed camera has no variables.
                 let of_camera = camera.checked_sub(1).map(|camera| 6 * camera);
                 let (turn, shift) = of_camera.map_or((DVec3::ZERO, DVec3::ZERO), |c| {
                     (DVec3::from_slice(&x[c..]), DVec3::from_slice(&x[c + 3..]))

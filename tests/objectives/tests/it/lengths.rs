@@ -1,4 +1,4 @@
-//! Functions of a length where it is 0: Hessians of energies and Jacobians of directions times a size have their limits there.
+//! Functions of a length at length 0: Hessians of energies and Jacobians of scaled directions have their limits there.
 
 macro_rules! functions {
     ($real:ident, $vec3:ident:
@@ -27,7 +27,7 @@ macro_rules! functions {
             }
         })*
 
-        /// Each name with what was derived and what is expected at `v`, of the order of its parts: times the unit matrix.
+        /// Returns each name with the derived matrix at `v` and the expected factor of the unit matrix there.
         pub(super) fn derived(v: $vec3, k: $real) -> Vec<(&'static str, [[$real; 3]; 3], $real)> {
             let mut all = Vec::new();
             $({
@@ -96,7 +96,7 @@ fn functions_of_a_length_have_their_limits_where_it_is_0() {
             near(name, rows[i][j].into(), if i == j { expected.into() } else { 0.0 }, 1e-5);
         }
     }
-    // On the way there they come to it.
+    // Near 0 they approach the limit.
     for size in [1e-3, 1e-5, 1e-8, 1e-12] {
         for (name, rows, expected) in double::derived(DVec3::new(0.6, -0.48, 0.64) * size, 1.3) {
             for (i, j) in (0..9).map(|n| (n / 3, n % 3)) {
@@ -111,7 +111,7 @@ fn functions_of_a_length_have_their_limits_where_it_is_0() {
     }
 }
 
-/// A saturated length overflows nowhere, however long it is: ∇∇(l·tanh k l) → (1 − n nᵀ)/l, and so does ∇(n·tanh k l).
+/// A saturated length does not overflow, however long it is: ∇∇(l·tanh k l) → (1 − n nᵀ)/l, and so does ∇(n·tanh k l).
 #[test]
 fn a_saturated_length_has_its_derivatives_far_out() {
     use aim::glam::{DVec3, Vec3};
@@ -133,7 +133,7 @@ fn a_saturated_length_has_its_derivatives_far_out() {
     }
 }
 
-/// What people write by hand of rotations, lenses and angles.
+/// Rotations, lenses and angles as usually written by hand.
 mod as_written {
     use aim::differentiate;
     use aim::glam::{DQuat, DVec2, DVec3};

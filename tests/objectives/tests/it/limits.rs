@@ -1,4 +1,4 @@
-//! What keeps angles where they belong: hinges, barriers, smooth limits, costs of displacement.
+//! Objectives that limit angles: hinges, barriers, smooth limits, displacement costs.
 
 use aim_objectives::dual::{Dual64, HyperDual64};
 use aim_objectives::{At, Random, singular};
@@ -8,7 +8,7 @@ macro_rules! objectives {
         use aim::differentiate;
         use aim::glam::{$quat, $vec2, $vec3};
 
-        /// Nothing inside of a cone about the axis, the square of what is beyond outside of it.
+        /// Zero inside a cone about the axis, the square of the excess outside.
         #[differentiate(wrt(p, h), budget(operations = 18, selects = 4, calls = 4))]
         pub(super) fn cone(p: $real, h: $real, axis: $vec3, cosine: $real) -> $real {
             let forward = $quat::from_rotation_y(h) * ($quat::from_rotation_x(-p) * $vec3::Z);
@@ -16,13 +16,14 @@ macro_rules! objectives {
             if beyond > 0.0 { beyond * beyond } else { 0.0 }
         }
 
-        /// The angle to the axis beyond a limit: a hinge with an edge, and with another where the angle is 0.
+        /// The excess of the angle to the axis over a limit: a hinge with a kink at the limit, and another where the
+        /// angle is 0.
         #[differentiate(wrt(v), budget = 46)]
         pub(super) fn beyond(v: $vec3, axis: $vec3, limit: $real) -> $real {
             (v.angle_between(axis) - limit).max(0.0)
         }
 
-        /// A hinge without an edge on either side of a range, written so that nothing overflows.
+        /// A smooth hinge at both ends of a range, written so that nothing overflows.
         #[differentiate(wrt(angle, low, high), budget(operations = 20, selects = 20, calls = 4))]
         pub(super) fn softplus(angle: $real, low: $real, high: $real, sharpness: $real) -> $real {
             let (over, under) = (sharpness * (angle - high), sharpness * (low - angle));
@@ -31,45 +32,45 @@ macro_rules! objectives {
             (above + below) / sharpness
         }
 
-        /// From 0 to 1 between two angles, flat outside.
+        /// A smooth step from 0 to 1 between two angles, flat outside.
         #[differentiate(wrt(x, low, high), budget(operations = 12, selects = 20))]
         pub(super) fn smoothstep(x: $real, low: $real, high: $real) -> $real {
             let t = ((x - low) / (high - low)).clamp(0.0, 1.0);
             t * t * (3.0 - 2.0 * t)
         }
 
-        /// An angle that never leaves its range: the hyperbolic tangent, written so that nothing overflows.
+        /// An angle that never leaves its range: a hyperbolic tangent, written so that nothing overflows.
         #[differentiate(wrt(x, most), budget(operations = 15, selects = 8, calls = 1))]
         pub(super) fn saturated(x: $real, most: $real) -> $real {
             let e = (-2.0 * (x / most).abs()).exp();
             most * x.signum() * (1.0 - e) / (1.0 + e)
         }
 
-        /// Grows without a limit towards the ends of both ranges.
+        /// A barrier that grows without bound towards the ends of both ranges.
         #[differentiate(wrt(p, h), hessian, budget = 13)]
         pub(super) fn barrier(p: $real, h: $real, pitch: $vec2, heading: $vec2) -> $real {
             -((p - pitch.x) * (pitch.y - p)).ln() - ((h - heading.x) * (heading.y - h)).ln()
         }
 
-        /// The angle of what stands aside by a difference.
+        /// The angle of a point whose lateral offset is a difference.
         #[differentiate(wrt(a, b))]
         pub(super) fn left(a: $real, b: $real, ahead: $real) -> $real {
             (a - b).atan2(a * ahead)
         }
 
-        /// The same the other way round.
+        /// As [`left`], with the difference reversed.
         #[differentiate(wrt(a, b))]
         pub(super) fn right(a: $real, b: $real, ahead: $real) -> $real {
             (b - a).atan2(a * ahead)
         }
 
-        /// The same by a multiple, with a sum behind.
+        /// As [`right`], with a multiple of the difference and another denominator.
         #[differentiate(wrt(a, b))]
         pub(super) fn wide(a: $real, b: $real, ahead: $real) -> $real {
             (3.0 * (b - a)).atan2(ahead - a * b)
         }
 
-        /// The length of a displacement in which reluctant joints count more.
+        /// The stiffness-weighted length of a displacement.
         #[differentiate(wrt(angles), budget = 21)]
         pub(super) fn displacement(angles: [$real; 4], stiffness: [$real; 4]) -> $real {
             let [a, b, c, d] = angles;
@@ -77,7 +78,7 @@ macro_rules! objectives {
             (stiffness[0] * a * a + stiffness[1] * b * b + spine).sqrt()
         }
 
-        /// How far a heading is from that of a place, the short way round; in quarters of a turn it counts more.
+        /// The error of a heading against that of a place, along the shorter way, with a piecewise cost.
         #[differentiate(wrt(heading, place), budget = 18)]
         pub(super) fn heading_error(heading: $real, place: $vec2) -> $real {
             let off = heading - place.y.atan2(place.x);
@@ -102,7 +103,7 @@ mod double {
     objectives!(f64, DVec2, DVec3, DQuat);
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Vector};
 
@@ -129,7 +130,7 @@ mod dual {
         if x.re() >= high.re() {
             return D::from(1.0);
         }
-        // About the middle it is odd.
+        // The step is odd about its middle.
         let s = (x - (low + high) / 2.0) / (high - low);
         s * 1.5 - s.powi(3) * 2.0 + 0.5
     }
@@ -166,7 +167,7 @@ mod dual {
 #[test]
 fn cone_limit() {
     let sample = |r: &mut Random| [r.numbers(2, -2.0..2.0), r.vector(0.9..1.1), r.numbers(1, 0.0..0.9)].concat();
-    // Away from the cone itself, where the second derivative jumps.
+    // Keep away from the cone itself, where the second derivative jumps.
     let keep = |x: &[f64]| {
         let forward = [x[0].cos() * x[1].sin(), x[0].sin(), x[0].cos() * x[1].cos()];
         (forward[0] * x[2] + forward[1] * x[3] + forward[2] * x[4] - x[5]).abs() > 0.01
@@ -177,7 +178,7 @@ fn cone_limit() {
         single::cone_gradient,
         dual::cone,
     );
-    // Along the axis, on the cone, and opposite to the axis, where it is greatest.
+    // Along the axis, on the cone, and opposite to the axis, where the cost is greatest.
     for (p, cosine) in [(0.0, 0.5), (0.0, 1.0), (std::f64::consts::PI, 0.5)] {
         let point = [p, 0.0, 0.0, 0.0, 1.0, cosine];
         singular(&point, double::cone, double::cone_gradient, single::cone_gradient, &[0.0, 0.0]);
@@ -197,12 +198,12 @@ fn angle_beyond_a_limit() {
         single::beyond_gradient,
         dual::beyond,
     );
-    // Along the axis and opposite to it the angle has no derivative: 0.
+    // Along the axis and opposite to it the angle has no derivative; it is taken as 0.
     for z in [1.0, -1.0] {
         let point = [0.0, 0.0, z, 0.0, 0.0, 1.0, 0.5];
         singular(&point, double::beyond, double::beyond_gradient, single::beyond_gradient, &[0.0; 3]);
     }
-    // On the limit: that of `max`, whose receiver counts where both are equal.
+    // On the limit the derivative is that of `max`, which takes its receiver if both are equal.
     let edge = [0.0, 1.0, 0.0, 0.0, 0.0, 1.0, std::f64::consts::FRAC_PI_2];
     singular(&edge, double::beyond, double::beyond_gradient, single::beyond_gradient, &[0.0, 0.0, -1.0]);
 }
@@ -214,7 +215,7 @@ fn soft_limits() {
         vec![angle, low, high, r.within(0.5..6.0)]
     };
     At(sample).check(double::softplus, double::softplus_gradient, single::softplus_gradient, dual::softplus::<Dual64>);
-    // At the middle of the edge half of it counts; far away the other side has vanished, and nothing overflows.
+    // At a range's end half of the slope remains; far away the other side vanishes, and nothing overflows.
     let away = 1.0 / (1.0 + 40.0_f64.exp());
     for (angle, above, below) in [(1.0, 0.5, away), (-1.0, away, 0.5), (1e4, 1.0, 0.0), (-1e4, 0.0, 1.0)] {
         let point = [angle, -1.0, 1.0, 20.0];
@@ -233,7 +234,7 @@ fn smooth_step() {
         single::smoothstep_gradient,
         dual::smoothstep::<Dual64>,
     );
-    // It is flat at its ends and beyond.
+    // The step is flat at its ends and beyond.
     for x in [-3.0, -1.0, 2.0, 3.0] {
         let point = [x, -1.0, 2.0];
         singular(&point, double::smoothstep, double::smoothstep_gradient, single::smoothstep_gradient, &[0.0; 3]);
@@ -249,14 +250,15 @@ fn saturated_angle() {
         single::saturated_gradient,
         dual::saturated::<Dual64>,
     );
-    // In the middle, where both branches agree, and so far out that nothing changes.
+    // In the middle, where both branches agree, and far out, where the slope vanishes.
     for (x, expected) in [(0.0, [1.0, 0.0]), (1e4, [0.0, 1.0]), (-1e4, [0.0, -1.0])] {
         let point = [x, 1.0];
         singular(&point, double::saturated, double::saturated_gradient, single::saturated_gradient, &expected);
     }
 }
 
-/// Behind, the angle of 0 is π and that of −0 is −π: a difference of equals is 0, whichever way round its derivatives need it.
+/// Directly behind, the angle of 0 is π and that of −0 is −π. A difference of equal numbers is 0, in whichever order
+/// the derivatives compute it.
 #[test]
 fn what_is_right_behind_is_on_the_side_that_is_written() {
     for gradient in [double::left_gradient, double::right_gradient, double::wide_gradient] {
@@ -298,7 +300,7 @@ fn wrapped_heading_error() {
     let keep = |x: &[f64]| {
         let off = x[0] - x[2].atan2(x[1]);
         let size = off.sin().atan2(off.cos()).abs();
-        // Away from the place itself, from both edges, and from straight behind.
+        // Keep away from the place itself, from both kinks, and from directly behind.
         let edges = [0.0, std::f64::consts::FRAC_PI_2, 3.0, std::f64::consts::PI];
         x[1].hypot(x[2]) > 0.3 && edges.iter().all(|edge| (size - edge).abs() > 0.015)
     };
@@ -308,7 +310,7 @@ fn wrapped_heading_error() {
         single::heading_error_gradient,
         dual::heading_error::<Dual64>,
     );
-    // On the heading, and at the place itself, which has none.
+    // With the right heading, and at the place itself, which has no heading.
     for point in [[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]] {
         singular(
             &point,

@@ -1,10 +1,10 @@
-//! Lists, iterators that leave elements out, elements that arguments choose, enums, and generic structs: companions have the value of the function
-//! itself, and the derivatives of its central differences.
+//! Lists, filtering iterators, elements selected by arguments, enums, and generic structs: companions have the
+//! function's own value, and the derivatives agree with central differences.
 
 #[aim::differentiate]
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole, and in the table")]
 mod functions {
-    /// What a loss does with a residual.
+    /// A loss applied to a residual.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub(super) enum Loss {
         Square,
@@ -27,13 +27,13 @@ mod functions {
         }
     }
 
-    /// By the residuals and a scale.
+    /// A sum of losses, differentiated by the residuals and a scale.
     #[differentiate(wrt(x, scale), hessian, hvp, lanes)]
     pub(super) fn robust(losses: &[Loss; 3], x: [f64; 3], scale: f64) -> f64 {
         losses.iter().zip(x).map(|(loss, x)| loss.of(scale * x)).sum()
     }
 
-    /// The only variant, which has a field.
+    /// An enum with a single variant that has a field.
     #[derive(Clone, Copy)]
     pub(super) enum Only {
         One(f64),
@@ -45,7 +45,7 @@ mod functions {
         k * x * x
     }
 
-    /// Straight between the nodes of a table.
+    /// Linear interpolation in a table.
     #[differentiate(wrt(x, table))]
     pub(super) fn interpolated(x: f64, table: [f64; 6]) -> f64 {
         if x > 100.0 {
@@ -57,7 +57,7 @@ mod functions {
         (1.0 - t) * table[cell] + t * table[cell + 1]
     }
 
-    /// The mean of what is near the median.
+    /// The mean of the values near the median.
     #[differentiate(wrt(x))]
     pub(super) fn trimmed(x: [f64; 5], near: f64) -> f64 {
         let mut sorted = x.to_vec();
@@ -67,7 +67,7 @@ mod functions {
         close().sum::<f64>() / close().count() as f64
     }
 
-    /// Steps of a walk until it leaves the circle.
+    /// A walk that ends when it leaves the circle.
     #[differentiate(wrt(x, pull))]
     pub(super) fn walk(x: [f64; 2], pull: f64, most: usize) -> f64 {
         let mut place = x;
@@ -91,7 +91,7 @@ mod functions {
         energy + steps as f64
     }
 
-    /// By a slice, too, of as many as there are in this test.
+    /// Differentiated by a slice too, whose length is fixed for this test.
     #[differentiate(wrt(scale, sizes), lengths(returns = 4, sizes = 2), check = true)]
     pub(super) fn likelihood(scale: f64, returns: &[f64], sizes: &[f64]) -> f64 {
         let mut variance = sizes[0].exp();
@@ -103,7 +103,7 @@ mod functions {
         sum / returns.len() as f64 * sizes.last().copied().unwrap_or(1.0)
     }
 
-    /// Outputs of so many inputs.
+    /// A dense layer with `IN` inputs and `OUT` outputs.
     #[derive(Clone, Copy)]
     pub(super) struct Dense<const IN: usize, const OUT: usize, A = Tanh> {
         pub(super) weights: [[f64; IN]; OUT],
@@ -144,7 +144,7 @@ mod functions {
         }
     }
 
-    /// Two layers.
+    /// A network of two layers.
     #[derive(Clone, Copy)]
     pub(super) struct Network {
         pub(super) hidden: Dense<2, 3, Leaky>,
@@ -177,7 +177,7 @@ fn slices_of_a_length_that_is_said() {
     }
 }
 
-/// (f(x + h e) − f(x − h e)) / 2h by each component.
+/// Returns the central differences (f(x + h e) − f(x − h e)) / 2h by each component.
 fn differences<const N: usize>(f: impl Fn([f64; N]) -> f64, x: [f64; N]) -> [f64; N] {
     let h = 1e-6;
     core::array::from_fn(|k| {
@@ -206,7 +206,7 @@ fn enums_as_arguments() {
                 assert!((value - expected).abs() < 1e-14 * (1.0 + expected), "{value}, {expected}: {losses:?}");
                 assert_near(by_x, differences(|x| functions::robust(&losses, x, 1.2), x), "by x");
                 assert_near([by_scale], differences(|[s]| functions::robust(&losses, x, s), [1.2]), "by the scale");
-                // The variant, and the fields of all.
+                // The variant's index, then the fields of all variants.
                 let in_lanes = losses.map(|loss| match loss {
                     Loss::Square => (0.0, 5.0, 9.0, 0.0),
                     Loss::Huber { width } => (1.0, width, -3.0, 1.0),

@@ -1,4 +1,4 @@
-//! Objectives as users write them, judged by dual numbers.
+//! Objectives as users write them, checked with dual numbers.
 
 mod aiming;
 mod branches;

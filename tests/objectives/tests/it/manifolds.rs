@@ -1,6 +1,7 @@
-//! Rotations and transforms that vary on their manifold: derivatives by tangents, from either side.
+//! Rotations and transforms that vary on their manifold: derivatives by left and right tangents.
 //!
-//! A step is the first argument of what is compared: it is 0, and moves the rotation for the differences and dual numbers.
+//! The first argument of the compared functions is a step. It is 0, and perturbs the rotation for the differences and
+//! dual numbers.
 
 use aim::glam::{DMat3, DQuat, DVec3, Mat3, Quat, Vec3};
 use aim::{DRigid, Rigid};
@@ -14,19 +15,19 @@ macro_rules! objectives {
             use aim::glam::{$mat3, $quat, $vec2, $vec3};
             use aim::$rigid;
 
-            /// As-rigid-as-possible deformation: an edge against its rest state, turned with its vertex.
+            /// As-rigid-as-possible deformation: an edge against its rest state, rotated with its vertex.
             #[differentiate(wrt(tangent(turn), from, to), budget = 79)]
             pub(super) fn arap_edge(turn: $quat, from: $vec3, to: $vec3, rest: $vec3, weight: $real) -> $real {
                 weight * (to - from - turn * rest).length_squared()
             }
 
-            /// The same with the rotation's step on the left.
+            /// As [`arap_edge`], with the rotation's step on the left.
             #[differentiate(wrt(tangent(turn), from, to), perturbation = left, budget = 55)]
             pub(super) fn arap_edge_left(turn: $quat, from: $vec3, to: $vec3, rest: $vec3, weight: $real) -> $real {
                 arap_edge(turn, from, to, rest, weight)
             }
 
-            /// How well an eye looks at a target when its joint is turned freely.
+            /// The aim of an eye whose joint rotates freely.
             #[differentiate(wrt(tangent(turn)), hessian, budget = 65)]
             pub(super) fn aim(turn: $quat, eye: $rigid, target: $vec3) -> $real {
                 let to_target = target - turn * <$vec3>::from(eye.translation);
@@ -45,7 +46,7 @@ macro_rules! objectives {
                 }
             }
 
-            /// Where a camera sees a point.
+            /// The image of a point in a camera.
             #[differentiate(wrt(tangent(camera), point), jvp, vjp, gauss_newton, budget = 76)]
             pub(super) fn reprojection(camera: Pose, point: $vec3, focal: $real) -> [$real; 2] {
                 let local = camera.to_local(point);
@@ -53,7 +54,7 @@ macro_rules! objectives {
                 [image.x, image.y]
             }
 
-            /// Of a pose graph: the difference between two poses and what was measured of it.
+            /// A pose graph's edge: the relative pose minus the measured one.
             #[differentiate(wrt(tangent(a), tangent(b)), perturbation = left)]
             pub(super) fn relative(a: Pose, b: Pose, measured: &Pose) -> ([$real; 3], $vec3) {
                 let turned = measured.rotation.conjugate() * a.rotation.conjugate() * b.rotation;
@@ -66,13 +67,13 @@ macro_rules! objectives {
                 normal.dot(pose.transform_point3(point)) - offset
             }
 
-            /// The same with the step on the left.
+            /// As [`to_plane`], with the step on the left.
             #[differentiate(wrt(tangent(pose)), perturbation = left, budget = 48)]
             pub(super) fn to_plane_left(pose: &$rigid, point: $vec3, normal: $vec3, offset: $real) -> $real {
                 to_plane(pose, point, normal, offset)
             }
 
-            /// Attitude: how far measured directions are off, by the rotation's matrix.
+            /// Attitude: the error of measured directions, by the rotation's matrix.
             #[differentiate(wrt(tangent(m)), jvp, vjp)]
             pub(super) fn attitude(m: $mat3, body: [$vec3; 2], world: [$vec3; 2]) -> $vec3 {
                 let mut off = <$vec3>::ZERO;
@@ -82,7 +83,7 @@ macro_rules! objectives {
                 off
             }
 
-            /// The tip of an arm of ball joints.
+            /// The squared distance of the tip of an arm of ball joints from its goal.
             #[differentiate(wrt(tangent(joints)), budget = 119)]
             pub(super) fn arm(joints: [$quat; 2], bone: $vec3, goal: $vec3) -> $real {
                 let mut tip = <$vec3>::ZERO;
@@ -98,7 +99,7 @@ macro_rules! objectives {
 objectives!(single: f32, Vec2, Vec3, Quat, Mat3, Rigid);
 objectives!(double: f64, DVec2, DVec3, DQuat, DMat3, DRigid);
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use super::{Frame, Number, Quaternion, Vector};
 
@@ -119,13 +120,13 @@ mod dual {
         Quaternion(q.0.map(|c| c / square.sqrt()))
     }
 
-    /// q exp δ to the first order.
+    /// Returns q exp(δ) to first order.
     pub(super) fn right<D: Number>(q: Quaternion<D>, step: Vector<D>) -> Quaternion<D> {
         let [x, y, z] = step.times(D::from(0.5)).0;
         product(unit(q), Quaternion([x, y, z, D::from(1.0)]))
     }
 
-    /// exp(δ) q to the first order.
+    /// Returns exp(δ) q to first order.
     pub(super) fn left<D: Number>(q: Quaternion<D>, step: Vector<D>) -> Quaternion<D> {
         let [x, y, z] = step.times(D::from(0.5)).0;
         product(Quaternion([x, y, z, D::from(1.0)]), unit(q))
@@ -151,7 +152,7 @@ mod dual {
         [x * focal / z, y * focal / z]
     }
 
-    /// Rotations and positions of both poses, and of what was measured.
+    /// Takes rotations and positions of both poses, and of the measured one.
     pub(super) fn relative<D: Number>(
         [a, b, measured]: [Quaternion<D>; 3],
         [from, to, expected]: [Vector<D>; 3],
@@ -211,7 +212,7 @@ fn freely_turned_joint() {
         |_: Vec3, q: Quat, eye: Rigid, target| single::aim_gradient(q.normalize(), eye, target),
         |d, q, eye: Frame<Dual64>, target| dual::aim(dual::right(q, d), eye, target),
     );
-    // By second differences of the exponential.
+    // Compared with second differences along the exponential.
     let (eye, target) = (DRigid::from_rotation_translation(DQuat::IDENTITY, DVec3::new(0.1, 0.2, 0.3)), DVec3::ONE);
     let q = DQuat::from_xyzw(0.5, -0.1, 0.7, 0.5).normalize();
     let (_, (gradient,), hessian) = double::aim_hessian(q, eye, target);

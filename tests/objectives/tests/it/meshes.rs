@@ -1,4 +1,4 @@
-//! Slices among the fields of structs.
+//! Structs with slices among their fields.
 
 #[aim::differentiate(check = true)]
 mod functions {
@@ -20,7 +20,7 @@ mod functions {
         }
     }
 
-    /// The mean area of the faces of a mesh that is stretched.
+    /// The mean area of a stretched mesh's faces.
     #[differentiate(wrt(stretch))]
     pub(super) fn mean_area(stretch: DVec3, mesh: &Mesh<'_>) -> f64 {
         let mut area = 0.0;
@@ -45,7 +45,7 @@ mod functions {
         }
     }
 
-    /// What a branch leaves out of a slice.
+    /// A slice that a branch shortens.
     #[differentiate(wrt(x, y))]
     pub(super) fn positive_terms(x: f64, y: f64, sum: Sum<'_>) -> f64 {
         let mut sum = sum;
@@ -61,7 +61,7 @@ mod functions {
         pub(super) model: (f64, Mesh<'a>),
     }
 
-    /// Two slices, one in a struct in a tuple, and one that is an argument.
+    /// Two slices: one in a struct in a tuple, and one that is an argument.
     #[differentiate(wrt(shift))]
     pub(super) fn misfit(offsets: &[f64], shift: f64, fit: Fit<'_>) -> f64 {
         let (weight, model) = &fit.model;

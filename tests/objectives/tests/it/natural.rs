@@ -1,4 +1,4 @@
-//! Objectives of other fields, with the loops, helpers, constants and structs that they are first written with.
+//! Objectives of other fields, written as usual with loops, helpers, constants and structs.
 
 use aim_objectives::dual::Dual64;
 use aim_objectives::{Argument, At, Random, by_rows, singular};
@@ -9,7 +9,7 @@ macro_rules! objectives {
         mod $module {
             use aim::glam::{Vec3Swizzles, $mat2, $mat3, $mat4, $quat, $vec2, $vec3, $vec4};
 
-            /// Squares below this are turned by the first two terms of the series.
+            /// Squared angle below which the rotation uses the first two terms of its series.
             const SMALL: $real = 1e-12;
             const PLANES: usize = 3;
             const LINKS: [[$real; 3]; 4] = [[0.0, 1.5, 0.3], [0.4, 0.0, 0.0], [0.4, -1.5, 0.05], [0.0, 1.5, 0.35]];
@@ -25,7 +25,7 @@ macro_rules! objectives {
                 p * cos + axis.cross(p) * sin + axis * axis.dot(p) * (1.0 - cos)
             }
 
-            /// Bundle adjustment: how far a point is seen from where it was observed.
+            /// Bundle adjustment: the offset of a point's image from where it was observed.
             #[differentiate(wrt(camera, point))]
             pub(super) fn reprojection(camera: [$real; 9], point: $vec3, observed: $vec2) -> $vec2 {
                 let [rx, ry, rz, tx, ty, tz, focal, k1, k2] = camera;
@@ -40,7 +40,7 @@ macro_rules! objectives {
                 focal * distortion * image - observed
             }
 
-            /// Huber's.
+            /// Huber's loss.
             fn robust(r: $real, width: $real) -> $real {
                 debug_assert!(width > 0.0, "of a width");
                 let size = r.abs();
@@ -50,7 +50,7 @@ macro_rules! objectives {
                 width * (size - 0.5 * width)
             }
 
-            /// Registration: points on the planes that they belong to.
+            /// Registration: the distances of points from their planes.
             #[differentiate(wrt(turn, shift))]
             pub(super) fn registration(
                 turn: $vec3,
@@ -73,7 +73,7 @@ macro_rules! objectives {
             }
 
             impl Material {
-                /// Of the deformation gradient, after Saint-Venant and Kirchhoff.
+                /// The Saint-Venant–Kirchhoff energy of a deformation gradient.
                 fn energy(&self, deformation: $mat3) -> $real {
                     let strain = (deformation.transpose() * deformation - <$mat3>::IDENTITY) * 0.5;
                     let (mut square, mut trace) = (0.0, 0.0);
@@ -106,7 +106,7 @@ macro_rules! objectives {
                 Light { direction: <$vec3>::new(0.0, 0.6, 0.8), strength: 0.75 },
             ];
 
-            /// Rendering: what a glossy surface sends towards the eye, and how much of it is gloss.
+            /// Rendering: the light from a glossy surface towards the eye, and its specular part.
             #[differentiate(wrt(normal, shininess))]
             pub(super) fn shading(normal: $vec3, shininess: $real, eye: $vec3) -> ($real, $real) {
                 let n = normal.normalize();
@@ -147,7 +147,7 @@ macro_rules! objectives {
                 }
             }
 
-            /// Control: the cost of driving a pole on a cart, the force bounded.
+            /// Control: the cost of driving a pole on a cart with a bounded force.
             #[differentiate(wrt(forces))]
             pub(super) fn cart_pole(forces: [$real; 4], most: $real) -> $real {
                 let mut state = State::REST;
@@ -159,7 +159,7 @@ macro_rules! objectives {
                 cost + 10.0 * state.rate * state.rate
             }
 
-            /// Molecular dynamics: pairs that repel and attract each other, smoothly cut off.
+            /// Molecular dynamics: the Lennard-Jones energy of pairs, smoothly cut off.
             #[differentiate(wrt(atoms))]
             pub(super) fn lennard_jones(atoms: [$vec3; 4], cutoff: $real) -> $real {
                 let mut energy = 0.0;
@@ -192,7 +192,7 @@ macro_rules! objectives {
                 energy
             }
 
-            /// Robotics: where a tool is, and how it is turned.
+            /// Robotics: the position and orientation of a tool.
             #[differentiate(wrt(angles))]
             pub(super) fn arm(angles: [$real; 4], tool: $vec3) -> ($vec3, $quat) {
                 let mut turn = <$quat>::IDENTITY;
@@ -219,7 +219,7 @@ macro_rules! objectives {
                 [hidden.iter().sum(), hidden.iter().map(|h| h * h).fold(0.5, |a, b| a - b)]
             }
 
-            /// Planning: a way through beacons, of which it keeps clear by what is nearest; `kind` is the measure.
+            /// Planning: a path that keeps clear of the nearest beacons; `kind` selects the distance measure.
             #[differentiate(wrt(way))]
             pub(super) fn clearance(way: [$vec2; 3], beacons: [($vec2, $real); 2], kind: u8) -> $real {
                 let mut cost = 0.0;
@@ -241,7 +241,7 @@ macro_rules! objectives {
                 cost
             }
 
-            /// Rendering: where a projection shows a point of a turned and scaled thing, shifted on the screen.
+            /// Rendering: the projected point of a rotated and scaled object, shifted on the screen.
             #[differentiate(wrt(angle, shift, focal))]
             pub(super) fn pictured(angle: $real, shift: $vec3, focal: $real, roll: $real, p: $vec3) -> $vec2 {
                 let model = <$mat4>::from_scale_rotation_translation(
@@ -255,7 +255,7 @@ macro_rules! objectives {
                 <$mat2>::from_angle(roll).inverse() * <$vec2>::new(image.x, image.y)
             }
 
-            /// Animation: an angle that is wound up to its turn, and orientations in between.
+            /// Animation: an angle wrapped to one turn, and interpolated orientations.
             #[differentiate(wrt(from, to, s))]
             pub(super) fn between(from: $quat, to: $quat, s: $real, p: $vec3, turns: $real) -> $vec3 {
                 let wound = (turns % 1.0 + turns.rem_euclid(1.0)) * s;
@@ -268,7 +268,7 @@ macro_rules! objectives {
 objectives!(single: f32, Vec2, Vec3, Vec4, Quat, Mat2, Mat3, Mat4);
 objectives!(double: f64, DVec2, DVec3, DVec4, DQuat, DMat2, DMat3, DMat4);
 
-/// The material of the tests.
+/// Reads the two parameters of a material.
 impl Argument<f64> for single::Material {
     fn read(numbers: &mut impl Iterator<Item = f64>) -> Self {
         Self { mu: f32::read(numbers), lambda: f32::read(numbers) }
@@ -281,7 +281,7 @@ impl Argument<f64> for double::Material {
     }
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Quaternion, Vector};
 
@@ -316,7 +316,7 @@ mod dual {
         let [a, b, c] = rest;
         let volume = a.dot(b.cross(c));
         let rows = [b.cross(c), c.cross(a), a.cross(b)];
-        // The images of the axes, and the products of each two of them.
+        // The images of the axes, and their pairwise products.
         let images: [Vector<D>; 3] = core::array::from_fn(|k| {
             (0..3).fold(Vector::constant([0.0; 3]), |sum, i| {
                 sum + (corners[i + 1] - corners[0]).times(rows[i].0[k] / volume)
@@ -354,7 +354,7 @@ mod dual {
         for force in forces {
             let e = (force * 2.0 / most).exp();
             let bounded = most * (e - 1.0) / (e + 1.0);
-            // Both accelerations of the masses 1 and 0.2 at a length of 1.
+            // Both accelerations, for the masses 1 and 0.2 and length 1.
             let (sin, cos) = (angle.sin(), angle.cos());
             let pull = bounded + rate * rate * sin * 0.2;
             let turn = (sin * 11.76 - cos * pull) / (-cos * cos * 0.2 + 1.2);
@@ -459,7 +459,7 @@ mod dual {
             (Vector([x, y, z]).times(length.recip()), w / length)
         };
         let ((u, w), (v, c)) = (unit(from), unit(to));
-        // The turn from one to the other, the short way.
+        // The rotation from one to the other, the short way.
         let (axis, cosine) = (v.times(w) - u.times(c) - u.cross(v), w * c + u.dot(v));
         let (axis, cosine) = if cosine.re() < 0.0 { (-axis, -cosine) } else { (axis, cosine) };
         let angle = axis.length().atan2(cosine) * 2.0;
@@ -495,7 +495,7 @@ fn point_to_plane_registration() {
         }
         [point, vec![0.5]].concat()
     };
-    // Away from the edges of the robust norm.
+    // Keep away from the kinks of the robust loss.
     let keep = |x: &[f64]| {
         let vector = |k: usize| aim::glam::DVec3::from_slice(&x[k..]);
         let turn = aim::glam::DQuat::from_scaled_axis(vector(0));
@@ -509,7 +509,7 @@ fn point_to_plane_registration() {
     let single = |t, s, p: [_; 3], q: Planes<_, _>, w| single::registration_gradient(t, s, &p, &q, w);
     let function = |t, s, p: [_; 3], q: Planes<_, _>, w| double::registration(t, s, &p, &q, w);
     At(|r: &mut Random| r.until(sample, keep)).check(function, jacobian, single, dual::registration::<Dual64>);
-    // Not turned at all: by the turn it is the point × the normal, by the shift the normal, times the distance.
+    // Unrotated: the derivative by the rotation is point × normal, by the shift the normal, both times the distance.
     let [x, y, z, d] = [0.25, -0.5, 0.75, 0.125];
     let still = [[0.0; 6].to_vec(), vec![x, y, z], vec![0.0; 6], vec![0.0, 0.0, 1.0, z - d], vec![0.0; 8], vec![1.0]];
     singular(&still.concat(), function, jacobian, single, &[y * d, -x * d, 0.0, 0.0, 0.0, d]);
@@ -658,8 +658,8 @@ fn orientations_in_between() {
         single::between_jacobian,
         dual::between::<Dual64>,
     );
-    // Nearly the same orientation twice: half way from the identity to a small turn about Z, which is a quarter of it in
-    // each component of the end; the length of the start turns nothing.
+    // The same orientation at both ends, half-way between them: a change e of an end's vector part moves p = X by e ×
+    // X, and a change of its length does not move it.
     let same = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.5, 1.0, 0.0, 0.0, 0.0];
     let by_end = |x: f64, y: f64, z: f64| [0.0 * x, z, -y];
     let end = [by_end(1.0, 0.0, 0.0), by_end(0.0, 1.0, 0.0), by_end(0.0, 0.0, 1.0), [0.0; 3]].concat();

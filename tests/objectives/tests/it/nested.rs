@@ -1,10 +1,10 @@
-//! Loops that stay loops inside of others, and elements of slices that are chosen by values.
+//! Nested loops that remain loops, and elements of slices selected by values.
 
 #[aim::differentiate(check = true)]
 mod functions {
     use aim::glam::DVec3;
 
-    /// Every pair once.
+    /// The energy of every pair, each counted once.
     #[differentiate(wrt(width, depth, shift))]
     pub(super) fn pairs(width: f64, depth: f64, shift: DVec3, atoms: &[DVec3]) -> f64 {
         let mut energy = 0.0;
@@ -18,7 +18,7 @@ mod functions {
         energy
     }
 
-    /// The ends of springs are chosen by numbers.
+    /// The energy of springs whose ends are given by indices.
     #[differentiate(wrt(stiffness, stretch))]
     pub(super) fn springs(stiffness: f64, stretch: DVec3, points: &[DVec3], edges: &[[usize; 2]]) -> f64 {
         edges
@@ -37,7 +37,7 @@ mod functions {
         pub(super) is_used: bool,
     }
 
-    /// A sum inside of a sum, by iterators.
+    /// A nested sum, by iterators.
     #[differentiate(wrt(shift, width))]
     pub(super) fn mixture(shift: f64, width: f64, samples: &[f64], parts: &[Part]) -> f64 {
         let density = |x: f64, part: &Part| part.weight * (-0.5 * ((x - part.mean - shift) / width).powi(2)).exp();
@@ -50,7 +50,7 @@ mod functions {
             .sum::<f64>()
     }
 
-    /// Between the entries of a table.
+    /// Linear interpolation between the entries of a table.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the place in the table is meant")]
     #[differentiate(wrt(x))]
     pub(super) fn interpolated(x: f64, table: &[f64]) -> f64 {
@@ -63,7 +63,7 @@ mod functions {
     /// Newton's method for each sample.
     #[differentiate(wrt(a, e))]
     pub(super) fn orbits(a: f64, e: f64, times: &[f64], seen: &[f64]) -> f64 {
-        // Where it ends.
+        // Limit e, so that the iteration converges.
         let e = 0.8 * e / (1.0 + e.abs());
         let mut sum = 0.0;
         for (time, seen) in times.iter().zip(seen) {
@@ -80,7 +80,7 @@ mod functions {
         sum / times.len() as f64
     }
 
-    /// From the other end, at steps, in parts, and both ends.
+    /// Slices traversed backwards, in steps, in chunks, and from both ends.
     #[differentiate(wrt(x, k))]
     pub(super) fn ways(x: f64, k: f64, numbers: &[f64]) -> f64 {
         let polynomial = numbers.iter().rev().fold(0.0, |sum, c| sum * x + c);
@@ -98,7 +98,7 @@ mod functions {
         sum + ends * numbers.get(2).copied().unwrap_or(k * k)
     }
 
-    /// Pairs by a shifted number, blocks of any size, and a beginning.
+    /// Pairs with an offset index, blocks of any size, and a prefix.
     #[differentiate(wrt(a))]
     pub(super) fn blocks(a: f64, numbers: &[f64], size: usize) -> f64 {
         let mut sum = 0.0;
@@ -117,7 +117,7 @@ mod functions {
         sum + turned.map(|(k, x)| k as f64 * x.sin()).sum::<f64>() + begins + roots.fold(a, |t, x| t * 0.5 + x)
     }
 
-    /// Rounds that begin with what the loop inside of the one before has left, and two loops in a round.
+    /// Iterations that start from the results of the previous inner loop, and two inner loops per iteration.
     #[differentiate(wrt(gain, bias))]
     pub(super) fn layers(gain: f64, bias: f64, weights: &[f64], depth: usize) -> [f64; 2] {
         let (mut x, mut most) = (bias, 0.0_f64);
@@ -136,7 +136,7 @@ mod functions {
         [x, most]
     }
 
-    /// What closures change as elements are asked for, and what ends a search.
+    /// Closures with side effects in lazy iterators, and searches that end early.
     #[differentiate(wrt(a))]
     pub(super) fn sought(a: f64, numbers: &[f64]) -> f64 {
         let mut sum = a;
@@ -163,7 +163,7 @@ mod functions {
         squares + place * a + found + most + least + made.unwrap_or(0.125) + rest
     }
 
-    /// Left from the inside, in one way and in another.
+    /// Two kinds of exits from an inner loop.
     #[differentiate(wrt(a))]
     pub(super) fn searched(a: f64, rows: &[f64], columns: &[f64]) -> f64 {
         let mut sum = a;
@@ -183,7 +183,7 @@ mod functions {
         sum
     }
 
-    /// To the end of the loop around, and with a value.
+    /// Exits from an inner loop to the enclosing one, and with a value.
     #[differentiate(wrt(a))]
     pub(super) fn left(a: f64, rows: &[f64], columns: &[f64]) -> f64 {
         let (mut sum, mut last) = (0.0, a);
@@ -218,7 +218,7 @@ mod functions {
         sum + last * root
     }
 
-    /// Three deep, the innermost one of which is written out.
+    /// Three nested loops, the innermost of which is unrolled.
     #[differentiate(wrt(angle))]
     pub(super) fn grid(angle: f64, values: &[f64], columns: usize) -> f64 {
         if columns < 3 || values.len() < 3 * columns {
@@ -247,7 +247,7 @@ mod functions {
         best
     }
 
-    /// A loop in a function that is called in a round.
+    /// A loop in a function that is called in every iteration.
     #[differentiate(wrt(scale))]
     pub(super) fn clustered(scale: f64, samples: &[f64], centres: &[f64]) -> f64 {
         samples.iter().map(|x| (scale * x - centres[nearest(scale * x, centres)]).powi(2)).sum()
@@ -324,7 +324,7 @@ fn as_long_as_it_takes_inside() {
     let (value, (by_a, by_e)) = functions::orbits_gradient(1.2, 0.3, &times, &seen);
     assert_near(value, functions::orbits(1.2, 0.3, &times, &seen));
     assert_near(by_a, difference(|a| functions::orbits(a, 0.3, &times, &seen), 1.2));
-    // That of the rounds is not all of it, but for a last part.
+    // The derivative of the iterations lacks a small remainder, hence the tolerance.
     assert!((by_e - difference(|e| functions::orbits(1.2, e, &times, &seen), 0.3)).abs() < 1e-4);
     for depth in [0, 1, 4] {
         let weights = [0.5, -0.25, 0.75, 0.3, -0.6];

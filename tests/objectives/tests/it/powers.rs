@@ -1,4 +1,4 @@
-//! Powers, whole numbers and names that mean in a companion what they mean in Rust.
+//! Powers, whole numbers and names mean the same in a companion as in Rust.
 
 use aim::differentiate;
 
@@ -18,7 +18,7 @@ fn power_by_branch(x: f64, y: f64) -> f64 {
     (x + y).powf(p)
 }
 
-/// The slope by an exponent too, of a negative base where there is one.
+/// The derivative by the exponent too, for negative bases where it exists.
 #[test]
 fn slopes_of_powers_of_any_base() {
     for x in [-2.5, -2.0, -1.0, -0.25, 0.25, 1.0, 3.0_f64] {
@@ -33,7 +33,7 @@ fn slopes_of_powers_of_any_base() {
             assert!(near(whole_power_gradient(x, n).1.0), "{x} to the whole number {n}");
         }
     }
-    // At 0 the slope of a line is 1; what would be infinite counts as 0.
+    // At 0 the slope of a line is 1; an infinite derivative is taken as 0.
     let at_zero = [1.0, 2.0, 3.0, 0.5, -1.0].map(|p| power_gradient(0.0, p).1.0);
     assert_eq!(at_zero, [1.0, 0.0, 0.0, 0.0, 0.0]);
     assert_eq!(power_by_branch_gradient(-2.0, 0.5), (2.25, (-3.0,)));
@@ -50,7 +50,7 @@ mod names {
         double
     }
 
-    /// Items of a block are known in all of it, and hide those of the module.
+    /// Items of a block are visible in the whole block, and shadow those of the module.
     #[differentiate(wrt(x))]
     pub(super) fn nearest(x: f64) -> f64 {
         fn times(t: f64) -> f64 {

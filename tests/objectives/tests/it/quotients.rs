@@ -1,4 +1,4 @@
-//! Quotients that are 0 / 0 at a point where they have a limit: value, slope and curvature there and on the way to it.
+//! Quotients that are 0 / 0 at a point where they have a limit: value, slope and curvature there and near it.
 
 macro_rules! quotients {
     ($real:ident: $($name:ident = |$x:ident| $body:expr;)*) => {
@@ -9,7 +9,7 @@ macro_rules! quotients {
             }
         })*
 
-        /// The function of this name: its value, slope and curvature.
+        /// Returns value, slope and curvature of the function with this name.
         pub(super) fn derived(name: &str, x: $real) -> Option<[$real; 3]> {
             let (value, (slope,), [[curvature]]) = match name {
                 $(stringify!($name) => $name::quotient_hessian(x),)*
@@ -48,7 +48,7 @@ in_both_precisions! {
     ratio = |x| (3.0 * x).sin() / x.sin();
     linear = |x| (1.0 - x.cos()) / x;
     arc_cosine = |x| { let w = 1.0 - x; w.acos() / (1.0 - w * w).sqrt() };
-    // No term vanishes by itself.
+    // Numerators in which no single term vanishes.
     exponential = |x| (x.exp() - 1.0) / x;
     occupation = |x| x / (x.exp() - 1.0);
     logarithm = |x| (1.0 + x).ln() / x;
@@ -57,7 +57,7 @@ in_both_precisions! {
     bessel = |x| (x.sin() - x * x.cos()) / x.powi(3);
     translation = |x| { let a = x.sin() / x; (1.0 - a) / (x * x) };
     log_of_cosine = |x| x.cos().ln() / (x * x);
-    // Functions of functions.
+    // Compositions of functions.
     sine_of_sine = |x| x.sin().sin() / x;
     over_sine_of_sine = |x| x / x.sin().sin();
     versine_of_sine = |x| (1.0 - x.sin().cos()) / (x * x);
@@ -67,7 +67,7 @@ in_both_precisions! {
 /// Computed with 60 digits by `golden/quotients.py`.
 const EXPECTED: &str = include_str!("golden/quotients.txt");
 
-/// Each line: the function, the place, the three expected numbers.
+/// Parses the lines: the function, the point, the three expected numbers.
 fn expected() -> impl Iterator<Item = (&'static str, f64, [f64; 3])> {
     EXPECTED.lines().map(|line| {
         let mut words = line.split(' ');
@@ -77,14 +77,14 @@ fn expected() -> impl Iterator<Item = (&'static str, f64, [f64; 3])> {
     })
 }
 
-/// The largest error relative to the numbers, of all functions and places but those left out.
+/// Returns the largest relative error over all functions and points, and where it occurs.
 fn worst(derived: impl Fn(&str, f64) -> [f64; 3]) -> (f64, String) {
     let mut worst = (0.0, String::new());
     for (name, x, expected) in expected() {
         let found = derived(name, x);
         for (found, expected) in found.into_iter().zip(expected) {
             let error = (found - expected).abs() / (1.0 + expected.abs());
-            // What is no number is the largest error of all.
+            // NaN counts as the largest error.
             if error > worst.0 || error.is_nan() {
                 worst = (error, format!("{name} at {x:e}: {found:e} instead of {expected:e}"));
             }

@@ -1,4 +1,4 @@
-//! Roots of what has a square as a factor: |x| comes out of them, and not x.
+//! Roots of expressions with a square as a factor: the result is |x|, not x.
 
 macro_rules! functions {
     ($($name:ident = |$x:ident, $y:ident| $body:expr;)*) => {
@@ -9,7 +9,7 @@ macro_rules! functions {
             }
         })*
 
-        /// Each function by name, with what is derived of it.
+        /// Each function by name, with its derived gradient.
         const FUNCTIONS: &[Function] = &[$((stringify!($name), $name::function, $name::function_gradient),)*];
     };
 }

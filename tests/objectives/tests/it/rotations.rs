@@ -1,4 +1,4 @@
-//! Differences between orientations, and turns about axes that move.
+//! Differences between orientations, and rotations about variable axes.
 
 use aim_objectives::{At, Random, singular};
 
@@ -7,7 +7,7 @@ macro_rules! objectives {
         use aim::differentiate;
         use aim::glam::{$mat3, $quat, $vec3};
 
-        /// The turn from one orientation to another: its axis times its angle, the quaternion's logarithm.
+        /// The rotation from one orientation to another as axis times angle: the quaternion's logarithm.
         #[differentiate(wrt(q), budget = 137)]
         pub(super) fn logarithm(q: $quat, goal: $quat) -> $vec3 {
             let between = q * goal.conjugate();
@@ -21,14 +21,15 @@ macro_rules! objectives {
             a.normalize().dot(b.normalize()).clamp(-1.0, 1.0).acos()
         }
 
-        /// How far a point is from its goal when it is turned about an axis that is sought, too.
+        /// The squared distance of a point from its goal after a rotation about a variable axis.
         #[differentiate(wrt(axis, angle), budget = 139)]
         pub(super) fn hinge(axis: $vec3, angle: $real, point: $vec3, goal: $vec3) -> $real {
             let turn = $quat::from_axis_angle(axis.normalize(), angle);
             (turn * point).distance_squared(goal)
         }
 
-        /// The same by a rotation vector, the short way for small angles.
+        /// The squared distance of a point from its goal after a rotation by a rotation vector, linearised for small
+        /// angles.
         #[differentiate(wrt(turn), budget = 165)]
         pub(super) fn rotation_vector(turn: $vec3, point: $vec3, goal: $vec3) -> $real {
             let square = turn.length_squared();
@@ -43,7 +44,7 @@ macro_rules! objectives {
             turned.distance_squared(goal)
         }
 
-        /// A matrix that brings a point to its goal and is nearly a rotation.
+        /// The cost of a matrix that takes a point to its goal and should be nearly a rotation.
         #[differentiate(wrt(m), budget = 199)]
         pub(super) fn fitted(m: $mat3, point: $vec3, goal: $vec3) -> $real {
             let off = m.transpose() * m - $mat3::IDENTITY;
@@ -61,7 +62,7 @@ mod double {
     objectives!(f64, DVec3, DQuat, DMat3);
 }
 
-/// The same by other formulas.
+/// The same functions by other formulas, with dual numbers.
 mod dual {
     use aim_objectives::dual::{Number, Quaternion, Vector};
 
@@ -74,7 +75,7 @@ mod dual {
         v.unit().times((along / whole).acos() * 2.0)
     }
 
-    /// By the sides of a triangle of two bones of length 1.
+    /// By the sides of a triangle with two sides of length 1.
     pub(super) fn between<D: Number>(a: Vector<D>, b: Vector<D>) -> D {
         let (a, b) = (a.unit(), b.unit());
         (a - b).length().atan2((a + b).length()) * 2.0
@@ -107,7 +108,7 @@ mod dual {
 #[test]
 fn orientation_error() {
     let sample = |r: &mut Random| [r.quaternion(0.5..2.0), r.quaternion(0.9..1.1)].concat();
-    // Away from no turn and from a whole one.
+    // Keep away from the identity and from a whole turn.
     let keep = |x: &[f64]| {
         let v = aim::glam::DQuat::from_slice(x) * aim::glam::DQuat::from_slice(&x[4..]).conjugate();
         v.xyz().length() > 0.2
@@ -118,8 +119,8 @@ fn orientation_error() {
         single::logarithm_jacobian,
         dual::logarithm,
     );
-    // At no turn the derivative is twice that of the vector part, the logarithm being twice that to first order: of
-    // q goal* by q, component by component. A whole turn has no direction, and derivatives of 0.
+    // At the identity the derivative is twice that of the vector part of q goal* by q, component by component, since
+    // the logarithm is twice the vector part to first order. A whole turn has no direction, and its derivatives are 0.
     let goal = [0.5, -0.5, 0.5, 0.5];
     let [x, y, z, w] = goal;
     let by_vector_part = [w, z, -y, -z, w, x, y, -x, w, -x, -y, -z].map(|c| 2.0 * c);
@@ -142,7 +143,7 @@ fn angle_between_bones() {
         single::between_gradient,
         dual::between,
     );
-    // Stretched and folded the angle has an edge: 0.
+    // For parallel and opposite vectors the angle has a kink: the derivative is 0.
     for b in [[2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]] {
         let point = [&[3.0, 0.0, 0.0][..], &b].concat();
         singular(&point, double::between, double::between_gradient, single::between_gradient, &[0.0; 6]);
@@ -154,7 +155,7 @@ fn turn_about_a_variable_axis() {
     let sample =
         |r: &mut Random| [r.vector(0.5..2.0), r.numbers(1, -3.0..3.0), r.vector(0.0..2.0), r.vector(0.0..2.0)].concat();
     At(sample).check(double::hinge, double::hinge_gradient, single::hinge_gradient, dual::hinge);
-    // Without an angle the axis does not matter; with the point on the axis the angle does not.
+    // With angle 0 the axis does not matter; with the point on the axis the angle does not.
     let still = [0.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0];
     singular(&still, double::hinge, double::hinge_gradient, single::hinge_gradient, &[0.0; 4]);
     let on_axis = [0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
@@ -170,7 +171,7 @@ fn turn_by_a_rotation_vector() {
         single::rotation_vector_gradient,
         dual::rotation_vector,
     );
-    // Without a turn: 2 (point × (point − goal)), by the branch for small ones.
+    // Unrotated: 2 (point × (point − goal)), by the branch for small angles.
     let none = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 3.0];
     singular(
         &none,

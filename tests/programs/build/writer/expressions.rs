@@ -1,4 +1,4 @@
-//! Numbers, conditions and other values.
+//! Writes numbers, conditions and other values.
 
 use super::{Scope, Writer};
 
@@ -54,7 +54,7 @@ impl Writer {
         }
     }
 
-    /// A comparison of two numbers.
+    /// Writes a comparison of two numbers.
     pub(super) fn comparison(&mut self, scope: &Scope, depth: usize) -> String {
         let (a, b) = (self.number(scope, depth), self.number(scope, 0));
         format!("{a} {} {b}", self.one_of(&["<", ">"]))
@@ -87,7 +87,7 @@ impl Writer {
         }
     }
 
-    /// A number, in brackets where it needs them.
+    /// Writes a number, in brackets if necessary.
     pub(super) fn number(&mut self, scope: &Scope, depth: usize) -> String {
         if depth == 0 {
             return match self.random.u8(..8) {

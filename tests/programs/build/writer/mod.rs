@@ -1,7 +1,7 @@
-//! Writes a random function in ordinary Rust: loops of all kinds that change numbers, options, flags, arrays, lists, tuples, structs
-//! and enums, and are left in all ways, and helpers that return early.
+//! Writes a random function in ordinary Rust: loops of all kinds that change numbers, options, flags, arrays, lists,
+//! tuples, structs and enums and are left in every way, and helpers that return early.
 //!
-//! What the two texts of a function differ in stands between ‹ and ›: numbers and their type.
+//! The text between ‹ and › differs between the two versions of a function: number literals and the number type.
 
 mod expressions;
 mod statements;
@@ -9,13 +9,13 @@ mod statements;
 use std::fmt::Write;
 use std::ops::Range;
 
-/// What all functions know.
+/// Items that all functions can use.
 const KNOWN: &str = include_str!("known.txt");
 
-/// How many statements a function has at most.
+/// Largest number of statements in a function.
 const STATEMENTS: usize = 14;
 
-/// The names that can be read, or changed, where a statement stands.
+/// Names that are in scope for a statement, to read or to change.
 #[derive(Clone, Default)]
 struct Scope {
     numbers: Vec<String>,
@@ -30,14 +30,14 @@ struct Scope {
     shapes: Vec<String>,
     closures: Vec<String>,
     slices: Vec<String>,
-    /// Labels of the loops around; they may have none.
+    /// Labels of the enclosing loops; `None` for one without a label.
     loops: Vec<Option<String>>,
-    /// Whether the rounds around may be run as often as a slice is long.
+    /// `true` in a loop whose number of rounds is not a small constant. Lists may not change their length there.
     is_kept: bool,
 }
 
 impl Scope {
-    /// One in which these numbers alone can be read, and the same slices.
+    /// Returns a scope with these numbers and the same slices.
     fn of_numbers(&self, numbers: &[&str]) -> Self {
         let numbers = numbers.iter().map(|number| (*number).to_owned()).collect();
         Self { numbers, slices: self.slices.clone(), ..Self::default() }
@@ -49,11 +49,11 @@ struct Writer {
     text: String,
     indent: usize,
     names: usize,
-    /// How many statements may still be written.
+    /// Number of statements that may still be written.
     left: usize,
 }
 
-/// The module of random functions of these numbers, and its twin.
+/// Returns the module of the random functions with these numbers, and its twin for dual numbers.
 pub(crate) fn modules(numbers: Range<u64>) -> String {
     let first = numbers.start;
     let (mut plain, mut twin) = (String::new(), String::new());
@@ -80,7 +80,7 @@ use num_dual::DualNum as _;
     )
 }
 
-/// The text for dual numbers.
+/// Returns the text of a function for dual numbers.
 fn twin_of(text: &str) -> String {
     let mut twin = String::new();
     for part in text.split('‹') {
@@ -107,7 +107,7 @@ impl Writer {
         for _ in 0..self.random.usize(2..=4) {
             self.declaration(&mut scope);
         }
-        // Something to change is always there.
+        // Ensures that there is a variable to change.
         let name = self.name();
         let value = self.number(&scope, 1);
         self.line(&format!("let mut {name} = {value};"));
@@ -122,7 +122,7 @@ impl Writer {
         format!("(x: ‹f64›, y: ‹f64›, s: &[‹f64›], e: &[[‹f64›; 2]], n: i32) -> ‹f64› {{\n{body}}}\n")
     }
 
-    /// A number of all that could have been changed.
+    /// Returns an expression that depends on every variable that may have been changed.
     fn result(scope: &Scope) -> String {
         let mut terms: Vec<String> = scope.changed.clone();
         terms.extend(scope.options.iter().map(|o| format!("{o}.map_or(‹0.3›, |v| ‹2.0› * v)")));
@@ -161,7 +161,7 @@ impl Writer {
         format!("‹{}_f64›", self.one_of(&["0.25", "0.5", "0.8", "1.0", "1.5", "2.0", "0.1", "3.0"]))
     }
 
-    /// A name for a number, where another name is borrowed.
+    /// Binds a number to a name, for places where another name is borrowed.
     fn bound(&mut self, scope: &Scope) -> String {
         let (name, value) = (self.name(), self.number(scope, 1));
         self.line(&format!("let {name} = {value};"));

@@ -1,9 +1,9 @@
-//! What functions are made of: declarations, branches, loops, and changes of what was declared.
+//! Writes statements: declarations, branches, loops, and changes of declared variables.
 
 use super::{Scope, Writer};
 
 impl Writer {
-    /// Something that is changed later.
+    /// Declares a variable that is changed later.
     pub(super) fn declaration(&mut self, scope: &mut Scope) {
         let name = self.name();
         match self.random.u8(..9) {
@@ -64,7 +64,7 @@ impl Writer {
         }
     }
 
-    /// Statements in a block of its own.
+    /// Writes statements in a block of their own.
     fn block(&mut self, scope: &Scope, depth: usize) {
         let mut inner = scope.clone();
         self.indent += 1;
@@ -151,7 +151,7 @@ impl Writer {
                 self.line(&format!(
                     "let {name} = {label}: {{\n    if {condition} {{\n        break {label} {number};\n    }}"
                 ));
-                // A `break` without a label may not stand in it.
+                // A `break` without a label is not allowed inside a labelled block.
                 let mut inner = scope.clone();
                 inner.loops.retain(Option::is_some);
                 self.block(&inner, depth - 1);
@@ -198,7 +198,7 @@ impl Writer {
         }
     }
 
-    /// Goes to the end of a loop around, or to its next round, or returns.
+    /// Leaves an enclosing loop, continues one, or returns.
     fn leave(&mut self, scope: &Scope) {
         self.indent += 1;
         if self.random.bool() {
@@ -215,7 +215,7 @@ impl Writer {
         self.indent -= 1;
     }
 
-    /// The arms of a `match`, with the numbers that their patterns name.
+    /// Writes the arms of a `match`, with the numbers that their patterns bind.
     fn arms(&mut self, scope: &Scope, depth: usize, arms: &[(&str, &[&str])]) {
         self.indent += 1;
         for (pattern, numbers) in arms {
@@ -229,7 +229,7 @@ impl Writer {
         self.line("}");
     }
 
-    /// A `match` of an enum.
+    /// Writes a `match` on an enum.
     fn shapes(&mut self, scope: &Scope, depth: usize) {
         let (shape, [a, b]) = (self.any(&scope.shapes), [self.name(), self.name()]);
         self.line(&format!("match {shape} {{"));
@@ -243,7 +243,7 @@ impl Writer {
         }
     }
 
-    /// A number that statements make.
+    /// Writes a number that a block with statements evaluates to.
     fn block_of_a_number(&mut self, scope: &mut Scope, depth: usize) {
         let name = self.name();
         let mut inner = scope.clone();
@@ -258,7 +258,7 @@ impl Writer {
                 let (count, condition, number) = (self.name(), self.condition(scope, 0), self.number(scope, 1));
                 self.line(&format!("let mut {count} = 0_i32;\nlet {name} = loop {{\n    {count} += 1;"));
                 self.line(&format!("    if {count} > n || {condition} {{\n        break {number};\n    }}"));
-                // It cannot be left without a value, which is why it has no name.
+                // A `break` needs a value here, so the loop is not offered to inner statements.
                 inner.loops.clear();
                 inner.is_kept = true;
                 self.block(&inner, 0);
@@ -278,7 +278,7 @@ impl Writer {
         scope.numbers.push(name);
     }
 
-    /// A loop.
+    /// Writes a loop.
     fn repetition(&mut self, scope: &Scope, depth: usize) {
         let mut inner = scope.clone();
         let name = self.name();
@@ -332,7 +332,7 @@ impl Writer {
                 inner.numbers.push(format!("‹f64::from›({name})"));
             }
             9 if !scope.options.is_empty() => {
-                // It ends, for what is put back is counted.
+                // The counter ends the loop even if the body puts a value back.
                 let (option, count) = (self.any(&scope.options), self.name());
                 self.line(&format!(
                     "let mut {count} = 0_i32;\n{named}while let Some({name}) = {option}.take() {{\n    {count} += 1;"
@@ -402,7 +402,7 @@ impl Writer {
         self.line("}");
     }
 
-    /// A change of something.
+    /// Writes a change of a variable.
     fn change(&mut self, scope: &mut Scope) {
         loop {
             match self.random.u8(..20) {
@@ -499,7 +499,7 @@ impl Writer {
                     let (name, value) = (self.name(), self.number(scope, 2));
                     self.line(&format!("let {name} = {value};"));
                     scope.numbers.push(name);
-                    // Used by what follows.
+                    // The new number is used by the change that follows.
                     continue;
                 }
                 16 if !scope.tuples.is_empty() => {

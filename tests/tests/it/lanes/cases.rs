@@ -1,4 +1,4 @@
-//! Kernels in lanes against the same kernels in scalars, bit for bit, with poses of every kind side by side.
+//! Compares kernels in lanes with the same kernels in scalars, bit for bit, with poses of every kind side by side.
 
 use aim::{Scalar, wide};
 use aim_codegen::RigSpec;
@@ -8,13 +8,13 @@ use aim_tests::oracle;
 use aim_tests::random::Random;
 use aim_tests::requested::RequestedKernels;
 
-/// A scalar as the tests handle it.
+/// A scalar type, with the conversions that the tests need.
 pub(crate) trait Lane: Scalar + Into<f64> + std::fmt::Debug {
-    /// Rounded to this type.
+    /// Rounds `value` to this type.
     fn rounded(value: f64) -> Self;
-    /// With these bits, the lowest where there are more than this type has.
+    /// Creates a number from the lowest bits of `bits`.
     fn from_bits(bits: u64) -> Self;
-    /// Its bits; one pattern for every NaN, because the bits of a NaN are nobody's promise.
+    /// Returns the bits; one pattern for every NaN, since the bits of a NaN are unspecified.
     fn bits(self) -> u64;
 }
 
@@ -39,15 +39,15 @@ macro_rules! lane {
 lane!(f32 of u32);
 lane!(f64 of u64);
 
-/// A vector of scalars.
+/// A SIMD vector of scalars.
 pub(crate) trait Lanes: Scalar {
-    /// The scalar.
+    /// The scalar type of a lane.
     type Lane: Lane;
-    /// How many there are.
+    /// Number of lanes.
     const COUNT: usize;
-    /// Lane i is `lane(i)`.
+    /// Creates a vector whose lane i is `lane(i)`.
     fn gather(lane: impl FnMut(usize) -> Self::Lane) -> Self;
-    /// Lane `i`.
+    /// Returns lane `i`.
     fn lane(self, i: usize) -> Self::Lane;
 }
 
@@ -68,20 +68,20 @@ macro_rules! lanes {
 
 lanes!(f32x4: f32 * 4, f32x8: f32 * 8, f32x16: f32 * 16, f64x2: f64 * 2, f64x4: f64 * 4, f64x8: f64 * 8);
 
-/// Random poses of `spec`; about half of them are of a kind that divides by zero, overflows or is no number.
+/// Returns random poses of `spec`; about half of them divide by zero, overflow or contain NaN.
 pub(crate) fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
     let mut random = Random::new(seed);
     let mut cases = oracle::cases(spec, seed, count);
     for case in &mut cases {
         match random.below(14) {
-            // On the effector, and on a line with it.
+            // Targets on the effector, and on a line with it.
             0 => still(case, [0.0; 3]),
             1 => still(case, spec.effector.frame.forward.map(|c| 2.0 * c)),
             2 => still(case, spec.effector.frame.forward.map(|c| -2.0 * c)),
-            // Not on it, but too near or too far to tell.
+            // Targets so near or so far that their squares underflow or overflow.
             3 => still(case, [1e-42, -1e-40, 1e-41]),
             4 => case.target = case.target.map(|c| 1e30 * c),
-            // Nothing that a pose should hold.
+            // Invalid numbers.
             5 => case.target[random.below(3)] = f64::NAN,
             6 => case.links[0].rows[random.below(3)][random.below(3)] = f64::INFINITY,
             _ => {}
@@ -90,7 +90,7 @@ pub(crate) fn cases(spec: &RigSpec, seed: u64, count: usize) -> Vec<Case> {
     cases
 }
 
-/// All joints in one place and at rest, so that `target` is where it is without rounding.
+/// Puts all joints in one place and at rest, so that `target` is not changed by rounding.
 fn still(case: &mut Case, target: [f64; 3]) {
     for link in &mut case.links {
         *link = Link { rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], translation: [0.0; 3] };
@@ -99,7 +99,7 @@ fn still(case: &mut Case, target: [f64; 3]) {
     case.target = target;
 }
 
-/// What the kernels take.
+/// Inputs of the kernels.
 struct Inputs<S> {
     links: Vec<[S; 12]>,
     target: [S; 3],
@@ -115,7 +115,7 @@ impl<S: Lane> Inputs<S> {
         }
     }
 
-    /// Side by side.
+    /// Gathers the inputs of several cases into lanes.
     fn gather<V: Lanes<Lane = S>>(lanes: &[Self]) -> Inputs<V> {
         let all = |of: &dyn Fn(&Self) -> S| V::gather(|lane| of(&lanes[lane]));
         let joints = 0..lanes[0].links.len();
@@ -127,7 +127,7 @@ impl<S: Lane> Inputs<S> {
     }
 }
 
-/// Every output of every kernel of `rig`, one after another.
+/// Returns every output of every kernel of `rig`, one after another.
 fn outputs<R: RequestedKernels, S: Scalar>(rig: &R, inputs: &Inputs<S>) -> Vec<S> {
     let Inputs { links, target, sin_cos } = inputs;
     let description = rig.description();
@@ -144,12 +144,12 @@ fn outputs<R: RequestedKernels, S: Scalar>(rig: &R, inputs: &Inputs<S>) -> Vec<S
     gradient
 }
 
-/// What kinds of lanes were compared.
+/// Numbers of compared lanes by kind.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Seen {
     /// Lanes in which a guard made everything zero.
     pub(crate) zero: usize,
-    /// Lanes with a number that is none, or infinite.
+    /// Lanes with NaN or infinity.
     pub(crate) wild: usize,
     /// All others.
     pub(crate) tame: usize,
@@ -166,10 +166,10 @@ impl std::ops::AddAssign for Seen {
     }
 }
 
-/// Compares every lane of what `in_lanes` gives for `cases` with what `in_scalars` gives for that case alone.
+/// Compares every lane of the outputs of `in_lanes` for `cases` with the outputs of `in_scalars` for that case alone.
 ///
 /// # Panics
-/// Where they differ.
+/// Panics if they differ.
 pub(crate) fn compare<V: Lanes>(
     name: &str,
     in_lanes: &impl RequestedKernels,

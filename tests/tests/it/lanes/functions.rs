@@ -1,5 +1,5 @@
-//! Differentiated functions in lanes against the companions of numbers, bit for bit: each takes other branches, guards and
-//! series in the lanes of one vector.
+//! Differentiated functions in lanes compared with their scalar companions, bit for bit. The lanes of one vector take
+//! different branches, guards and series.
 
 use aim::glam::{Affine3A, DVec3, Mat3, Quat, Vec2, Vec3};
 use aim::wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
@@ -20,7 +20,7 @@ mod functions {
         pub(super) turns: i32,
     }
 
-    /// Stretched, pressed or slack: three branches, a length and a whole number.
+    /// A spring that is stretched, compressed or slack: three branches, a length and a whole number.
     #[differentiate(wrt(place), hessian, hvp, lanes)]
     pub(super) fn spring(place: Vec3, spring: &Spring) -> f32 {
         let stretch = (place - spring.anchor).length() - spring.rest;
@@ -31,7 +31,7 @@ mod functions {
         0.5 * stiffness * stretch * stretch
     }
 
-    /// On manifolds, with rows of numbers, tuples and a transform.
+    /// A residual on a manifold, with rows of numbers, tuples and a transform.
     #[differentiate(wrt(tangent(turn), shift), gauss_newton, vjp, lanes)]
     pub(super) fn registered(
         turn: Quat,
@@ -43,13 +43,13 @@ mod functions {
         points.map(|point| normal.dot(base.transform_point3(turn * point + shift)) - offset)
     }
 
-    /// A vector by a vector, a matrix as an argument, and the limit at 0.
+    /// A vector function of a vector, with a matrix argument, and a limit at 0.
     #[differentiate(wrt(w), jvp, lanes)]
     pub(super) fn turned(w: Vec3, stretch: Mat3) -> Vec3 {
         stretch * (Quat::from_scaled_axis(w) * Vec3::new(1.0, 2.0, 0.5))
     }
 
-    /// Every function of the library.
+    /// Every elementary function.
     #[differentiate(wrt(x, y), lanes)]
     pub(super) fn called(x: f64, y: f64) -> (f64, DVec3) {
         let wave = x.sin() + y.cos() * (0.3 * x).tan();
@@ -58,7 +58,7 @@ mod functions {
         (wave, DVec3::new(bent, grown + y.tanh(), (x + 3.5).powf(y) + x.rem_euclid(1.5)))
     }
 
-    /// A sum of exponentials at its limits, and a loop that is left early.
+    /// A loop with an early exit, and a clamped length.
     #[differentiate(wrt(v), lanes)]
     pub(super) fn tracked(v: Vec2, steps: [f32; 3]) -> Vec2 {
         let mut at = v;
@@ -74,16 +74,16 @@ mod functions {
 
 use functions::Spring;
 
-/// A function's companions, flat: from its numbers to the outputs.
+/// A function's companions as maps from its numbers to their outputs.
 trait Function {
     type Number: Lane;
-    /// How many numbers it takes.
+    /// Number of numbers that the function takes.
     const NUMBERS: usize;
     fn alone(numbers: &[Self::Number]) -> Vec<Self::Number>;
     fn in_lanes<S: Real>(numbers: &[S]) -> Vec<S>;
 }
 
-/// The first numbers of those that are left.
+/// Takes the first numbers of the rest.
 fn take<S: Copy, const N: usize>(numbers: &mut &[S]) -> [S; N] {
     let (first, rest) = numbers.split_first_chunk().expect("as many as the function takes");
     *numbers = rest;
@@ -120,12 +120,12 @@ impl Function for InSpring {
     }
 }
 
-/// A `bool` of a number, as lanes have it.
+/// Returns 1 if the number is above 0, otherwise 0: a `bool` in lanes.
 fn truth<S: Real>(number: S) -> S {
     S::select_less(S::ZERO, number, S::constant(1.0), S::ZERO)
 }
 
-/// A whole number near it; 0 where that is far from 0 or none.
+/// Rounds down to a whole number; returns 0 if it is far from 0 or NaN.
 fn whole<S: Real>(number: S) -> S {
     let below = S::select_less(number, S::constant(4.0), number.floor(), S::ZERO);
     S::select_less(S::constant(-4.0), number, below, S::ZERO)
@@ -170,7 +170,7 @@ impl Function for InTurned {
         let (w, stretch) = (vector(&mut n), Mat3::from_cols_array(&take(&mut n)));
         let (value, (by,)) = functions::turned_jacobian(w, stretch);
         let (again, along) = functions::turned_jvp(w, stretch, vector(&mut n));
-        // In lanes the derivatives are rows.
+        // In lanes the Jacobian is stored by rows.
         [value, again, along].map(|v| v.to_array()).concat().into_iter().chain(by.transpose().to_cols_array()).collect()
     }
 
@@ -216,7 +216,7 @@ impl Function for InTracked {
     }
 }
 
-/// Numbers of all sizes, and those at which formulas end.
+/// Returns a random number of any size, or a special one at which formulas break down.
 fn number<S: Lane>(random: &mut Random) -> S {
     S::rounded(match random.below(12) {
         0 | 1 => 0.0,
@@ -227,7 +227,7 @@ fn number<S: Lane>(random: &mut Random) -> S {
     })
 }
 
-/// Compares every lane; how many vectors held lanes of which some are 0 in an output where others are not.
+/// Compares every lane, and returns the number of vectors in which an output is 0 in some lanes only.
 fn compare<F: Function, V: Lanes<Lane = F::Number> + Real>(count: usize) -> usize {
     let mut random = Random::new(11);
     let mut mixed = 0;

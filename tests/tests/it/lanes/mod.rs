@@ -1,4 +1,4 @@
-//! Vectors of `wide` in place of scalars: a character a lane, each exactly as if it were alone.
+//! Vectors of `wide` in place of scalars: one character per lane, each exactly as if computed alone.
 
 pub(crate) mod cases;
 mod functions;
@@ -12,7 +12,7 @@ use aim_tests::rigs;
 use self::cases::{Lane, Lanes, Seen, cases, compare};
 use crate::emitted;
 
-/// The paper's rig, asked for its kernels.
+/// The paper's rig, with all generic kernels.
 #[derive(AimRig)]
 #[aim(axes(up = +X, forward = +Y, left = +Z), kernels(aim_gradient, chain_value_gradient, chain_residual_jacobian))]
 struct Thug {
@@ -26,12 +26,12 @@ struct Thug {
 
 aim_tests::requested_kernels!(Thug);
 
-/// Guards were taken in some lanes of a vector, and not in others.
+/// Asserts that guards were taken in some lanes of a vector and not in others.
 fn assert_mixed(seen: Seen) {
     assert!(seen.zero > 20 && seen.wild > 20 && seen.tame > 100 && seen.mixed > 20, "{seen:?}");
 }
 
-/// One vector alone, because a rig in each of them takes long to compile.
+/// Uses one vector type only, because compiling every rig for each type takes long.
 #[test]
 fn every_lane_of_every_rig_is_the_scalar_kernel() {
     let mut seen = Seen::default();
@@ -64,7 +64,7 @@ fn every_lane_is_the_scalar_kernel_in_every_vector() {
     check::<f64x8>();
 }
 
-/// The edges of a format's range, and then any bits at all.
+/// Returns numbers at the limits of a format's range, then numbers with random bits.
 fn numbers<S: Lane>() -> Vec<S> {
     const EDGES: [f64; 9] = [0.0, 1e-320, 1e-42, 1.1e-19, 1.5e-154, 1.0, 1e30, f64::INFINITY, f64::NAN];
     let mut random = Random::new(3);
@@ -85,7 +85,7 @@ fn every_operation_is_the_scalar_one_in_each_lane() {
             }
         };
         for start in 0..numbers.len() {
-            // Each number meets each of the others in some lane.
+            // Each number is combined with each other in some lane.
             for step in 0..numbers.len() {
                 let (x, y) = (|lane| at(start + lane), |lane| at(start + step + lane));
                 let (a, b) = (V::gather(x), V::gather(y));
@@ -116,7 +116,7 @@ fn every_operation_is_the_scalar_one_in_each_lane() {
 fn a_target_on_the_effector_stays_in_its_lane() {
     let [zero, one] = [0.0, 1.0].map(f32x8::constant);
     let link = [one, zero, zero, zero, one, zero, zero, zero, one, zero, zero, zero];
-    // +Y is forward; lane 5 looks at itself.
+    // +Y is forward; in lane 5 the target is on the effector.
     let ahead = f32x8::new([2.0, 2.0, 2.0, 2.0, 2.0, 0.0, 2.0, 2.0]);
     let [aim, ..] = Thug::aim_gradient(0, &link, &[zero, ahead, zero], &[zero, one, zero, one]);
     assert_eq!(aim.to_array(), [1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0]);

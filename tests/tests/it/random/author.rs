@@ -1,4 +1,4 @@
-//! Writes functions at random.
+//! Generates random functions.
 
 use fastrand::Rng;
 
@@ -6,16 +6,16 @@ use super::language::{Condition, Expression, Index, KINDS, Kind, Leave, Statemen
 
 use Expression as E;
 
-/// Writes functions.
+/// A generator of random functions.
 pub(super) struct Author {
     random: Rng,
-    /// Nothing but what is exact modulo a prime.
+    /// `true` to use only operations that are exact modulo a prime.
     is_rational: bool,
     known: [usize; 3],
-    /// Each loop around what is being written.
+    /// The enclosing loops: number and kind.
     loops: Vec<(usize, Way)>,
     all_loops: usize,
-    /// The number of statements that may follow.
+    /// Number of statements that may still be written.
     left: usize,
 }
 
@@ -25,14 +25,14 @@ impl Author {
         Self { random, is_rational, known: [2, 2, 1], loops: Vec::new(), all_loops: 0, left: 9 }
     }
 
-    /// The same of functions of at most so many statements, of which the result is one more.
+    /// Limits the functions to this number of statements, before the result.
     pub(super) fn of_at_most(self, left: usize) -> Self {
         Self { left, ..self }
     }
 
     pub(super) fn function(mut self) -> Written {
         let mut body = self.statements(2..6);
-        // What came last is used.
+        // Use the last variable of each kind.
         let result = self.expression(Kind::Number, 3);
         let sum = KINDS.map(|kind| E::Variable(kind, self.known[kind as usize] - 1));
         let [number, vector, matrix] = sum;
@@ -62,7 +62,7 @@ impl Author {
     fn statement(&mut self) -> Statement {
         let kind = KINDS[self.random.usize(..3)];
         let place = self.random.usize(..self.known[kind as usize]);
-        // Two loops deep at most.
+        // Nest at most two loops.
         match self.random.u8(..if self.loops.len() < 2 { 13 } else { 8 }) {
             0 | 1 => self.declaration(kind),
             2 => Statement::Set(kind, place, self.expression(kind, 3)),
@@ -93,7 +93,7 @@ impl Author {
         [self.expression(Kind::Number, 2), self.expression(Kind::Number, 1)]
     }
 
-    /// Where nothing is compared, only what a counter decides.
+    /// Writes an exit from a loop. Rational functions compare nothing, so only a counter decides there.
     fn leave(&mut self) -> Option<Statement> {
         let &(number, way) = self.loops.last()?;
         let condition = match way {
@@ -105,7 +105,7 @@ impl Author {
         };
         let leave = match self.random.u8(..5) {
             0 | 1 => Leave::Break,
-            // It would leave out what a `while` counts by.
+            // A `continue` would skip the counter of a `while` loop.
             2 | 3 if way != Way::While => Leave::Continue,
             _ => Leave::Return(self.expression(Kind::Number, 2)),
         };
@@ -114,7 +114,7 @@ impl Author {
 
     fn index(&mut self) -> Index {
         match self.loops.last() {
-            // It is below 3.
+            // The counter is below 3.
             Some((number, Way::Up | Way::Down | Way::While)) if self.random.bool() => Index::Counter(*number),
             _ => Index::Constant(self.random.usize(..3)),
         }

@@ -1,4 +1,4 @@
-//! Numbers with a derivative, over any numbers.
+//! Dual numbers over any number type.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

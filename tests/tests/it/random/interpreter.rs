@@ -1,4 +1,4 @@
-//! The meaning of a function: an interpreter of what was written, over any numbers.
+//! The reference: an interpreter of the generated functions, over any number type.
 
 use std::ops::ControlFlow::{self, Break, Continue};
 
@@ -10,7 +10,7 @@ use super::language::{Condition, Expression, Index, Leave, Statement, Way, Writt
 
 use Expression as E;
 
-/// A value of each kind; matrices by their columns.
+/// A value of each kind; matrices are stored by columns.
 #[derive(Clone, Copy, Debug)]
 enum Value<T> {
     Number(T),
@@ -36,7 +36,7 @@ impl<T: Number> Value<T> {
         value
     }
 
-    /// Element by element.
+    /// Combines two values element by element.
     fn with(self, other: Self, op: impl Fn(T, T) -> T) -> Self {
         let both = |a: [T; 3], b: [T; 3]| std::array::from_fn(|i| op(a[i], b[i]));
         match (self, other) {
@@ -68,7 +68,8 @@ fn image<T: Number>(columns: [[T; 3]; 3], v: [T; 3]) -> [T; 3] {
     sum(sum(scaled(v[0], columns[0]), scaled(v[1], columns[1])), scaled(v[2], columns[2]))
 }
 
-/// A point where a function is evaluated: its arguments, and the step of its rotation, which is 0 but for its slope.
+/// A point at which a function is evaluated: its arguments, and the step of its rotation, whose value is 0 and which
+/// only has a slope.
 #[derive(Clone, Debug)]
 pub(super) struct Point<T> {
     x: T,
@@ -89,14 +90,14 @@ impl<T: Number> Point<T> {
         let matrix = std::array::from_fn(|_| three());
         let [x, y, a] = three();
         let [b, c, d] = three();
-        // The square of a quaternion over its square's length.
+        // The square of a quaternion, divided by its squared length: a unit quaternion with rational components.
         let two = T::constant(2.0);
         let length = a * a + b * b + c * c + d * d;
         let turn = [two * a * b, two * a * c, two * a * d, a * a - b * b - c * c - d * d].map(|part| part / length);
         Self { x, y, u, w, matrix, turn, table, step: [T::constant(0.0); 3] }
     }
 
-    /// In the order of the arguments.
+    /// Returns the inputs in the order of the arguments.
     pub(super) fn inputs(&self) -> Vec<T> {
         let mut inputs = vec![self.x, self.y];
         inputs.extend(
@@ -105,7 +106,8 @@ impl<T: Number> Point<T> {
         inputs
     }
 
-    /// The same point moving with a variable: x, a component of u, or of the tangent of the rotation.
+    /// Returns the point as dual numbers that vary with one variable: x, a component of u, or of the rotation's
+    /// tangent.
     pub(super) fn moving(&self, variable: usize) -> Point<Dual<T>> {
         let dual = Dual::fixed;
         let slope = |at: usize, value: T| Dual { value, slope: T::constant(if at == variable { 1.0 } else { 0.0 }) };
@@ -123,10 +125,10 @@ impl<T: Number> Point<T> {
     }
 }
 
-/// The number of variables that derivatives are taken by.
+/// Number of variables of the derivatives.
 pub(super) const VARIABLES: usize = 7;
 
-/// A round of a loop.
+/// An iteration of a loop.
 #[derive(Clone, Copy)]
 struct Round<T> {
     number: usize,
@@ -134,7 +136,7 @@ struct Round<T> {
     element: T,
 }
 
-/// What ends a block before its end.
+/// The reason why a block ends early.
 enum Left<T> {
     Round,
     Loop,
@@ -146,9 +148,9 @@ struct Run<'p, T> {
     point: &'p Point<T>,
     variables: [Vec<Value<T>>; 3],
     table: [T; 3],
-    /// The counter of each loop around, or the element that it has come to.
+    /// The iteration of each enclosing loop: its counter or its current element.
     rounds: Vec<Round<T>>,
-    /// True while no comparison was too close to call.
+    /// `true` as long as no comparison was too close to decide.
     is_clear: bool,
     compare: fn(T, T) -> Option<bool>,
 }
@@ -214,7 +216,7 @@ impl<T: Number> Run<'_, T> {
                 V::Number(dot(a, cross(b, c)))
             }
             E::Turned(of) => {
-                // v + 2 w (t × v) + 2 t × (t × v), the step first: v + step × v.
+                // v + 2 w (t × v) + 2 t × (t × v), after the step: v + step × v.
                 let v = vector(of);
                 let v = sum(v, cross(self.point.step, v));
                 let [x, y, z, w] = self.point.turn;
@@ -225,7 +227,7 @@ impl<T: Number> Run<'_, T> {
         }
     }
 
-    /// Variables declared in a block end with it.
+    /// Runs a block; variables declared in it end with it.
     fn block(&mut self, statements: &[Statement]) -> ControlFlow<Left<T>> {
         let known = self.variables.each_ref().map(Vec::len);
         let end = statements.iter().try_for_each(|statement| self.step(statement));
@@ -293,7 +295,7 @@ impl<T: Number> Run<'_, T> {
 }
 
 impl Written {
-    /// The result at a point; `None` if a comparison was too close to call.
+    /// Returns the result at a point; `None` if a comparison was too close to decide.
     pub(super) fn result<T: Number>(&self, point: &Point<T>, compare: fn(T, T) -> Option<bool>) -> Option<T> {
         let variables = [
             vec![V::Number(point.x), V::Number(point.y)],

@@ -1,4 +1,4 @@
-//! The functions that are written: an expression or a statement of Rust each.
+//! The language of the generated functions: expressions and statements of Rust.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -13,7 +13,7 @@ pub(super) enum Kind {
 pub(super) const KINDS: [Kind; 3] = [Kind::Number, Kind::Vector, Kind::Matrix];
 
 impl Kind {
-    /// The beginning of its variables' names, before their numbers.
+    /// Returns the first letter of its variables' names.
     fn letter(self) -> char {
         ['n', 'v', 'm'][self as usize]
     }
@@ -23,15 +23,16 @@ impl Kind {
 pub(super) enum Expression {
     Constant(f64),
     Variable(Kind, usize),
-    /// The counter of the loop of this number around it, or the element that it has come to.
+    /// The counter of the enclosing loop with this number, or its current element.
     Counter(usize),
     Item(usize),
-    /// Of the array.
+    /// An element of the array.
     Element(Index),
     Sum(Box<[Self; 2]>),
     Difference(Box<[Self; 2]>),
     Negative(Box<Self>),
-    /// Products that glam writes as `a * b`: of numbers, of a number and a vector or a matrix, of matrices, of a matrix and a vector.
+    /// Products `a * b` of glam: of numbers, of a number and a vector or a matrix, of matrices, of a matrix and a
+    /// vector.
     Product(Box<[Self; 2]>),
     /// a / (b² + 1)
     Ratio(Box<[Self; 2]>),
@@ -46,32 +47,32 @@ pub(super) enum Expression {
     Columns(Box<[Self; 3]>),
     Transpose(Box<Self>),
     Determinant(Box<Self>),
-    /// A vector turned by the rotation.
+    /// A vector rotated by the rotation.
     Turned(Box<Self>),
 }
 
-/// A place in the array.
+/// An index into the array.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Index {
     Constant(usize),
-    /// The counter of the loop of this number around it.
+    /// The counter of the enclosing loop with this number.
     Counter(usize),
 }
 
-/// The way in which a loop goes on.
+/// The kind of a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Way {
     /// `for i in 0..count`
     Up,
     /// `for i in (0..count).rev()`
     Down,
-    /// `while i < count`, with its own number
+    /// `while i < count`, with a counter of its own
     While,
-    /// `for e in` the array as it is before
+    /// `for e in` the array, as it is before the loop
     Each,
 }
 
-/// What is left where a condition holds.
+/// The exit that is taken if a condition holds.
 #[derive(Clone, Debug)]
 pub(super) enum Leave {
     Break,
@@ -82,7 +83,7 @@ pub(super) enum Leave {
 #[derive(Clone, Debug)]
 pub(super) enum Condition {
     Less([Expression; 2]),
-    /// The counter of the loop of this number around it is so much.
+    /// The counter of the enclosing loop with this number has this value.
     Is(usize, u8),
 }
 
@@ -91,7 +92,7 @@ pub(super) enum Statement {
     Let(Kind, Expression),
     Set(Kind, usize, Expression),
     Increase(Kind, usize, Expression),
-    /// To an element of the array.
+    /// Adds to an element of the array.
     Add(Index, Expression),
     Loop {
         count: u8,
@@ -153,7 +154,7 @@ impl Display for Expression {
     }
 }
 
-/// A function with its result.
+/// A generated function: statements and a result.
 #[derive(Clone, Debug)]
 pub(super) struct Written {
     pub(super) body: Vec<Statement>,

@@ -1,6 +1,6 @@
-//! Random functions in Rust, with loops and ways out of them, branches, arrays, vectors, matrices and a rotation that varies on its manifold:
-//! values and derivatives against an interpreter of what was written, by dual numbers; modulo a prime, where equal is
-//! equal, if nothing in them is a root, a sine or a comparison.
+//! Random functions in Rust with loops and early exits, branches, arrays, vectors, matrices and a rotation that varies
+//! on its manifold. Values and derivatives are compared with an interpreter of the same function, run on dual numbers.
+//! Functions without roots, sines and comparisons are compared modulo a prime, where equality is exact.
 
 mod author;
 mod dual;
@@ -20,12 +20,13 @@ use language::Written;
 use modulo::{Modulo, PRIME};
 use rounded::Rounded;
 
-/// Functions of each kind: those that a search derives, as in earnest, and short ones that are derived at once, of both of which
-/// `.ci/thorough` takes five times as many, optimised.
+/// Number of functions that are derived with the search, as in normal use. `.ci/thorough` takes five times as many,
+/// optimised.
 const CASES: u64 = if cfg!(debug_assertions) { 400 } else { 2000 };
+/// Number of short functions that are derived at once, without the search.
 const SHORT_CASES: u64 = if cfg!(debug_assertions) { 10_000 } else { 50_000 };
 
-/// The way in which a function is derived; its program gives the value, then the gradient.
+/// The way in which a function is derived. The program gives the value, then the gradient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Derive {
     Searching,
@@ -38,7 +39,7 @@ impl Derive {
         if in_full() { all } else { all / if self == Self::Searching { 5 } else { 20 } }
     }
 
-    /// A function and its derivatives.
+    /// Generates a function and derives it.
     fn written(self, seed: u64, is_rational: bool) -> (Written, Differentiated) {
         let author = Author::new(seed, is_rational);
         let written = if self == Self::Searching { author } else { author.of_at_most(3) }.function();
@@ -61,7 +62,7 @@ fn are_exact_modulo_a_prime(derive: Derive) {
         derived.procedures()[0].program.run(&point.inputs(), &mut found);
         let along = |variable| written.result(&point.moving(variable), |_, _| None).expect("nothing is compared");
         let expected: Vec<_> = [along(0).value].into_iter().chain((0..VARIABLES).map(|v| along(v).slope)).collect();
-        // A constant that the program comes with may be no fraction of powers of two.
+        // A constant that the derivation introduces may not be a dyadic fraction.
         if found.iter().all(|found| found.0.is_some()) {
             assert_eq!(found.as_slice(), expected, "seed {seed}:\n{written}");
             judged += 1;
@@ -96,7 +97,7 @@ fn agree_with_dual_numbers(derive: Derive) {
         let Some(along) = along else { continue };
         let expected = [along[0].value].into_iter().chain(along.iter().map(|along| along.slope));
         for (i, (found, expected)) in found.into_iter().zip(expected).enumerate() {
-            // Beyond this, numbers have run away: nothing can be said of what is left of them.
+            // Beyond this size, the result is dominated by rounding errors.
             if !expected.size.is_finite() || expected.size > 1e6 * (1.0 + expected.value.abs()) {
                 continue;
             }
@@ -108,7 +109,7 @@ fn agree_with_dual_numbers(derive: Derive) {
             );
         }
     }
-    // The others' numbers, or a comparison too close to call.
+    // The remaining outputs were too large, or a comparison was too close to decide.
     assert!(judged > derive.cases() * 5, "{judged} outputs of {} functions", derive.cases());
 }
 

@@ -1,11 +1,12 @@
-//! Exact numbers: modulo a prime, two rational functions that differ agree at a random point by chance once in 2⁶¹ over
-//! their degree.
+//! Exact arithmetic modulo a prime: two different rational functions agree at a random point with a probability of
+//! about their degree over 2⁶¹.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use aim_symbolic::Number;
 
-/// An element of the field of 2⁶¹ − 1 elements; `None` for what is no fraction of powers of two, or divided by 0.
+/// An element of the field of 2⁶¹ − 1 elements; `None` for a number that is no dyadic fraction, or after a division by
+/// 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Modulo(pub(super) Option<u64>);
 
@@ -15,7 +16,7 @@ fn times(a: u64, b: u64) -> u64 {
     u64::try_from(u128::from(a) * u128::from(b) % u128::from(PRIME)).expect("a remainder")
 }
 
-/// 1 / a, by Fermat: a^(p − 2).
+/// Returns 1 / a by Fermat's little theorem: a^(p − 2).
 fn inverse(mut a: u64) -> u64 {
     let (mut left, mut product) = (PRIME - 2, 1);
     while left > 0 {

@@ -1,10 +1,10 @@
-//! Doubles that know how large what they were made of is.
+//! Doubles that track the size of their terms.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use aim_symbolic::{Function, Number};
 
-/// A number, and the sum of the sizes of what was added up to it: what its rounding error is a small part of.
+/// A number, and the sum of the magnitudes of its terms, to which its rounding error is proportional.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rounded {
     pub(super) value: f64,

@@ -1,4 +1,4 @@
-//! The same by other formulas, where there are some.
+//! The same functions with dual numbers, by other formulas where some exist.
 
 use aim_objectives::dual::{Number, Vector};
 
@@ -32,7 +32,7 @@ pub(super) fn clouds<D: Number>(
     terms.sum()
 }
 
-/// u and w of the product of two turns, and so of its quaternion.
+/// Returns u and w of the quaternion of a product of two rotations.
 fn product<D: Number>((u, w): (Vector<D>, D), (v, x): (Vector<D>, D)) -> (Vector<D>, D) {
     (v.times(w) + u.times(x) + u.cross(v), w * x - u.dot(v))
 }
@@ -65,7 +65,7 @@ pub(super) fn neo_hookean<D: Number>(corners: [Vector<D>; 4], rest: [Vector<D>; 
 
 pub(super) fn bending<D: Number>(edge: [Vector<D>; 2], wings: [Vector<D>; 2], rest: D) -> D {
     let axis = edge[1] - edge[0];
-    // The wings without what is along the edge.
+    // The wings' components perpendicular to the edge.
     let across = |v: Vector<D>| v - axis.times(v.dot(axis) / axis.dot(axis));
     let [v, w] = [across(wings[0] - edge[0]), across(wings[1] - edge[0])];
     let angle = (v.cross(w).dot(axis) / axis.length()).atan2(v.dot(w));
@@ -141,7 +141,7 @@ pub(super) fn lane<D: Number>(steering: [D; 4], push: [D; 4], obstacles: [[D; 3]
     cost
 }
 
-/// The accelerations by Cramer's rule, of 2 a″ + b″ cos = …, a″ cos + b″ = ….
+/// Solves for the accelerations by Cramer's rule: 2 a″ + b″ cos = …, a″ cos + b″ = ….
 fn rates<D: Number>([a, b, va, vb]: [D; 4]) -> [D; 4] {
     let (sin, cos) = ((a - b).sin(), (a - b).cos());
     let (first, second) = (-sin * vb * vb - a.sin() * 19.6, sin * va * va - b.sin() * 9.8);

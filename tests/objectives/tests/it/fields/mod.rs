@@ -1,5 +1,5 @@
-//! Objectives of six fields as they are first written: bundle adjustment, registration, elasticity, rendering, control and
-//! molecular models.
+//! Objectives of several fields in their first, unoptimised form: bundle adjustment, registration, elasticity,
+//! rendering, control, molecular models and others.
 
 mod dual;
 
@@ -19,7 +19,7 @@ macro_rules! objectives {
             }
 
             impl Lens {
-                /// Brown's model.
+                /// Brown's model of lens distortion.
                 fn distort(&self, x: $real, y: $real) -> [$real; 2] {
                     let r2 = x * x + y * y;
                     let mut radial = 1.0;
@@ -38,7 +38,7 @@ macro_rules! objectives {
 
             const EYES: [$vec3; 2] = [<$vec3>::new(-0.1, 0.0, 0.0), <$vec3>::new(0.1, 0.02, 0.0)];
 
-            /// Bundle adjustment: a point in both pictures of a stereo camera.
+            /// Bundle adjustment: a point in both images of a stereo camera.
             #[differentiate(wrt(turn, shift, lens))]
             pub(super) fn stereo(turn: $vec3, shift: $vec3, lens: [$real; 4], point: $vec3) -> [$real; 4] {
                 let [k1, k2, p1, p2] = lens;
@@ -54,12 +54,12 @@ macro_rules! objectives {
                 pixels
             }
 
-            /// Of what is far off the less.
+            /// A robust loss that saturates for distant points.
             fn robust(square: $real, width: $real) -> $real {
                 square / (square + width * width)
             }
 
-            /// Registration: two clouds of points, by what is far off the less.
+            /// Registration: two point clouds with a robust loss.
             #[differentiate(wrt(turn, shift))]
             pub(super) fn clouds(
                 turn: $vec3,
@@ -73,7 +73,7 @@ macro_rules! objectives {
                 terms.map(|(p, q)| robust((rotation * *p + shift - q).length_squared(), width)).sum::<$real>() / 3.0
             }
 
-            /// Registration: an edge of a graph of poses, as a turn and a shift in the first one's frame.
+            /// Registration: an edge of a pose graph, as a rotation and a shift in the first pose's frame.
             #[differentiate(wrt(from, at, to, there))]
             pub(super) fn pose_edge(
                 from: $vec3,
@@ -88,7 +88,7 @@ macro_rules! objectives {
                 ((turn.inverse() * back * to).to_scaled_axis(), back * (there - at) - shift)
             }
 
-            /// Elasticity: a tetrahedron of rubber that resists being turned inside out.
+            /// Elasticity: a tetrahedron of rubber that resists inversion.
             #[differentiate(wrt(corners))]
             pub(super) fn neo_hookean(corners: [$vec3; 4], rest: $mat3, mu: $real, lambda: $real) -> $real {
                 let [a, b, c, d] = corners;
@@ -105,7 +105,7 @@ macro_rules! objectives {
                 (b - a).cross(c - a).normalize()
             }
 
-            /// Elasticity: two triangles of a shell, bent about the edge that they share.
+            /// Elasticity: two triangles of a shell, bent about their common edge.
             #[differentiate(wrt(edge, wings))]
             pub(super) fn bending(edge: [$vec3; 2], wings: [$vec3; 2], rest: $real) -> $real {
                 let axis = edge[1] - edge[0];
@@ -120,7 +120,7 @@ macro_rules! objectives {
                 a.min(b) - 0.25 * h * h * width
             }
 
-            /// Rendering: the distance from limbs that are capsules, melted into each other.
+            /// Rendering: the distance from limbs made of capsules, smoothly joined.
             #[differentiate(wrt(p))]
             pub(super) fn limbs(p: $vec3, joints: [$vec3; 4], radius: $real, width: $real) -> $real {
                 let mut distance = <$real>::MAX;
@@ -133,7 +133,7 @@ macro_rules! objectives {
                 distance
             }
 
-            /// Rendering: what a rough metal reflects, after Cook and Torrance.
+            /// Rendering: the reflection of a rough metal, after Cook and Torrance.
             #[differentiate(wrt(normal, roughness))]
             pub(super) fn metal(normal: $vec3, roughness: $real, light: $vec3, eye: $vec3) -> $real {
                 let (n, l, v) = (normal.normalize(), light.normalize(), eye.normalize());
@@ -182,7 +182,7 @@ macro_rules! objectives {
                 }
             }
 
-            /// Control: how well a car keeps to its lane beside what stands there.
+            /// Control: the cost of keeping a car in its lane while avoiding obstacles.
             #[differentiate(wrt(steering, push))]
             pub(super) fn lane(steering: [$real; 4], push: [$real; 4], obstacles: [[$real; 3]; 2]) -> $real {
                 let mut car = Car { x: 0.0, y: 0.0, heading: 0.1, speed: 5.0 };
@@ -197,7 +197,7 @@ macro_rules! objectives {
                 cost
             }
 
-            /// The rates of a double pendulum.
+            /// Rates of change of a double pendulum's state.
             fn rates([a, b, va, vb]: [$real; 4]) -> [$real; 4] {
                 let (sin, cos) = (a - b).sin_cos();
                 let below = 2.0 - cos * cos;
@@ -217,7 +217,7 @@ macro_rules! objectives {
                 moved
             }
 
-            /// Control: a step of a double pendulum, after Runge and Kutta.
+            /// Control: a Runge–Kutta step of a double pendulum.
             #[differentiate(wrt(state))]
             pub(super) fn pendulum(state: [$real; 4], dt: $real) -> [$real; 4] {
                 let k1 = rates(state);
@@ -227,7 +227,7 @@ macro_rules! objectives {
                 core::array::from_fn(|i| state[i] + dt / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
             }
 
-            /// Molecular models: a molecule of water, by its bonds and the angle between them.
+            /// Molecular models: the energy of a water molecule, from its bonds and the angle between them.
             #[differentiate(wrt(atoms))]
             pub(super) fn water(atoms: [$vec3; 3], stiffness: [$real; 2]) -> $real {
                 let [oxygen, hydrogens @ ..] = atoms;
@@ -239,7 +239,7 @@ macro_rules! objectives {
                 energy + 0.5 * stiffness[1] * (bonds[0].angle_between(bonds[1]) - 1.82).powi(2)
             }
 
-            /// Molecular models: charges in salt water, as Debye and Hückel screen them.
+            /// Molecular models: charges in salt water with Debye–Hückel screening.
             #[differentiate(wrt(ions, screening))]
             pub(super) fn charges(ions: [$vec3; 3], screening: $real, charges: [$real; 3]) -> $real {
                 let mut energy = 0.0;
@@ -252,7 +252,7 @@ macro_rules! objectives {
                 energy
             }
 
-            /// Mechanics: a place on an orbit, by five rounds of Newton's for Kepler's equation.
+            /// Mechanics: a position on an orbit, by five Newton steps for Kepler's equation.
             #[differentiate(wrt(anomaly, eccentricity))]
             pub(super) fn orbit(anomaly: $real, eccentricity: $real) -> [$real; 2] {
                 let mut e = anomaly;
@@ -262,7 +262,7 @@ macro_rules! objectives {
                 [e.cos() - eccentricity, (1.0 - eccentricity * eccentricity).sqrt() * e.sin()]
             }
 
-            /// Drawing: a point of a curve, after de Casteljau.
+            /// Drawing: a point of a Bézier curve, by de Casteljau's algorithm.
             #[differentiate(wrt(points, t))]
             pub(super) fn curve(points: [$vec3; 4], t: $real) -> $vec3 {
                 let mut points = points;
@@ -313,7 +313,8 @@ fn clouds_of_points() {
     check!(clouds clouds_gradient: |r: &mut Random| {
         [r.vector(0.1..2.0), r.numbers(3, -0.5..0.5), r.numbers(18, -1.0..1.0), r.numbers(1, 0.5..1.5)].concat()
     });
-    // Not turned, of points that are each 1 above theirs: ∂ρ = 2 w² d / (d² + w²)² of d, by the turn d × … of the points' mean.
+    // Unrotated, with each point 1 above its counterpart: ∂ρ/∂d = 2 w² d / (d² + w²)², and the derivative by the
+    // rotation is the mean of p × ∂ρ/∂d.
     let scan = [[1.0, 0.0, 1.0], [0.0, 2.0, 1.0], [0.5, 0.25, 1.0]];
     let model = scan.map(|[x, y, _]| [x, y, 0.0]);
     let at = [vec![0.0; 6], scan.concat(), model.concat(), vec![1.0]].concat();
@@ -329,7 +330,7 @@ fn edge_of_a_graph_of_poses() {
         [turns, r.vector(0.1..1.0), r.numbers(3, -1.0..1.0)].concat()
     };
     check!(pose_edge by rows pose_edge_jacobian(a, b, c, d, e, f): sample);
-    // All at the origin and not turned: what was measured is met, and either end moves it by just as much.
+    // With everything at the origin and unrotated, the residual is 0 and its derivatives are ±1.
     let mut expected = vec![0.0; 72];
     for (variable, sign) in [(0, -1.0), (3, -1.0), (6, 1.0), (9, 1.0)] {
         for k in 0..3 {
@@ -386,7 +387,7 @@ fn melted_limbs() {
             && capsules.iter().all(|&(d, s)| d > 0.1 && s.abs() > 0.01 && (s - 1.0).abs() > 0.01)
     };
     check!(limbs limbs_gradient: |r: &mut Random| r.until(sample, keep));
-    // On a bone there is no way out that is the shortest: 0.
+    // On a bone no direction leads away fastest: the derivative is 0.
     let on = [vec![0.5, 0.0, 0.0], vec![0.0; 3], vec![1.0, 0.0, 0.0, 9.0, 9.0, 0.0, 9.0, 0.0, 9.0], vec![0.2, 0.25]];
     singular(&on.concat(), double::limbs, double::limbs_gradient, single::limbs_gradient, &[0.0; 3]);
 }
@@ -431,7 +432,7 @@ fn molecule_of_water() {
         [moved, r.numbers(2, 0.5..2.0)].concat()
     };
     check!(water water_gradient: sample);
-    // Stretched out, of bonds as long as at rest: which way it is bent is open, and the derivative 0.
+    // Straight, with bonds at their rest lengths: the bending direction is undefined, and the derivative is 0.
     let straight = [0.0, 0.0, 0.0, 0.96, 0.0, 0.0, -0.96, 0.0, 0.0, 1.0, 1.0];
     singular(&straight, double::water, double::water_gradient, single::water_gradient, &[0.0; 9]);
 }
