@@ -127,12 +127,23 @@ impl Search {
         for &v in &self.order {
             let (Op::Sqrt(a) | Op::Div(_, a)) = self.ops[v.index()] else { continue };
             for factor in self.factors(a) {
-                if matches!(self.ops[factor.index()], Op::Add(..) | Op::Sub(..)) && !sums.contains(&factor) {
+                let is_sum = matches!(self.ops[factor.index()], Op::Add(..) | Op::Sub(..));
+                if is_sum && !self.is_square(factor) && !sums.contains(&factor) {
                     sums.push(factor);
                 }
             }
         }
         sums
+    }
+
+    /// Returns `true` for sums of squares, which lose no digits.
+    fn is_square(&self, v: Value) -> bool {
+        match self.ops[v.index()] {
+            Op::Mul(a, b) => a == b,
+            Op::Add(a, b) => self.is_square(a) && self.is_square(b),
+            Op::Constant(constant) => constant.value() >= 0.0,
+            _ => false,
+        }
     }
 
     /// Returns a zero of a sum along one of its inputs, by the secant method from `start`: the input and its value there.
