@@ -2,9 +2,9 @@
 
 /// A constant of the number type `N` of the function that reads it.
 #[diagnostic::on_unimplemented(
-    message = "`#[differentiate]` reads constants of type `{N}` from outside, and this one is a `{Self}`",
-    label = "of type `{Self}`",
-    note = "write its `const` inside of the function, or beside it in a `#[differentiate] mod m {{ … }}`, where its value is seen"
+    message = "`#[differentiate]` can only read constants of type `{N}` from elsewhere, found `{Self}`",
+    label = "has type `{Self}`",
+    note = "define the `const` inside the function, or next to it in a `#[differentiate] mod m {{ … }}`"
 )]
 pub trait NumberConstant<N> {
     /// Its value.

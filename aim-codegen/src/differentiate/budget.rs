@@ -26,7 +26,7 @@ type Counted = (&'static str, fn(&Count) -> usize);
 const KINDS: [Counted; 3] = [
     ("operations", Count::total),
     ("comparisons and selects", |count| count.select),
-    ("calls of functions", |count| count.call),
+    ("function calls", |count| count.call),
 ];
 
 impl Budget {

@@ -93,7 +93,7 @@ fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
     let number = |text: &str| {
         // Infinities and NaN have no digits.
         let special = || text.parse().ok().map(|value| Number::plain(text, value));
-        literal::number(text).or_else(special).map_or(Kind::Other("a number out of reach"), Kind::Number)
+        literal::number(text).or_else(special).map_or(Kind::Other("a number out of range"), Kind::Number)
     };
     let kind = match value.get_ref() {
         // Names are plain strings; any other string is parsed by its own syntax.

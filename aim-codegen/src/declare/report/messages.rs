@@ -37,8 +37,8 @@ messages! {
 
     not_literal(key: &str, expected: Expected, found: &str, notation: Notation)
         where words = expected.words, example = expected.example(key, notation), reason = notation.pick(
-            "a derive macro sees tokens before they have values: write a literal",
-            "a declaration holds literals only: write one",
+            "a derive macro cannot evaluate expressions: write a literal",
+            "only literals are allowed: write one",
         ) =>
         "`{key}` needs {words}, found {found}",
         "{reason}, as in `{example}`";
@@ -53,21 +53,21 @@ messages! {
         "write `{literal}` without quotes";
 
     no_value(key: &str, expected: Expected, notation: Notation) where example = expected.example(key, notation) =>
-        "`{key}` has no value",
+        "`{key}` needs a value",
         "write it as in `{example}`";
 
     stray(found: &str) =>
-        "expected a setting's name, found `{found}`",
+        "expected the name of a setting, found `{found}`",
         "settings are written `name = value`, with commas between them";
 
     stray_option(found: &str) =>
-        "expected an option's name, found `{found}`",
-        "write `#[differentiate(wrt(p, h), budget = 46, hessian, crate = ::aim)]`, of which `wrt` is needed";
+        "expected the name of an option, found `{found}`",
+        "write `#[differentiate(wrt(p, h), budget = 46, hessian, crate = ::aim)]`; only `wrt` is required";
 
     unknown_key(kind: &str, key: &str, nearest: Option<&str>, known: &[&str])
         where help = match nearest {
             Some(nearest) => format!("did you mean `{nearest}`?"),
-            None => format!("known here: {}", list(known)),
+            None => format!("expected one of {}", list(known)),
         } =>
         "unknown {kind} `{key}`",
         "{help}";
@@ -77,12 +77,12 @@ messages! {
         help = match (&value.kind, old) {
             (Kind::Word(kind), "range") if kind == "absolute" => format!("write `{new} = {bind_pose}`"),
             (Kind::Word(kind), "range") if kind == "relative" => {
-                format!("write `{new} = {animation}` or leave it out: ranges count from the animation by default")
+                format!("write `{new} = {animation}` or remove it: ranges are relative to the animation by default")
             }
             (_, "range") => format!(
-                "write `{new} = {animation}` or `{new} = {bind_pose}`; the ranges are those of `heading` and `pitch`"
+                "write `{new} = {animation}` or `{new} = {bind_pose}`; the ranges themselves are set by `heading` and `pitch`"
             ),
-            _ => format!("write `{new}` for `{old}`: its value stays as it is"),
+            _ => format!("replace `{old}` by `{new}`; the value stays the same"),
         } =>
         "`{old}` is now called `{new}`",
         "{help}";
@@ -92,7 +92,7 @@ messages! {
             format!("; did you mean `role = {}`?", literal(role.as_str(), notation))
         }) =>
         "unknown role `{found}`",
-        "a role is `eye`, `head`, `neck`, `chest` or `none`{meant}";
+        "expected `eye`, `head`, `neck`, `chest` or `none`{meant}";
 
     unknown_kernel(name: &str, known: &[&str])
         where help = did_you_mean(name, known, || format!("known kernels: {}", list(known))) =>
@@ -111,7 +111,7 @@ messages! {
         "move it to {place}";
 
     duplicate_key(key: &str)
-        where help = if key == "wrt" { "write all variables into one `wrt(…)`" } else { "keep one of the two" } =>
+        where help = if key == "wrt" { "put all variables into one `wrt(…)`" } else { "keep one of the two" } =>
         "`{key}` is set twice",
         "{help}";
 
@@ -121,13 +121,13 @@ messages! {
     #[cfg(feature = "toml")]
     syntax(found: &str, part: &str)
         where help = if found.starts_with("string values must be quoted") {
-            format!("words, names and axes stand in quotes: `\"{part}\"`")
+            format!("words, names and axes need quotes: `\"{part}\"`")
         } else if found.starts_with("invalid float") || found.starts_with("invalid integer") {
-            "a number with a unit stands in quotes, as in `\"450deg\"`".to_owned()
+            "a number with a unit needs quotes, as in `\"450deg\"`".to_owned()
         } else {
             "a rig file is TOML 1.0, see https://toml.io".to_owned()
         } =>
-        "this is not TOML: {found}",
+        "invalid TOML: {found}",
         "{help}";
 }
 
@@ -150,9 +150,9 @@ messages! {
         } else if lower.starts_with("ra") || lower == "r" {
             format!("radians are written `{radians}`")
         } else {
-            format!("angles carry `deg` or `rad`, as in `{degrees}`")
+            format!("angles need `deg` or `rad`, as in `{degrees}`")
         } =>
-        "`{unit}` is not a unit of angles",
+        "`{unit}` is not an angle unit",
         "{help}";
 
     unit_on_plain(key: &str, digits: &str, unit: &str)
@@ -161,24 +161,24 @@ messages! {
             (_, "%", Ok(percent)) => format!("write `{:?}`", percent / 100.0),
             _ => format!("write `{digits}`"),
         } =>
-        "`{key}` is a plain number, found the unit `{unit}`",
+        "`{key}` takes a number without a unit, found the unit `{unit}`",
         "{help}";
 
     radix(number: &str, radix: &str) => "`{number}` is {radix}", "write the number in decimal, as in `35deg`";
 
     not_positive(key: &str, number: &str, zero: bool)
         where found = if zero { "zero" } else { "negative" }, help = match key {
-            "rate" => "a rate is a speed above 0; a joint that holds still has no place in a rig",
-            "acceleration" => "an acceleration is above 0; leave it out for no bound",
-            _ => "a stiffness is above 0: large for a reluctant joint, 1 if left out",
+            "rate" => "a rate is the joint's largest speed; leave a joint that does not move out of the rig",
+            "acceleration" => "remove `acceleration` for no limit",
+            _ => "the larger the stiffness, the less the joint moves; the default is 1",
         } =>
         "`{key}` must be positive, `{number}` is {found}",
         "{help}";
 
     not_finite(key: &str, number: &str)
         where help = match key {
-            "acceleration" => "leave `acceleration` out for no bound",
-            "rate" => "give the fastest speed that looks natural, for eyes about `450deg`",
+            "acceleration" => "remove `acceleration` for no limit",
+            "rate" => "write the largest speed that looks natural, for eyes about `450deg`",
             _ => "write a finite number that fits single precision",
         } =>
         "`{key}` must be finite, `{number}` is not",
@@ -186,11 +186,11 @@ messages! {
 
     share_outside(key: &str, number: &str)
         where help = match key {
-            "upright" => "0 turns about the bone's own up, 1 about the character's up",
-            "pitch_taper" => "0 keeps the whole range of pitch at the ends of heading, 1 leaves nothing of it",
-            _ => "0 leaves the gaze to the eyes, 1 hands all beyond their own zone to the head",
+            "upright" => "0 turns about the bone's own up axis, 1 about the character's",
+            "pitch_taper" => "0 keeps the full pitch range at the ends of the heading range, 1 reduces it to nothing",
+            _ => "0 leaves the gaze to the eyes, 1 lets the head take all that exceeds `eyes_only`",
         } =>
-        "`{key}` must lie in 0 to 1, found `{number}`",
+        "`{key}` must be between 0 and 1, found `{number}`",
         "{help}";
 }
 
@@ -199,11 +199,11 @@ messages! {
 messages! {
     range_open(key: &str, notation: Notation) where example = a_range(key, notation) =>
         "the range of `{key}` is open",
-        "both ends are needed and belong to it: `{example}`";
+        "write both bounds, inclusive: `{example}`";
 
     range_list(key: &str, count: usize) where example = a_range(key, Notation::Toml) =>
-        "the range of `{key}` needs two ends, found {count}",
-        "write the lower end, then the upper: `{example}`";
+        "the range of `{key}` needs two bounds, found {count}",
+        "write the lower bound, then the upper: `{example}`";
 
     range_single(key: &str, found: &str, mirrored: &str, notation: Notation)
         where range = range(&format!("-{mirrored}"), mirrored, notation) =>
@@ -215,73 +215,73 @@ messages! {
         "write `{key} = {range}`";
 
     range_empty(key: &str) =>
-        "the range of `{key}` is empty: its ends are equal",
-        "leave `{key}` out if the joint cannot turn that way";
+        "the range of `{key}` is empty: its bounds are equal",
+        "remove `{key}` if the joint cannot turn that way";
 
     range_without_zero(key: &str, low: &str, high: &str) =>
         "the range of `{key}`, {low} to {high}, does not contain 0",
-        "angle 0 is the animation untouched, every joint must be able to rest there";
+        "angle 0 leaves the animation unchanged, and every joint must be able to rest there";
 
     range_tiny(key: &str, low: &str, high: &str, notation: Notation)
         where radians = match (low.strip_suffix("deg"), high.strip_suffix("deg")) {
             (Some(low), Some(high)) => {
                 let range = range(&format!("{low}rad"), &format!("{high}rad"), notation);
-                format!("write `{key} = {range}` if radians are meant; ")
+                format!("write `{key} = {range}` if you mean radians; ")
             }
             _ => String::new(),
         } =>
-        "the range of `{key}`, {low} to {high}, is less than 1° to either side",
-        "{radians}leave `{key}` out if the joint cannot turn that way";
+        "the range of `{key}`, {low} to {high}, extends less than 1° to either side",
+        "{radians}remove `{key}` if the joint cannot turn that way";
 
     rate_beyond(found: &str, rate: f64, notation: Notation)
         where turns = rate / core::f64::consts::TAU, help = match found.trim_matches('`').strip_suffix("rad") {
-            Some(digits) => format!("write `rate = {}` if degrees are meant", in_units(digits, notation)[0]),
-            None => "the largest rate that is accepted is 100rad, 5729deg".to_owned(),
+            Some(digits) => format!("write `rate = {}` if you mean degrees", in_units(digits, notation)[0]),
+            None => "the largest accepted rate is 100rad (5729deg)".to_owned(),
         } =>
-        "the rate {found} is {turns:.0} turns a second",
+        "the rate {found} is too high: {turns:.0} turns per second",
         "{help}";
 
     range_beyond(key: &str, number: &str)
         where wraps = if key == "heading" { "; `heading = free` turns without limit" } else { "" } =>
         "`{number}` is beyond ±180°",
-        "a joint turns 180deg to each side at most{wraps}";
+        "a joint turns at most 180deg to each side{wraps}";
 
     pitch_free(notation: Notation) where example = a_range("pitch", notation) =>
         "`pitch` cannot be free",
-        "only a heading wraps; give the pitch a range: `{example}`";
+        "only a heading can turn without limit; give the pitch a range: `{example}`";
 
     pitch_taper_without_ends(has_heading: bool, has_pitch: bool)
         where (needs, help) = match (has_heading, has_pitch) {
-            (true, true) => ("a heading with ends", "a free heading has no ends: give it a range"),
-            (true, false) => ("a pitch", "it takes from the pitch's range: declare the pitch"),
-            _ => ("a heading", "it grows with the heading: declare one"),
+            (true, true) => ("a heading with bounds", "a free heading has no bounds: give it a range"),
+            (true, false) => ("a pitch", "it reduces the range of the pitch: declare `pitch`"),
+            _ => ("a heading", "its effect grows with the heading: declare `heading`"),
         } =>
         "`pitch_taper` needs {needs}",
-        "{help}, or leave `pitch_taper` out";
+        "{help}, or remove `pitch_taper`";
 }
 
 // Natural gaze.
 
 messages! {
     angle_outside(key: &str, number: &str) =>
-        "`{key}` must lie in 0° to 180°, found `{number}`",
+        "`{key}` must be between 0° and 180°, found `{number}`",
         "it is an angle between two directions";
 
     release_above_engage(engage_deg: f64, release_deg: f64) =>
         "`release`, {release_deg}°, is above `engage`, {engage_deg}°",
-        "the head begins to help at the larger angle and rests again at the smaller; unless set they are 15° and 8°";
+        "the head starts to move at the larger angle and stops at the smaller; the defaults are 15° and 8°";
 
     unknown_body(word: &str) =>
         "unknown body `{word}`",
-        "the budgets of `human`, `quadruped`, `bird` and `toon` are known; give those of others with `head` and `chest`";
+        "known bodies are `human`, `quadruped`, `bird` and `toon`; for others, set the budgets of `head` and `chest`";
 
     budget_free() =>
         "a budget cannot be free",
-        "leave `heading` out of it, and give the joints the ranges they have";
+        "remove `heading` from the budget, and give each joint its own range";
 
     negative_delay(number: &str) =>
         "`delay` must not be negative, found `{number}`",
-        "it is in seconds; 0 lets head and eyes begin together";
+        "a delay is in seconds; with 0, head and eyes start together";
 }
 
 // Axes.
@@ -295,7 +295,7 @@ messages! {
 
     axis_unknown(sign: char, letter: &str, notation: Notation)
         where upper = letter.to_uppercase(), help = match upper.as_str() {
-            "X" | "Y" | "Z" => format!("axes are capitals: `{}`", literal(format_args!("{sign}{upper}"), notation)),
+            "X" | "Y" | "Z" => format!("axes are upper-case: `{}`", literal(format_args!("{sign}{upper}"), notation)),
             _ => "a bone's axes are `+X`, `-X`, `+Y`, `-Y`, `+Z` and `-Z`".to_owned(),
         } =>
         "`{sign}{letter}` is not an axis",
@@ -313,15 +313,15 @@ messages! {
 
     contradictory(first: &str, second: &str) =>
         "`{first}` and `{second}` declare the same axis",
-        "keep one of them, the other is its opposite";
+        "keep one of them: the other is its opposite";
 
     parallel(first: &str, second: &str) =>
         "`{first}` and `{second}` are parallel",
-        "the axes of a bone are square to each other: each of X, Y and Z is used once";
+        "the axes of a bone are perpendicular to each other: use each of X, Y and Z once";
 
     not_square(first: &str, second: &str, degrees: f64, nearest: &str) =>
-        "`{first}` and `{second}` are not square: {degrees:.1}° lie between them",
-        "the nearest proper frame is {nearest}";
+        "`{first}` and `{second}` are not perpendicular: the angle between them is {degrees:.1}°",
+        "the nearest orthonormal frame is {nearest}";
 
     no_axes(notation: Notation)
         where example = notation.pick(
@@ -336,15 +336,15 @@ messages! {
         "give two or three, as in `{example}`";
 
     one_axis(only: &str) where other = if matches!(only, "forward" | "back") { "up" } else { "forward" } =>
-        "`axes` declares `{only}` alone",
-        "one axis leaves the bone free to roll: give `{other}`, too, the third follows";
+        "`axes` declares only `{only}`",
+        "one axis does not determine the bone's roll: declare `{other}`, too; the third axis follows";
 
     wrong_hand(owner: Owner, rig_is_right: bool, flip: &str, notation: Notation)
         where (rig, other) = if rig_is_right { ("right", "left") } else { ("left", "right") },
         (found, help) = match owner {
             Owner::Rig => {
                 let side = literal(other, notation);
-                let help = format!("or declare `handedness = {side}` if that is the engine's");
+                let help = format!("or declare `handedness = {side}` if the engine is {other}-handed");
                 (format!("{other}-handed triple in a {rig}-handed rig"), help)
             }
             Owner::Joint => (
@@ -378,11 +378,11 @@ messages! {
     #[cfg(feature = "toml")]
     single_joint() =>
         "`joint` needs a list of joints, found a group of settings",
-        "write `[[joint]]` before each of them";
+        "write `[[joint]]` before each joint";
 
     no_joints(notation: Notation)
         where how = notation.pick("a field of type `Joint` with `#[joint(…)]`", "a `[[joint]]`") =>
-        "a rig needs a joint",
+        "the rig has no joints",
         "declare each joint, from the eye inward, as {how}";
 
     no_angle(name: &str, notation: Notation) where example = a_range("heading", notation) =>
@@ -391,11 +391,11 @@ messages! {
 
     no_rate(name: &str, notation: Notation) where example = Expected::RATE.example("rate", notation) =>
         "`{name}` has no rate",
-        "add its largest speed in a second, as in `{example}`";
+        "add its largest speed per second, as in `{example}`";
 
     other_eye_inward() =>
         "`other_eye` is not on the first joint",
-        "it names the other eye, and the eye is the outermost joint: move it there";
+        "the eye is the outermost joint: move `other_eye` to the first joint";
 }
 
 // Names.
@@ -407,40 +407,40 @@ messages! {
 
     not_ascii(name: &str) =>
         "the name `{name}` is not ASCII",
-        "it becomes a name in C and WGSL: use a-z, A-Z, 0-9 and _";
+        "it becomes an identifier in C and WGSL: use a-z, A-Z, 0-9 and _";
 
     not_identifier(name: &str) where name = name.escape_debug() =>
-        "`{name}` is not a Rust name",
-        "a name starts with a letter and goes on with letters, digits and `_`";
+        "`{name}` is not a valid Rust identifier",
+        "an identifier starts with a letter, followed by letters, digits and `_`";
 
     rust_keyword(name: &str) =>
         "`{name}` is a keyword of Rust",
-        "choose another name: it becomes a name in the emitted Rust";
+        "choose another name: it becomes an identifier in the generated Rust code";
 
     keyword(name: &str, snake: &str, language: &str)
         where becomes = if name == snake { "is".to_owned() } else { format!("becomes `{snake}`,") } =>
         "the name `{name}` {becomes} a keyword of {language}",
-        "choose another name: it becomes a name in the emitted C and WGSL";
+        "choose another name: it becomes an identifier in the generated C and WGSL code";
 
     reserved_prefix(name: &str) =>
         "the name `{name}` starts with two underscores",
-        "C and WGSL keep such names for themselves: leave out an underscore";
+        "C and WGSL reserve such names: remove an underscore";
 
     duplicate_name(name: &str) => "two joints are named `{name}`", "each joint needs a name of its own";
 
     name_collision(first: &str, second: &str, snake: &str) =>
         "`{first}` and `{second}` are both `{snake}` in C and WGSL",
-        "rename one, so that they differ in more than capitals";
+        "rename one, so that they differ in more than case and underscores";
 
-    duplicate_bone(bone: &str) => "the bone `{bone}` is named twice", "each joint moves a bone of its own";
+    duplicate_bone(bone: &str) => "the bone `{bone}` is used twice", "each joint needs a bone of its own";
 
     held_joint(bone: &str) =>
         "`hold` names `{bone}`, a bone that the rig turns",
-        "a bone is turned or held: leave it out of one of the two";
+        "a bone is either turned or held: remove it from one of the two";
 
-    duplicate_held(bone: &str) => "the bone `{bone}` is held twice", "name it once, on the joint that it hangs on";
+    duplicate_held(bone: &str) => "the bone `{bone}` is held twice", "name it once, on the joint to which it is attached";
 
-    empty_bone(key: &str) => "`{key}` names no node", "give the name that the bone's node has in the model";
+    empty_bone(key: &str) => "`{key}` names no node", "write the name of the bone's node in the model";
 }
 
 // The Rust item.
@@ -497,7 +497,7 @@ pub(crate) fn first_attribute(name: &str) -> String {
 }
 
 pub(crate) fn default_bone_here(name: &str) -> String {
-    format!("without `bone`, the joint's own name `{name}` is its bone's")
+    format!("this joint has no `bone`, so the name of its bone is `{name}`")
 }
 
 pub(crate) fn rig_axes_here() -> String {

@@ -96,11 +96,11 @@ macro_rules! axes {
 #[test]
 fn units() {
     heading!("-35..=35deg", r#"["-35", "35deg"]"#, ["`-35` has no unit", "-35", "\"-35\""]);
-    heading!("-35deg..=35grad", r#"["-35deg", "35grad"]"#, ["`grad` is not a unit of angles", "35grad", "\"35grad\""]);
+    heading!("-35deg..=35grad", r#"["-35deg", "35grad"]"#, ["`grad` is not an angle unit", "35grad", "\"35grad\""]);
     heading!(
         "-35deg..=35degrees",
         r#"["-35deg", "35degrees"]"#,
-        ["`degrees` is not a unit of angles", "35degrees", "\"35degrees\""]
+        ["`degrees` is not an angle unit", "35degrees", "\"35degrees\""]
     );
     heading!(
         "-35 deg..=35deg",
@@ -127,7 +127,7 @@ fn ranges() {
     heading!(
         "0deg..=0rad",
         r#"["0deg", "0rad"]"#,
-        ["the range of `heading` is empty: its ends are equal", "0deg..=0rad", r#"["0deg", "0rad"]"#]
+        ["the range of `heading` is empty: its bounds are equal", "0deg..=0rad", r#"["0deg", "0rad"]"#]
     );
     heading!(
         "-181deg..=3.2rad",
@@ -176,15 +176,15 @@ fn positive_numbers() {
         "stiffness",
         "1deg",
         "\"1deg\"",
-        ["`stiffness` is a plain number, found the unit `deg`", "1deg", "\"1deg\""]
+        ["`stiffness` takes a number without a unit, found the unit `deg`", "1deg", "\"1deg\""]
     );
-    setting!("upright", "1.5", "1.5", ["`upright` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]);
-    setting!("upright", "-0.1", "-0.1", ["`upright` must lie in 0 to 1, found `-0.1`", "-0.1", "-0.1"]);
+    setting!("upright", "1.5", "1.5", ["`upright` must be between 0 and 1, found `1.5`", "1.5", "1.5"]);
+    setting!("upright", "-0.1", "-0.1", ["`upright` must be between 0 and 1, found `-0.1`", "-0.1", "-0.1"]);
     let both = "heading = -35deg..=35deg, pitch = -9deg..=9deg, rate = 450deg, pitch_taper = 1.1";
     joint(
         both,
         "heading = [\"-35deg\", \"35deg\"]\npitch = [\"-9deg\", \"9deg\"]\nrate = \"450deg\"\npitch_taper = 1.1",
-        &[["`pitch_taper` must lie in 0 to 1, found `1.1`", "1.1", "1.1"]],
+        &[["`pitch_taper` must be between 0 and 1, found `1.1`", "1.1", "1.1"]],
     );
     joint(
         "heading = -1deg..=1deg, rate = 0rad",
@@ -280,7 +280,7 @@ fn radians_written_as_degrees_and_degrees_as_radians() {
         "-0.6deg..=0.6deg",
         r#"["-0.6deg", "0.6deg"]"#,
         [
-            "the range of `heading`, -0.6deg to 0.6deg, is less than 1° to either side",
+            "the range of `heading`, -0.6deg to 0.6deg, extends less than 1° to either side",
             "-0.6deg..=0.6deg",
             r#"["-0.6deg", "0.6deg"]"#
         ]
@@ -289,13 +289,13 @@ fn radians_written_as_degrees_and_degrees_as_radians() {
         "-0.01rad..=0rad",
         r#"["-0.01rad", "0rad"]"#,
         [
-            "the range of `heading`, -0.01rad to 0rad, is less than 1° to either side",
+            "the range of `heading`, -0.01rad to 0rad, extends less than 1° to either side",
             "-0.01rad..=0rad",
             r#"["-0.01rad", "0rad"]"#
         ]
     );
-    for_rate!("450rad", "the rate `450rad` is 72 turns a second");
-    for_rate!("5731deg", "the rate `5731deg` is 16 turns a second");
+    for_rate!("450rad", "the rate `450rad` is too high: 72 turns per second");
+    for_rate!("5731deg", "the rate `5731deg` is too high: 16 turns per second");
 }
 
 #[test]
@@ -309,7 +309,7 @@ fn roles_are_known_words() {
 fn missing_or_too_few_axes() {
     rig("", "", &[["the bones' axes are missing", "aim", ""]]);
     axes!("", "", ["`axes` declares no axis", "()", "{  }"]);
-    axes!("up = +X", r#"up = "+X""#, ["`axes` declares `up` alone", "+X", "\"+X\""]);
+    axes!("up = +X", r#"up = "+X""#, ["`axes` declares only `up`", "+X", "\"+X\""]);
 }
 
 #[test]
@@ -339,7 +339,7 @@ fn contradictory_parallel_and_skewed_axes() {
     assert_case(&Case {
         rig: ["axes(up = (0.0, 0.8, 0.6), forward = +Z)", r#"axes = { up = [0.0, 0.8, 0.6], forward = "+Z" }"#],
         joint: JOINT,
-        errors: &[["`up` and `forward` are not square: 53.1° lie between them", "+Z", "\"+Z\""]],
+        errors: &[["`up` and `forward` are not perpendicular: the angle between them is 53.1°", "+Z", "\"+Z\""]],
     });
     assert_case(&Case {
         rig: [
@@ -359,7 +359,7 @@ fn contradictory_parallel_and_skewed_axes() {
         ],
         joint: JOINT,
         errors: &[
-            ["`forward` is a plain number, found the unit `deg`", "1deg", "\"1deg\""],
+            ["`forward` takes a number without a unit, found the unit `deg`", "1deg", "\"1deg\""],
             ["`forward` needs a plain number, found `true`", "true", "true"],
             ["`up` needs three components, found 2", "(1.0, 0.0)", "[1.0, 0.0]"],
         ],
@@ -432,7 +432,7 @@ fn narrowing_needs_both_angles_and_ends() {
         "pitch_taper",
         "-0.5",
         "-0.5",
-        ["`pitch_taper` must lie in 0 to 1, found `-0.5`", "-0.5", "-0.5"],
+        ["`pitch_taper` must be between 0 and 1, found `-0.5`", "-0.5", "-0.5"],
         ["`pitch_taper` needs a pitch", "-0.5", "-0.5"]
     );
     joint(
@@ -443,7 +443,7 @@ fn narrowing_needs_both_angles_and_ends() {
     joint(
         "heading = free, pitch = -1deg..=1deg, rate = 1rad, pitch_taper = 0.5",
         "heading = \"free\"\npitch = [\"-1deg\", \"1deg\"]\nrate = \"1rad\"\npitch_taper = 0.5",
-        &[["`pitch_taper` needs a heading with ends", "0.5", "0.5"]],
+        &[["`pitch_taper` needs a heading with bounds", "0.5", "0.5"]],
     );
 }
 
@@ -463,20 +463,20 @@ fn natural_gazes() {
     natural!(
         "eyes_only = 181deg, engage = -1deg",
         r#"eyes_only = "181deg", engage = "-1deg""#,
-        ["`engage` must lie in 0° to 180°, found `-1deg`", "-1deg", "\"-1deg\""],
-        ["`eyes_only` must lie in 0° to 180°, found `181deg`", "181deg", "\"181deg\""]
+        ["`engage` must be between 0° and 180°, found `-1deg`", "-1deg", "\"-1deg\""],
+        ["`eyes_only` must be between 0° and 180°, found `181deg`", "181deg", "\"181deg\""]
     );
     natural!("eyes_only = 15", "eyes_only = 15", ["`15` has no unit", "15", "15"]);
     natural!(
         "head_share = 1.5, delay = -0.1",
         "head_share = 1.5, delay = -0.1",
         ["`delay` must not be negative, found `-0.1`", "-0.1", "-0.1"],
-        ["`head_share` must lie in 0 to 1, found `1.5`", "1.5", "1.5"]
+        ["`head_share` must be between 0 and 1, found `1.5`", "1.5", "1.5"]
     );
     natural!(
         "delay = 50ms",
         r#"delay = "50ms""#,
-        ["`delay` is a plain number, found the unit `ms`", "50ms", "\"50ms\""]
+        ["`delay` takes a number without a unit, found the unit `ms`", "50ms", "\"50ms\""]
     );
     natural!("delay = 1e99", "delay = 1e99", ["`delay` must be finite, `1e99` is not", "1e99", "1e99"]);
     natural!(
@@ -541,14 +541,14 @@ fn regions() {
 
 #[test]
 fn bones_named_twice() {
-    setting!("bone", "\"neck\"", "\"neck\"", ["the bone `neck` is named twice", "\"neck\"", "\"neck\""]);
+    setting!("bone", "\"neck\"", "\"neck\"", ["the bone `neck` is used twice", "\"neck\"", "\"neck\""]);
     setting!(
         "bone",
         "[\"a\", \"b\", \"a\"]",
         "[\"a\", \"b\", \"a\"]",
-        ["the bone `a` is named twice", "\"a\"", "\"a\""]
+        ["the bone `a` is used twice", "\"a\"", "\"a\""]
     );
-    setting!("other_eye", "\"eye\"", "\"eye\"", ["the bone `eye` is named twice", "\"eye\"", "\"eye\""]);
+    setting!("other_eye", "\"eye\"", "\"eye\"", ["the bone `eye` is used twice", "\"eye\"", "\"eye\""]);
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn shapes() {
     ] {
         assert_errors(item, &[(&format!("a rig is a struct with named fields, found {what}"), at)]);
     }
-    assert_errors("#[aim(axes(up = +X, forward = +Y))] struct Thug {}", &[("a rig needs a joint", "Thug")]);
+    assert_errors("#[aim(axes(up = +X, forward = +Y))] struct Thug {}", &[("the rig has no joints", "Thug")]);
     for (generics, at) in [("<T>", "T"), ("<'a, T: Copy>", "'a, T: Copy"), ("<const N: usize>", "const N: usize")] {
         let item = format!(
             "#[aim(axes(up = +X, forward = +Y))] struct Thug{generics} {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
@@ -104,7 +104,7 @@ fn expressions() {
         let message = format!("`rate` needs an angle per second, found {found}");
         assert_errors(&joint(&format!("heading = free, rate = {rate}")), &[(&message, at)]);
     }
-    assert_errors(&joint("heading = free, rate = \"35°\""), &[("`°` is not a unit of angles", "\"35°\"")]);
+    assert_errors(&joint("heading = free, rate = \"35°\""), &[("`°` is not an angle unit", "\"35°\"")]);
     assert_errors(
         &joint("heading = -LIMIT..=LIMIT, rate = 1rad"),
         &[("`heading` needs an angle, found `-LIMIT`", "-LIMIT"), ("`heading` needs an angle, found `LIMIT`", "LIMIT")],
@@ -120,14 +120,14 @@ fn punctuation() {
     );
     assert_errors(
         &joint("heading = free,, rate = 1rad, mirrored"),
-        &[("expected a setting's name, found `,`", ","), ("`mirrored` has no value", "mirrored")],
+        &[("expected the name of a setting, found `,`", ","), ("`mirrored` needs a value", "mirrored")],
     );
     assert_errors(
         &joint("heading: free, rate = , 5 = 3"),
         &[
-            ("`heading` has no value", ": free"),
-            ("`rate` has no value", "="),
-            ("expected a setting's name, found `5 = 3`", "5 = 3"),
+            ("`heading` needs a value", ": free"),
+            ("`rate` needs a value", "="),
+            ("expected the name of a setting, found `5 = 3`", "5 = 3"),
         ],
     );
     assert_errors(

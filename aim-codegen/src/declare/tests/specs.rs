@@ -134,8 +134,12 @@ fn the_nearest_frame_of_a_message_passes_the_checks() {
                 "#[aim(axes({bones}), handedness = {hand})] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
             );
             let errors = from_derive_input(&parse(&item)).expect_err(bones);
-            let help = errors.iter().find(|error| error.message().contains("square")).expect("not square").help();
-            let nearest = help.strip_prefix("the nearest proper frame is ").expect("a frame");
+            let help = errors
+                .iter()
+                .find(|error| error.message().contains("perpendicular"))
+                .expect("not perpendicular")
+                .help();
+            let nearest = help.strip_prefix("the nearest orthonormal frame is ").expect("a frame");
             frame(&format!("axes({nearest}), handedness = {hand}"));
         }
     }

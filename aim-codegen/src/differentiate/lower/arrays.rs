@@ -134,7 +134,7 @@ impl Translation<'_> {
             // The number of elements does not change.
             ("try_into", []) => Value::some(Value::Array(values.to_vec())),
             ("windows" | "chunks" | "chunks_exact", [count]) => match (self.known_count(count)?, name.as_str()) {
-                (0, _) => self.refuse(*count, messages::index_outside("a loop")),
+                (0, _) => self.refuse(*count, messages::index_outside("a chunk size")),
                 (count, "windows") => parts(&mut values.windows(count)),
                 (count, "chunks") => parts(&mut values.chunks(count)),
                 (count, _) => parts(&mut values.chunks_exact(count)),
@@ -157,7 +157,7 @@ impl Translation<'_> {
                 let parts: Option<Vec<Vec<Element>>> = values.iter().map(|value| value.clone().items()).collect();
                 match parts {
                     Some(parts) => Value::list(parts.concat()),
-                    None => self.refuse(&call.method, messages::not_iterable("an element of it")),
+                    None => self.refuse(&call.method, messages::not_iterable("an element of this array")),
                 }
             }
             // In a partitioned array, the partition point is the number of elements that satisfy the predicate.

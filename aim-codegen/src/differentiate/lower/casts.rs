@@ -95,15 +95,13 @@ impl Translation<'_> {
                 self.discriminant(cast, of)
             }
             (Value::Scalar(_), ty, _) if is_integer(ty) => methods::whole(self.algebra, &value, ty),
-            (Value::Integer(_), ty, _) if is_integer(ty) => self.unsupported(
-                &cast.as_token,
-                "a whole number that may wrap round",
-                "cast it to `i32`, `i64` or `usize`",
-            ),
+            (Value::Integer(_), ty, _) if is_integer(ty) => {
+                self.unsupported(&cast.as_token, "a cast that may wrap around", "cast it to `i32`, `i64` or `usize`")
+            }
             _ => self.unsupported(
                 &cast.as_token,
-                "a cast",
-                "a function computes in one number type: write the number or take an argument of that type",
+                "this cast",
+                "a function computes in one number type: write a number, or take an argument, of that type",
             ),
         }
     }

@@ -265,7 +265,7 @@ impl Translation<'_> {
             });
             match state {
                 Some(state) => left.push((*target, state)),
-                None => return self.refuse(place, messages::state_of_kept_loop("what it returns")),
+                None => return self.refuse(place, messages::state_of_kept_loop("the returned value")),
             }
         }
         let Some(brought) = self.left_state(number, &leaves, &brought) else {
@@ -439,7 +439,7 @@ impl Translation<'_> {
         }
         if self.algebra.loops[number].states.len() != inputs {
             // Otherwise states would be mixed up.
-            self.refuse(place, messages::state_of_kept_loop("what changes its kind"));
+            self.refuse(place, messages::state_of_kept_loop("a value whose type changes"));
             return None;
         }
         Some(ends)
@@ -505,7 +505,7 @@ impl Translation<'_> {
         match (inner, outer, brought, joined) {
             (Some(_), Some(_), Some(brought), Some(())) => (after, Some(Ends { leaves, brought, exits })),
             _ => {
-                self.refuse(place, messages::state_of_kept_loop("a list that grows, or what changes its kind,"));
+                self.refuse(place, messages::state_of_kept_loop("a list that grows, or a value whose type changes,"));
                 (after, None)
             }
         }

@@ -76,7 +76,7 @@ impl Translation<'_> {
                 _ => self.refuse(*place, messages::index_outside("this array")),
             },
             ("chunks_mut" | "chunks_exact_mut", [size]) => match self.known_count(size)? {
-                0 => self.refuse(*size, messages::index_outside("a loop")),
+                0 => self.refuse(*size, messages::index_outside("a chunk size")),
                 size => {
                     let starts = (0..count).step_by(size).map(|first| (first, size.min(count - first)));
                     let whole = starts.filter(|&(_, len)| name == "chunks_mut" || len == size);

@@ -174,9 +174,7 @@ impl Translation<'_> {
         };
         match number {
             Some(number) if number.is_finite() => Value::Scalar(self.algebra.number(number)),
-            _ => {
-                self.unsupported(literal, "this literal", "only numbers, `true` and `false` can be part of a function")
-            }
+            _ => self.unsupported(literal, "this literal", "only numbers, `true` and `false` are supported"),
         }
     }
 
@@ -496,8 +494,8 @@ impl Translation<'_> {
 
     fn unsupported_expression(&mut self, expression: &Expr) -> Value {
         match expression {
-            Expr::Let(e) => self.unsupported(&e.let_token, "a pattern in this condition", CHOICE),
-            Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "there is nothing to be unsafe about"),
+            Expr::Let(e) => self.unsupported(&e.let_token, "`let` in this place", CHOICE),
+            Expr::Unsafe(e) => self.unsupported(&e.unsafe_token, "`unsafe`", "remove it: only safe code is supported"),
             other => self.unsupported(other, "this expression", "use `let`, arithmetic, calls, `if` and `for`"),
         }
     }

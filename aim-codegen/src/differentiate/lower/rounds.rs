@@ -276,7 +276,7 @@ impl Translation<'_> {
             }
             ("step_by", [count]) if is_indexed => {
                 let Some(more) = self.known_count(count)?.checked_sub(1) else {
-                    return Some(self.refuse(*count, messages::index_outside("a loop")));
+                    return Some(self.refuse(*count, messages::index_outside("a step size")));
                 };
                 let step = more + 1;
                 let (count, zero) = (self.parts(rounds.count, step, more), self.algebra.number(0.0));
@@ -317,7 +317,7 @@ impl Translation<'_> {
             }
             _ => {
                 let of_slice = matches!(*rounds.items, Items::Elements(_));
-                let kind = if of_slice { "a slice" } else { "an iterator of which no end is known" };
+                let kind = if of_slice { "a slice" } else { "an iterator of unknown length" };
                 return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS)));
             }
         };

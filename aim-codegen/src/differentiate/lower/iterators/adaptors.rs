@@ -53,7 +53,7 @@ impl Translation<'_> {
                 }))
             }
             ("step_by", [count]) => match self.known_count(count)? {
-                0 => self.refuse(*count, messages::index_outside("a loop")),
+                0 => self.refuse(*count, messages::index_outside("a step size")),
                 count => Value::iterator(self.whole(items, call)?.into_iter().step_by(count)),
             },
             ("cycle", []) => {
@@ -104,7 +104,7 @@ impl Translation<'_> {
     fn whole(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Vec<Value>> {
         let all = all_there(items);
         if all.is_err() {
-            let kind = "an iterator that leaves elements out by their values";
+            let kind = "an iterator that filters elements by value";
             self.refuse(&call.method, messages::unknown_method(&call.method.to_string(), kind, &[]));
         }
         all.ok()

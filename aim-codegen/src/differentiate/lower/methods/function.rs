@@ -45,7 +45,7 @@ impl Function {
     pub(in crate::differentiate::lower) fn takes(&self, of_a_method: bool) -> String {
         let takes = &self.takes[usize::from(of_a_method)..];
         if takes.is_empty() {
-            return "nothing".into();
+            return "no arguments".into();
         }
         takes.iter().map(|kind| words(kind)).collect::<Vec<_>>().join(", ")
     }
@@ -55,16 +55,16 @@ impl Function {
 fn words(kind: &str) -> &'static str {
     match kind {
         "Scalar" => "a number",
-        "Integer" => "a whole number",
-        "Four" => "a vector of four",
-        "Truth" => "a condition",
-        "Planar" => "a vector of two",
+        "Integer" => "an integer",
+        "Four" => "a 4D vector",
+        "Truth" => "a boolean",
+        "Planar" => "a 2D vector",
         "Vector" => "a vector",
         "Quaternion" => "a quaternion",
         "Matrix" => "a matrix",
         "Affine" => "a transform",
-        "Square" => "a matrix of two or four",
-        "Homogeneous" => "a matrix of four",
+        "Square" => "a 2×2 or 4×4 matrix",
+        "Homogeneous" => "a 4×4 matrix",
         "Tuple" => "a tuple",
         _ => "an array",
     }
