@@ -21,7 +21,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file could not be written; what was at its path before is unchanged.
-    #[error("cannot write {}: {source}; nothing was changed, {}", .path.display(), remedy(.source))]
+    #[error("cannot write {}: {source}; what was there is unchanged, {}", .path.display(), remedy(.source))]
     Write {
         /// The path that was to be written.
         path: PathBuf,

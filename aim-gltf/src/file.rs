@@ -19,7 +19,7 @@ pub fn write_file(path: impl AsRef<Path>, bytes: &[u8]) -> Result<(), Error> {
 /// Writes several files that belong together: none is renamed into place before all are written completely.
 ///
 /// # Errors
-/// As [`write_file`], for the first file that cannot be written.
+/// As [`write_file`], for the first file that cannot be written. If renaming one fails, those before it are replaced already.
 pub fn write_files(files: &[(&Path, &[u8])]) -> Result<(), Error> {
     let staged = files.iter().map(|(path, bytes)| Staged::write(path, bytes)).collect::<Result<Vec<_>, _>>()?;
     staged.into_iter().try_for_each(Staged::rename)
