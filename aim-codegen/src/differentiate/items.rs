@@ -3,10 +3,11 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, TraitItem};
 
+use super::constants::{Constant, FileConstants, has_cfg};
 use super::lower::{Callable, Scope};
 use super::names::{Meaning, Names, join, segments};
 
@@ -29,17 +30,12 @@ pub(super) struct Items {
     aliases: Vec<(String, Alias)>,
     /// Names of items that depend on `cfg`; these items are not read.
     conditional: Vec<String>,
+    /// Constants of the file around the module.
+    pub(super) file: FileConstants,
     /// Functions with reported errors; further calls of them report nothing.
     faulty: RefCell<Vec<Rc<Callable>>>,
     /// Structs and enums whose fields are being read, to detect recursive types.
     under_way: RefCell<Vec<String>>,
-}
-
-/// A constant, or an immutable `static`.
-pub(super) struct Constant {
-    pub(super) scope: Rc<Scope>,
-    pub(super) ty: Option<syn::Type>,
-    pub(super) value: Expr,
 }
 
 /// A generic parameter other than a lifetime.
@@ -120,6 +116,11 @@ impl Items {
                 }
             }
         }
+    }
+
+    /// The same items in the file that `span` is in.
+    pub(super) fn in_file_of(self, span: Span) -> Self {
+        Self { file: FileConstants::new(span), ..self }
     }
 
     /// Records the names of all items, so that paths can be resolved.
@@ -362,11 +363,6 @@ impl Items {
     pub(super) fn is_at_fault(&self, function: &Rc<Callable>) {
         self.faulty.borrow_mut().push(function.clone());
     }
-}
-
-/// Returns `true` if one of these attributes is `cfg`.
-fn has_cfg(attributes: &[Attribute]) -> bool {
-    attributes.iter().any(|attribute| attribute.path().is_ident("cfg"))
 }
 
 fn derives_default(attributes: &[Attribute]) -> bool {

@@ -476,7 +476,7 @@ const MODULE: &str = "put its definition and this function into one `#[different
 
 /// Help for a constant that the attribute does not see.
 const CONSTANT: &str = "define the `const` inside the function, or next to it in a `#[differentiate] mod m { … }`: from elsewhere, \
-                        a function can only read constants of its own number type";
+                        a function can only read constants of its own number type, and integers and booleans of the same file";
 
 /// Replacements for functions that are known but not supported.
 const INSTEAD: &[(&str, &str)] = &[

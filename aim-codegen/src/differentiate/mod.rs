@@ -17,6 +17,7 @@ mod arguments;
 mod budget;
 mod check;
 mod companion;
+mod constants;
 mod emit;
 pub(crate) mod file;
 mod given;
@@ -42,6 +43,7 @@ use std::rc::Rc;
 use aim_symbolic::{Graph, Program, Scalar, Want};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
+use syn::spanned::Spanned;
 use syn::{Item, ItemFn};
 
 use self::arguments::{Arguments, Declared};
@@ -62,7 +64,8 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) ->
     let mut report = Report::new(Notation::Rust);
     if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
         let options = Options::parse(attribute, &mut report).beside(facade);
-        let companions = companions(&function, &options, &Items::default(), &mut report);
+        let items = Items::default().in_file_of(function.sig.ident.span());
+        let companions = companions(&function, &options, &items, &mut report);
         let errors = report.into_compile_error();
         return quote! {
             #[allow(dead_code, reason = "its derivatives may be all that is used")]
@@ -97,7 +100,7 @@ pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) ->
 fn module(
     mut items: Vec<Item>,
     of_module: &Options,
-    place: &impl ToTokens,
+    place: &syn::Token![mod],
     facade: &str,
     report: &mut Report,
 ) -> TokenStream {
@@ -107,7 +110,7 @@ fn module(
     if of_methods.is_empty() && requests.iter().all(Option::is_none) {
         report.error_in(place, messages::nothing_to_differentiate());
     }
-    let known = Items::of(&items);
+    let known = Items::of(&items).in_file_of(place.span());
     let mut expanded = TokenStream::new();
     for (item, request) in items.iter().zip(&mut requests) {
         let (Item::Fn(function), Some(attribute)) = (item, request.take()) else {
@@ -169,6 +172,7 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     }
     let arguments = Arguments::check(&function.sig, options, items, report);
     let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
+    let assertions = items.file.assertions();
     let krate = options.krate.clone().unwrap_or_default();
     let companions = Companions { item: function, arguments: &arguments, krate: &krate, of_lanes: false };
     // With `self` or an unsupported type in the signature, a stub would only cause another error.
@@ -187,7 +191,7 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     let wanted = derived.is_some() && checked(options, &arguments, report);
     let check = wanted.then(|| companions.check());
     let check = check.flatten();
-    quote!(#all #check)
+    quote!(#assertions #all #check)
 }
 
 /// Decides whether competing rewrite rules are compared.

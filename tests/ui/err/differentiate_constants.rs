@@ -2,8 +2,8 @@ use aim::differentiate;
 use aim::glam::Vec3;
 
 const UP: Vec3 = Vec3::Y;
-const COUNT: usize = 3;
-const DEBUG: bool = true;
+const COUNT: usize = size_of::<f32>();
+const DEBUG: bool = cfg!(debug_assertions);
 
 #[differentiate(wrt(x))]
 fn part(x: f32) -> f32 {

@@ -62,7 +62,7 @@ pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Slice, Struct, Value};
 use super::messages;
 use super::names::{Meaning, segments};
-use crate::differentiate::items::Constant;
+use crate::differentiate::constants::Constant;
 use crate::emit::Precision;
 
 impl Translation<'_> {
@@ -197,7 +197,8 @@ impl Translation<'_> {
             None => None,
         };
         let value = value.or_else(|| self.unit_struct(&segments(&path.path)));
-        value.or_else(|| self.constant_beside(path)).unwrap_or_else(|| {
+        let value = value.or_else(|| self.constant_of_file(path)).or_else(|| self.constant_beside(path));
+        value.unwrap_or_else(|| {
             let text = match path.path.get_ident() {
                 Some(name) => {
                     let name = name.to_string();
@@ -212,17 +213,45 @@ impl Translation<'_> {
         })
     }
 
+    /// Returns an integer or a boolean that stands in the same file, outside of the known items.
+    fn constant_of_file(&mut self, path: &syn::ExprPath) -> Option<Value> {
+        let found = self.path_of_constant(path)?;
+        let (name, items, said) = (segments(&found).pop()?, self.items, self.said());
+        let constant = items.file.get(&name)?;
+        let value = items.file.within(|| self.constant(&name, constant));
+        if self.report.count() > said.errors {
+            self.unsay(said);
+            return None;
+        }
+        let number = match &value {
+            Value::Truth(Condition::Known(holds)) => i64::from(*holds),
+            value => self.algebra.known_integer(value)?,
+        };
+        items.file.assume(found, number);
+        Some(value)
+    }
+
     /// Returns a constant that the macro cannot see, beside the function or imported there, as an input that the companion
     /// reads. It has to be a number of the function's type, which the compiler checks, unless it is [cast](Self::cast).
-    ///
-    /// The path has to mean the same where the companion stands, so functions of inner modules cannot name such constants.
     fn constant_beside(&mut self, path: &syn::ExprPath) -> Option<Value> {
+        let found = self.path_of_constant(path).filter(|_| self.reads_constants)?;
+        let known = self.algebra.constants.iter().position(|known| segments(known) == segments(&found));
+        let index = known.unwrap_or_else(|| {
+            self.algebra.constants.push(found);
+            self.algebra.constants.len() - 1
+        });
+        Some(Value::Scalar(self.algebra.outside(Outside::Constant(index))))
+    }
+
+    /// Returns the path of a constant outside of the known items, as it is written where the companion stands; `None` for
+    /// other paths. Functions of inner modules cannot name such constants, as their paths mean something else there.
+    fn path_of_constant(&self, path: &syn::ExprPath) -> Option<syn::Path> {
         let is_constant = |name: &str| {
             name.contains(char::is_alphabetic) && name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_')
         };
         let is_module = |name: &String| name.starts_with(char::is_lowercase);
         let scope = &self.frame.scope;
-        if !self.reads_constants || path.qself.is_some() || !scope.module.is_empty() {
+        if path.qself.is_some() || !scope.module.is_empty() {
             return None;
         }
         let Meaning::Outside(path_in_module) = self.items.meaning(scope, &segments(&path.path)) else { return None };
@@ -233,13 +262,7 @@ impl Translation<'_> {
         }
         let span = path.path.segments.last()?.ident.span();
         let idents = path_in_module.iter().map(|segment| syn::PathSegment::from(Ident::new(segment, span)));
-        let found = syn::Path { leading_colon: path.path.leading_colon, segments: idents.collect() };
-        let known = self.algebra.constants.iter().position(|known| segments(known) == path_in_module);
-        let index = known.unwrap_or_else(|| {
-            self.algebra.constants.push(found);
-            self.algebra.constants.len() - 1
-        });
-        Some(Value::Scalar(self.algebra.outside(Outside::Constant(index))))
+        Some(syn::Path { leading_colon: path.path.leading_colon, segments: idents.collect() })
     }
 
     /// Returns the value of a unit struct.

@@ -7,10 +7,14 @@ const GRAVITY: f64 = 9.81;
 const DRAG_1: f64 = 0.3;
 static STIFFNESS: f64 = 40.0;
 const SPRINGS: usize = 3;
+const SIZE: usize = SPRINGS + 1;
+const LAST: usize = SIZE - 1;
+const MEAN: bool = true;
 
 mod units {
     pub(super) const PER_MINUTE: f64 = 1.0 / 60.0;
     pub(super) const G: f32 = 6.5;
+    pub(super) const TWICE: u32 = 2;
 }
 
 #[differentiate(wrt(v, t), lanes, hessian, check = true)]
@@ -21,7 +25,20 @@ fn thrown(v: f64, t: f64) -> f64 {
 
 #[differentiate(wrt(p), check = true)]
 fn hung(p: DVec3) -> f64 {
-    0.5 * self::STIFFNESS * SPRINGS as f64 * (p.length() - 1.0).powi(2) + GRAVITY * p.y
+    0.5 * STIFFNESS * SPRINGS as f64 * (p.length() - 1.0).powi(2) + GRAVITY * p.y
+}
+
+#[differentiate(wrt(w), hessian, check = true)]
+fn polynomial(w: [f64; SIZE], x: f64) -> f64 {
+    let (mut sum, mut power) = (w[LAST] * w[LAST], 1.0);
+    for weight in w {
+        sum += weight * power;
+        power *= x;
+    }
+    for _ in 0..units::TWICE {
+        sum *= 0.5;
+    }
+    if MEAN { sum / SIZE as f64 } else { sum }
 }
 
 #[differentiate(check = true)]
@@ -39,12 +56,22 @@ mod of_a_module {
             if *value < super::DRAG_1 {
                 continue;
             }
-            sum += settled(x * value) * super::units::PER_MINUTE;
+            sum += settled(x * value) * PER_MINUTE;
         }
         sum
     }
 
     #[differentiate(wrt(x))]
+    pub(super) fn table(x: f64) -> [f64; super::SIZE] {
+        let mut table = [x; super::SIZE];
+        for k in 1..super::SIZE {
+            table[k] *= table[k - 1];
+        }
+        table
+    }
+
+    #[differentiate(wrt(x))]
+    #[allow(clippy::cast_possible_truncation, reason = "as users write it")]
     pub(super) fn single(x: f32) -> f32 {
         use super::units::G;
         let most = 2.0 * G;
@@ -63,6 +90,10 @@ fn values_are_those_of_the_functions() {
     assert_eq!(thrown_gradient_lanes(8.0_f64, 0.5), thrown_gradient(8.0, 0.5));
     assert!((hung_gradient(DVec3::Y).1.0 - DVec3::new(0.0, GRAVITY, 0.0)).length() < 1e-12);
     assert_eq!(of_a_module::sum_gradient(1.0, &[0.1, 0.5, 2.0]).1.0, 2.5 * GRAVITY);
+    let (value, (by_w,), second) = polynomial_hessian([1.0, 2.0, 3.0, 4.0], 2.0);
+    assert_eq!((value, by_w), ((16.0 + 49.0) / 16.0, [1.0, 2.0, 4.0, 16.0].map(|slope| slope / 16.0)));
+    assert_eq!((second[3][3], second[0][3]), (2.0 / 16.0, 0.0));
+    assert_eq!(of_a_module::table_jacobian(2.0), ([2.0, 4.0, 8.0, 16.0], ([1.0, 4.0, 12.0, 32.0],)));
     assert_eq!(of_a_module::single_gradient(1.0), (6.5, (6.5,)));
     assert_eq!(of_a_module::single_gradient(3.0), (13.0, (0.0,)));
 }
