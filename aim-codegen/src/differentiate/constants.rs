@@ -36,7 +36,7 @@ pub(super) struct FileConstants {
 }
 
 impl FileConstants {
-    /// The constants of the file that `span` is in.
+    /// Creates the constants of the file that `span` is in, without reading it.
     pub(super) fn new(span: Span) -> Self {
         Self { file: span.local_file(), ..Self::default() }
     }
@@ -64,10 +64,10 @@ impl FileConstants {
     }
 
     /// Records a value that the compiler has to confirm.
-    pub(super) fn assume(&self, path: syn::Path, value: i64) {
+    pub(super) fn assume(&self, path: &syn::Path, value: i64) {
         let mut assumed = self.assumed.borrow_mut();
-        if self.depth.get() == 0 && !assumed.iter().any(|(known, _)| segments(known) == segments(&path)) {
-            assumed.push((path, value));
+        if self.depth.get() == 0 && !assumed.iter().any(|(known, _)| segments(known) == segments(path)) {
+            assumed.push((path.clone(), value));
         }
     }
 

@@ -197,7 +197,10 @@ impl Translation<'_> {
             None => None,
         };
         let value = value.or_else(|| self.unit_struct(&segments(&path.path)));
-        let value = value.or_else(|| self.constant_of_file(path)).or_else(|| self.constant_beside(path));
+        let value = value.or_else(|| {
+            let constant = self.path_of_constant(path)?;
+            self.constant_of_file(&constant).or_else(|| self.constant_beside(constant))
+        });
         value.unwrap_or_else(|| {
             let text = match path.path.get_ident() {
                 Some(name) => {
@@ -214,9 +217,8 @@ impl Translation<'_> {
     }
 
     /// Returns an integer or a boolean that stands in the same file, outside of the known items.
-    fn constant_of_file(&mut self, path: &syn::ExprPath) -> Option<Value> {
-        let found = self.path_of_constant(path)?;
-        let (name, items, said) = (segments(&found).pop()?, self.items, self.said());
+    fn constant_of_file(&mut self, path: &syn::Path) -> Option<Value> {
+        let (name, items, said) = (segments(path).pop()?, self.items, self.said());
         let constant = items.file.get(&name)?;
         let value = items.file.within(|| self.constant(&name, constant));
         if self.report.count() > said.errors {
@@ -227,17 +229,19 @@ impl Translation<'_> {
             Value::Truth(Condition::Known(holds)) => i64::from(*holds),
             value => self.algebra.known_integer(value)?,
         };
-        items.file.assume(found, number);
+        items.file.assume(path, number);
         Some(value)
     }
 
     /// Returns a constant that the macro cannot see, beside the function or imported there, as an input that the companion
     /// reads. It has to be a number of the function's type, which the compiler checks, unless it is [cast](Self::cast).
-    fn constant_beside(&mut self, path: &syn::ExprPath) -> Option<Value> {
-        let found = self.path_of_constant(path).filter(|_| self.reads_constants)?;
-        let known = self.algebra.constants.iter().position(|known| segments(known) == segments(&found));
+    fn constant_beside(&mut self, path: syn::Path) -> Option<Value> {
+        if !self.reads_constants {
+            return None;
+        }
+        let known = self.algebra.constants.iter().position(|known| segments(known) == segments(&path));
         let index = known.unwrap_or_else(|| {
-            self.algebra.constants.push(found);
+            self.algebra.constants.push(path);
             self.algebra.constants.len() - 1
         });
         Some(Value::Scalar(self.algebra.outside(Outside::Constant(index))))
