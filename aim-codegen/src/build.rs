@@ -199,7 +199,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_becomes_a_file_that_is_left_alone_while_nothing_changes() {
+    fn a_folder_is_compiled_to_one_file_that_is_rewritten_only_on_change() {
         let place =
             folder("whole", &[("lamp.toml", LAMP), ("b.toml", &LAMP.replace("Lamp", "Beam")), ("notes.txt", "!")]);
         let rigs = Rigs::new(place.join("rigs"));
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn every_mistake_of_every_file_is_told_and_nothing_written() {
+    fn all_errors_of_all_files_are_reported_and_nothing_is_written() {
         let place = folder(
             "mistakes",
             &[
@@ -255,15 +255,17 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_or_written_is_said() {
+    fn unreadable_and_unwritable_paths_are_reported() {
         let place = folder("unreadable", &[]);
-        let told = |rigs: &Rigs| rigs.write_to(&place).expect_err("nothing to write");
-        assert!(told(&Rigs::new(place.join("rigs"))).contains("there is no rig in the folder"));
-        assert!(told(&Rigs::new(place.join("rig"))).contains("give a folder of rigs or a rig's TOML file"));
+        let error_of = |rigs: &Rigs| rigs.write_to(&place).expect_err("nothing to write");
+        assert!(error_of(&Rigs::new(place.join("rigs"))).contains("there is no rig in the folder"));
+        assert!(error_of(&Rigs::new(place.join("rig"))).contains("give a folder of rigs or a rig's TOML file"));
         fs::write(place.join("rigs/a.toml"), [0xff]).expect("a file for the test");
-        assert!(told(&Rigs::new(place.join("rigs"))).contains("a rig file is text in UTF-8"));
+        assert!(error_of(&Rigs::new(place.join("rigs"))).contains("a rig file is text in UTF-8"));
         fs::write(place.join("rigs/a.toml"), LAMP).expect("a file for the test");
-        assert!(told(&Rigs::new(place.join("rigs")).crate_path("a b")).contains("`a b` is not the path of a library"));
+        assert!(
+            error_of(&Rigs::new(place.join("rigs")).crate_path("a b")).contains("`a b` is not the path of a library")
+        );
         let nowhere = Rigs::new(place.join("rigs")).write_to(&place.join("none")).expect_err("no such folder");
         assert!(nowhere.contains("cannot be written"), "{nowhere}");
         fs::remove_dir_all(place).expect("the test's own folder");

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn underscores_stand_only_before_a_capital_after_a_small_letter() {
+    fn snake_case_breaks_between_a_small_letter_and_a_capital() {
         for (name, snake) in [
             ("Thug", "thug"),
             ("LeftEye", "left_eye"),

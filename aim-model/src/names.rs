@@ -191,7 +191,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_many_traditions_come_apart() {
+    fn bone_names_are_split_into_side_and_key() {
         let cases = [
             ("L_eyeBall_joint2", Some(Side::Left), "eyeball"),
             ("Bip01 REyeBlinkTop", Some(Side::Right), "bipeyeblinktop"),
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_many_traditions_tell_a_role() {
+    fn bone_names_are_assigned_roles() {
         for (names, role) in [
             ("eye left_eye leftEye L_eyeBall_joint2 mixamorig:LeftEye LEYE lefteye eye_l DEF-eye.L", Some(Role::Eye)),
             ("FACIAL_L_Eye J_Adj_L_FaceEye LEye Eyeball_R eyes r_eye_01 EyeL", Some(Role::Eye)),

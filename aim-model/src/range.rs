@@ -243,8 +243,8 @@ impl<T: Float> Taper<T> {
         let animated = self.animated.unwrap_or(Angles { heading: T::ZERO, pitch: T::ZERO });
         let heading = heading + animated.heading;
         let [right, left] = self.per_rad;
-        let lost = if heading < T::ZERO { -heading * right } else { heading * left };
-        let tapered = self.pitch.scaled(T::ONE - lost.max(T::ZERO).min(self.most));
+        let taper = if heading < T::ZERO { -heading * right } else { heading * left };
+        let tapered = self.pitch.scaled(T::ONE - taper.max(T::ZERO).min(self.most));
         match self.animated {
             Some(_) => tapered.counted_from(animated.pitch),
             None => tapered,
@@ -317,7 +317,7 @@ mod tests {
     const INFINITE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
     #[test]
-    fn declared_ranges_count_as_documented() {
+    fn declared_ranges_are_normalised_as_documented() {
         let ends = |declared| Interval::declared(declared).ends();
         assert_eq!(ends(None), [0.0, 0.0]);
         assert_eq!(ends(Some([-1.0, 2.0])), [-1.0, 2.0]);
@@ -331,15 +331,15 @@ mod tests {
     fn pitch_tapers_linearly_to_either_end_of_the_heading() {
         let declared = Angles { heading: Some([-2.0, 1.0]), pitch: Some([-0.4, 0.8]) };
         let range = RangeOfMotion::new(declared, 0.5, None);
-        for (heading, kept) in [(0.0, 1.0), (0.5, 0.75), (1.0, 0.5), (3.0, 0.5), (-1.0, 0.75), (-2.0, 0.5)] {
-            assert_eq!(range.pitch_at(heading).ends(), [-0.4 * kept, 0.8 * kept], "{heading}");
+        for (heading, factor) in [(0.0, 1.0), (0.5, 0.75), (1.0, 0.5), (3.0, 0.5), (-1.0, 0.75), (-2.0, 0.5)] {
+            assert_eq!(range.pitch_at(heading).ends(), [-0.4 * factor, 0.8 * factor], "{heading}");
         }
         let free = RangeOfMotion::new(Angles { heading: Some(INFINITE), ..declared }, 0.5, None);
         assert_eq!(free.pitch_at(1.0).ends(), [-0.4, 0.8]);
     }
 
     #[test]
-    fn what_the_animation_does_counts_from_the_bind_pose() {
+    fn the_animated_angle_counts_towards_a_range_from_the_bind_pose() {
         let declared = Angles { heading: Some([-1.0, 1.0]), pitch: None };
         let range = RangeOfMotion::new(declared, 0.0, Some(Angles { heading: 0.25, pitch: 7.0 }));
         assert_eq!((range.heading.ends(), range.pitch.ends()), ([-1.25, 0.75], [0.0, 0.0]));

@@ -36,8 +36,8 @@ pub mod print;
 mod program;
 mod rewrite;
 
-pub use diff::gradient::Placement;
-pub use diff::sweep::{Course, Passage, Swept};
+pub use diff::gradient::ReciprocalPlacement;
+pub use diff::sweep::{SweepDirection, SweepRecord, VisitedNode};
 pub use ir::evaluate::Bindings;
 pub use ir::graph::Graph;
 pub use ir::graph::prune::Pruned;

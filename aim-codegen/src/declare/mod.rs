@@ -5,8 +5,8 @@
 
 pub(crate) mod check;
 pub(crate) mod parse;
-mod place;
 pub(crate) mod report;
+mod source_place;
 pub(crate) mod tree;
 
 #[cfg(test)]
@@ -19,8 +19,8 @@ use syn::{Data, DeriveInput};
 use self::parse::item;
 #[cfg(feature = "toml")]
 use self::parse::toml_file;
-pub use self::place::Place;
 pub use self::report::diagnostics::{Diagnostic, Diagnostics};
+pub use self::source_place::SourcePlace;
 use crate::RigSpec;
 
 /// A checked declaration of a derive macro.

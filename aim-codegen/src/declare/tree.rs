@@ -5,7 +5,7 @@
 
 use proc_macro2::TokenStream;
 
-use super::place::Place;
+use super::source_place::SourcePlace;
 
 /// Notation of a declaration; messages quote it back in the same notation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ impl Joint {
     }
 
     /// Returns the place for reports of missing settings: the name, the smallest place that identifies the joint.
-    pub(crate) fn name_place(&self) -> &Place {
+    pub(crate) fn name_place(&self) -> &SourcePlace {
         self.name.as_ref().map_or(&self.section.place, |name| &name.place)
     }
 }
@@ -60,7 +60,7 @@ impl Joint {
 #[derive(Debug)]
 pub(crate) struct Section {
     /// Place for reports of missing settings.
-    pub(crate) place: Place,
+    pub(crate) place: SourcePlace,
     /// Attributes that the settings came from; none in TOML.
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) entries: Vec<Entry>,
@@ -69,7 +69,7 @@ pub(crate) struct Section {
 /// An attribute of this derive.
 #[derive(Debug)]
 pub(crate) struct Attribute {
-    pub(crate) place: Place,
+    pub(crate) place: SourcePlace,
     /// `true` if it has the form `#[name(…)]`.
     pub(crate) has_list: bool,
 }
@@ -78,9 +78,9 @@ pub(crate) struct Attribute {
 #[derive(Debug, Default)]
 pub(crate) struct ItemFacts {
     /// Kind of the item if it is not a struct with named fields: `a tuple struct`.
-    pub(crate) wrong_shape: Option<(&'static str, Place)>,
+    pub(crate) wrong_shape: Option<(&'static str, SourcePlace)>,
     /// Place of its generic parameters.
-    pub(crate) generics: Option<Place>,
+    pub(crate) generics: Option<SourcePlace>,
     /// Joint fields whose type cannot be `Joint`: the field's name, and the type with its place.
     pub(crate) foreign: Vec<(String, Word)>,
     /// Attributes of this derive in places where they do not belong.
@@ -91,7 +91,7 @@ pub(crate) struct ItemFacts {
 #[derive(Clone, Debug)]
 pub(crate) struct Word {
     pub(crate) text: String,
-    pub(crate) place: Place,
+    pub(crate) place: SourcePlace,
 }
 
 /// One entry of a section or table.
@@ -105,7 +105,7 @@ pub(crate) enum Entry {
     NoComma(Word),
     /// A repeated key, where the syntax itself forbids it.
     #[cfg(feature = "toml")]
-    Repeated { key: Word, first: Option<Place> },
+    Repeated { key: Word, first: Option<SourcePlace> },
 }
 
 /// A key with its value.
@@ -119,7 +119,7 @@ pub(crate) struct Item {
 #[derive(Debug)]
 pub(crate) struct Value {
     pub(crate) kind: Kind,
-    pub(crate) place: Place,
+    pub(crate) place: SourcePlace,
 }
 
 /// Kind of a value, by its form alone.

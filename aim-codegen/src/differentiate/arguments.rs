@@ -5,11 +5,11 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{FnArg, Pat, ReturnType, Signature};
 
-use super::companion::{Companion, Takes};
+use super::companion::{Companion, ExtraParameters};
 use super::inputs::Inputs;
 use super::items::Items;
 use super::lower::{Algebra, Scope, Value};
-use super::manifold::Varies;
+use super::manifold::VaryingPart;
 use super::messages;
 use super::options::{Options, Variable};
 use super::slices::slice_of;
@@ -31,7 +31,7 @@ pub(super) struct Argument {
     pub(super) declared: TokenStream,
     /// Position in `wrt`, if derivatives are taken with respect to the argument.
     pub(super) variable: Option<usize>,
-    pub(super) varies: Varies,
+    pub(super) varying_part: VaryingPart,
     /// Type of derivatives with respect to the argument: its own type, or that of its tangent.
     pub(super) slope: Type,
 }
@@ -92,14 +92,15 @@ impl Arguments {
             };
             match known {
                 Some(ty) => {
-                    let varies = variable.map_or(Varies::Nothing, |(_, variable)| options.varies(variable));
-                    let slope = match varies {
-                        Varies::Tangent(_) => ty.tangent(options.krate.as_ref().unwrap_or(&TokenStream::new())),
+                    let varying_part =
+                        variable.map_or(VaryingPart::Nothing, |(_, variable)| options.varying_part(variable));
+                    let slope = match varying_part {
+                        VaryingPart::Tangent(_) => ty.tangent(options.krate.as_ref().unwrap_or(&TokenStream::new())),
                         _ => ty.owned(),
                     };
                     let (variable, pattern) = (variable.map(|(place, _)| place), (*typed.pat).clone());
                     let declared = declared.to_token_stream();
-                    list.push(Argument { name, called, pattern, ty, declared, variable, varies, slope });
+                    list.push(Argument { name, called, pattern, ty, declared, variable, varying_part, slope });
                 }
                 None => faulty.push(name.unwrap_or_else(|| pattern_argument(index))),
             }
@@ -193,7 +194,7 @@ impl Arguments {
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
             let numbers = (0..argument.ty.components()).map(|index| a.g.input(&format!("{named}_{index}")));
             let numbers: Vec<Scalar> = numbers.collect();
-            let mut inputs = Inputs::new(a, numbers, argument.varies, slices);
+            let mut inputs = Inputs::new(a, numbers, argument.varying_part, slices);
             declared.values.push(inputs.value(&argument.ty));
             slices = inputs.slices;
             let by = inputs.variables;
@@ -216,15 +217,17 @@ impl Arguments {
     }
 
     /// Returns the names and types of a companion's additional parameters.
-    pub(super) fn taken(&self, companion: Companion) -> Vec<(Ident, Type)> {
-        match companion.takes() {
-            Takes::Nothing => Vec::new(),
-            Takes::Direction => {
+    pub(super) fn extra_parameters(&self, companion: Companion) -> Vec<(Ident, Type)> {
+        match companion.extra_parameters() {
+            ExtraParameters::Nothing => Vec::new(),
+            ExtraParameters::Direction => {
                 let variables = self.variables().into_iter();
                 let named = variables.filter_map(|variable| Some((variable.name.as_ref()?, &variable.slope)));
                 named.map(|(name, ty)| (self.free(format!("along_{}", word_of(name).text)), ty.owned())).collect()
             }
-            Takes::Weights => self.result.iter().map(|ty| (self.free("weights".to_owned()), ty.owned())).collect(),
+            ExtraParameters::Weights => {
+                self.result.iter().map(|ty| (self.free("weights".to_owned()), ty.owned())).collect()
+            }
         }
     }
 
@@ -237,9 +240,9 @@ impl Arguments {
     }
 
     /// Declares the numbers of a companion's additional parameters as inputs.
-    pub(super) fn further(&self, companion: Companion, g: &mut Graph) -> Vec<Scalar> {
+    pub(super) fn extra_inputs(&self, companion: Companion, g: &mut Graph) -> Vec<Scalar> {
         let mut declared = Vec::new();
-        for (name, ty) in self.taken(companion) {
+        for (name, ty) in self.extra_parameters(companion) {
             declared.extend((0..ty.dimension()).map(|index| g.input(&format!("{name}_{index}"))));
         }
         declared
@@ -258,7 +261,7 @@ impl Arguments {
         for Argument { called, ty, .. } in &self.list {
             ty.numbers(called, precision, &mut inputs);
         }
-        for (name, ty) in self.taken(companion) {
+        for (name, ty) in self.extra_parameters(companion) {
             inputs.extend(ty.varying(&quote!(#name), precision));
         }
         inputs

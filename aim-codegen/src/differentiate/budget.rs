@@ -3,7 +3,7 @@
 use aim_symbolic::Count;
 
 use super::messages;
-use crate::declare::Place;
+use crate::declare::SourcePlace;
 use crate::declare::check::keys::Key;
 use crate::declare::check::read;
 use crate::declare::check::settings::{Level, Setting, Settings};
@@ -13,7 +13,7 @@ use crate::declare::tree::Kind;
 
 /// Upper limit of each kind in [`KINDS`], and the place where it is written.
 pub(super) struct Budget {
-    most: [Option<(usize, Place)>; KINDS.len()],
+    most: [Option<(usize, SourcePlace)>; KINDS.len()],
 }
 
 const KEYS: &[Key] =
@@ -59,7 +59,7 @@ impl Budget {
     }
 }
 
-fn number(report: &mut Report, setting: Setting<'_>) -> Option<(usize, Place)> {
+fn number(report: &mut Report, setting: Setting<'_>) -> Option<(usize, SourcePlace)> {
     match setting.value.number().replace('_', "").parse() {
         Ok(number) => Some((number, setting.place().clone())),
         Err(_) => read::mismatch(report, setting),

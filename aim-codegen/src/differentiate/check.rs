@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::companion::Companion;
 use super::emit::Companions;
-use super::manifold::{Side, Varies};
+use super::manifold::{Side, VaryingPart};
 use super::types::{Precision, Shape, Type};
 
 impl Companions<'_> {
@@ -19,9 +19,9 @@ impl Companions<'_> {
         let precision = self.arguments.precision();
         let (mut points, mut made, mut variables) = (Points::new(precision, krate), Vec::new(), Vec::new());
         for argument in &self.arguments.list {
-            let value = argument.ty.assemble(&mut |leaf| points.made(leaf, argument.varies));
+            let value = argument.ty.assemble(&mut |leaf| points.leaf_value(leaf, argument.varying_part));
             made.push(if argument.ty.borrowed { quote!(&#value) } else { value });
-            variables.extend(argument.variable.map(|place| (place, core::mem::take(&mut points.moved))));
+            variables.extend(argument.variable.map(|place| (place, core::mem::take(&mut points.variable_indices))));
         }
         let Points { draws, count, .. } = points;
         variables.sort_by_key(|(place, _)| *place);
@@ -118,12 +118,12 @@ struct Points<'a> {
     /// Kind of random value for each draw.
     draws: Vec<TokenStream>,
     /// Indices of the numbers of the current argument that derivatives are taken with respect to.
-    moved: Vec<usize>,
+    variable_indices: Vec<usize>,
 }
 
 impl<'a> Points<'a> {
     fn new(precision: Precision, krate: &'a TokenStream) -> Self {
-        Self { precision, krate, count: 0, draws: Vec::new(), moved: Vec::new() }
+        Self { precision, krate, count: 0, draws: Vec::new(), variable_indices: Vec::new() }
     }
 
     /// Returns the expressions of the next `size` numbers, in the function's number type.
@@ -135,15 +135,15 @@ impl<'a> Points<'a> {
     }
 
     /// Builds a value of a type that is not composed of others.
-    fn made(&mut self, leaf: &Type, varies: Varies) -> TokenStream {
-        if let Varies::Tangent(side) = varies
+    fn leaf_value(&mut self, leaf: &Type, varying_part: VaryingPart) -> TokenStream {
+        if let VaryingPart::Tangent(side) = varying_part
             && leaf.has_rotation()
         {
-            return self.moved(leaf, side);
+            return self.perturbed_rotation(leaf, side);
         }
         let (first, size) = (self.count, leaf.components());
         let original = &leaf.tokens;
-        let still = varies == Varies::Nothing;
+        let still = varying_part == VaryingPart::Nothing;
         let (draw, draws) = match leaf.shape {
             Shape::Truth => (quote!(Truth), 1),
             Shape::Integer => (quote!(Below(4)), 1),
@@ -158,7 +158,7 @@ impl<'a> Points<'a> {
         self.draws.extend(vec![draw; draws]);
         let numbers = self.next(size);
         if !still && !leaf.is_discrete() {
-            self.moved.extend(first..self.count);
+            self.variable_indices.extend(first..self.count);
         }
         let place = Literal::usize_unsuffixed(first);
         match leaf.shape {
@@ -169,7 +169,7 @@ impl<'a> Points<'a> {
     }
 
     /// Builds a rotation or transform, moved on its manifold by numbers that are 0.
-    fn moved(&mut self, leaf: &Type, side: Side) -> TokenStream {
+    fn perturbed_rotation(&mut self, leaf: &Type, side: Side) -> TokenStream {
         let ty = &leaf.tokens;
         let double = self.precision == Precision::Double;
         let glam = |name: &str| leaf.neighbour(&if double { format!("D{name}") } else { name.to_owned() }, self.krate);
@@ -180,7 +180,7 @@ impl<'a> Points<'a> {
         let first = self.count;
         let steps = self.next(if is_rigid { 6 } else { 3 });
         self.draws.extend(vec![quote!(Zero); steps.len()]);
-        self.moved.extend(first..self.count);
+        self.variable_indices.extend(first..self.count);
         let (turn, shift) = steps.split_at(3);
         let turn = quote!(<#quat>::from_scaled_axis(<#vec3>::new(#(#turn),*)));
         let (still, step) = match leaf.shape {

@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use aim_symbolic::{Count, Graph, Program, Scalar, Variable, Want};
 
-use super::kept_loops::Kept;
-use super::needed::Stated;
+use super::loop_programs::KeptLoops;
+use super::pruned_graph::ValueAndVariables;
 
 /// A kind of function that is emitted beside the user's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub(super) enum Companion {
 
 /// Parameters of a companion in addition to the function's own arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Takes {
+pub(super) enum ExtraParameters {
     Nothing,
     /// `along_x` for each variable `x`, of the variable's type.
     Direction,
@@ -50,11 +50,11 @@ impl Companion {
         }
     }
 
-    pub(super) fn takes(self) -> Takes {
+    pub(super) fn extra_parameters(self) -> ExtraParameters {
         match self {
-            Self::First | Self::Hessian | Self::GaussNewton => Takes::Nothing,
-            Self::Jvp | Self::Hvp => Takes::Direction,
-            Self::Vjp => Takes::Weights,
+            Self::First | Self::Hessian | Self::GaussNewton => ExtraParameters::Nothing,
+            Self::Jvp | Self::Hvp => ExtraParameters::Direction,
+            Self::Vjp => ExtraParameters::Weights,
         }
     }
 
@@ -63,10 +63,10 @@ impl Companion {
         matches!(self, Self::Hessian | Self::Hvp)
     }
 
-    /// Returns the outputs of the companion's program, in order. `taken` are the numbers of the parameters that it
-    /// [takes](Self::takes).
-    pub(super) fn wanted(self, g: &mut Graph, stated: &Stated, taken: &[Scalar]) -> Vec<Want> {
-        let Stated { values, vector, variables } = stated;
+    /// Returns the outputs of the companion's program, in order. `extra` are the numbers of the parameters that it
+    /// [takes in addition](Self::extra_parameters).
+    pub(super) fn wanted(self, g: &mut Graph, stated: &ValueAndVariables, extra: &[Scalar]) -> Vec<Want> {
+        let ValueAndVariables { values, vector, variables } = stated;
         let value = values.iter().map(|&value| Want::Value(value));
         let by = |x: Scalar| values.iter().map(move |&value| Want::Derivative(value, x.into()));
         let triangle = |entry: &dyn Fn(Variable, Variable) -> Want| -> Vec<Want> {
@@ -74,7 +74,7 @@ impl Companion {
             rows.flat_map(|(i, &x)| variables[i..].iter().map(move |&y| entry(x.into(), y.into()))).collect()
         };
         let along = |g: &mut Graph| -> Variable {
-            let components: Vec<_> = variables.iter().zip(taken).map(|(&x, &along)| (x.into(), along)).collect();
+            let components: Vec<_> = variables.iter().zip(extra).map(|(&x, &along)| (x.into(), along)).collect();
             g.direction(&components).into()
         };
         match self {
@@ -88,13 +88,13 @@ impl Companion {
                 value.chain(values.iter().map(|&v| Want::Derivative(v, along))).collect()
             }
             Self::Vjp => {
-                let weighted = match (*vector, taken) {
+                let weighted = match (*vector, extra) {
                     (Some(v), &[x, y, z]) => {
                         let weights = g.components([x, y, z]);
                         g.dot(v, weights)
                     }
                     _ => {
-                        let products: Vec<Scalar> = values.iter().zip(taken).map(|(&v, &w)| g.mul(v, w)).collect();
+                        let products: Vec<Scalar> = values.iter().zip(extra).map(|(&v, &w)| g.mul(v, w)).collect();
                         products.into_iter().reduce(|a, b| g.add(a, b)).unwrap_or_else(|| g.constant(0.0))
                     }
                 };
@@ -116,7 +116,7 @@ impl Companion {
 impl Derived {
     /// Returns the number of operations of all programs; a kept loop's iteration counts once.
     pub(super) fn count(&self) -> Count {
-        self.program.count() + self.kept.count()
+        self.program.count() + self.kept_loops.count()
     }
 }
 
@@ -127,7 +127,5 @@ pub(super) struct Derived {
     pub(super) graph: Graph,
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
-    pub(super) kept: Rc<Kept>,
-    /// Names that are assumed to be mathematical constants.
-    pub(super) taken_for_known: Vec<String>,
+    pub(super) kept_loops: Rc<KeptLoops>,
 }

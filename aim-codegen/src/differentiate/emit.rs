@@ -7,7 +7,7 @@ use syn::{Attribute, ItemFn};
 use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
 use super::lanes;
-use super::manifold::Varies;
+use super::manifold::VaryingPart;
 use super::types::{Shape, Type};
 use crate::emit::body::{Arithmetic, Body, counted};
 
@@ -17,6 +17,8 @@ pub(super) struct Companions<'a> {
     pub(super) item: &'a ItemFn,
     pub(super) arguments: &'a Arguments,
     pub(super) krate: &'a TokenStream,
+    /// Assertions of what the function's names are assumed to mean.
+    pub(super) assertions: &'a TokenStream,
     /// `true` if the arguments are [in lanes](Arguments::in_lanes).
     pub(super) of_lanes: bool,
 }
@@ -38,7 +40,7 @@ impl Companions<'_> {
         let precision = self.arguments.precision();
         if let Some(derived) = derived {
             let arithmetic = (Arithmetic::Generic(&number), &private);
-            derived.kept.add_inputs(&mut inputs, arithmetic, precision, &self.arguments.slices());
+            derived.kept_loops.add_inputs(&mut inputs, arithmetic, precision, &self.arguments.slices());
         }
         let input = |i: usize| inputs[i].clone();
         let program = derived.map(|derived| &derived.program);
@@ -49,7 +51,7 @@ impl Companions<'_> {
             input: &input,
         });
         let (loops, mut outputs) = match (derived, &body) {
-            (Some(derived), Some(body)) => derived.kept.through_loops(body, &input, result.components()),
+            (Some(derived), Some(body)) => derived.kept_loops.outputs_through_loops(body, &input, result.components()),
             _ => Default::default(),
         };
         // The last output is positive if there is a value.
@@ -61,8 +63,8 @@ impl Companions<'_> {
         }
         let body = body.map(|body| {
             let steps = body.steps();
-            let known = derived.iter().flat_map(|derived| &derived.taken_for_known).map(|name| sure_of(name));
-            quote!(#(#known)* #loops #steps #value)
+            let assertions = self.assertions;
+            quote!(#assertions #loops #steps #value)
         });
         Some(self.function(&name, companion, &self.doc(companion, suffix, derived), &returns, body))
     }
@@ -168,7 +170,7 @@ impl Companions<'_> {
         let function = self.item.sig.ident.to_string();
         let name = |variable: &Argument| {
             let name = variable.name.as_ref()?;
-            let tangent = matches!(variable.varies, Varies::Tangent(_));
+            let tangent = matches!(variable.varying_part, VaryingPart::Tangent(_));
             Some(if tangent { format!("the tangent of `{name}`") } else { format!("`{name}`") })
         };
         let names: Vec<String> = self.arguments.variables().into_iter().filter_map(name).collect();
@@ -201,9 +203,9 @@ impl Companions<'_> {
         let ItemFn { attrs, vis, .. } = self.item;
         let kept = attrs.iter().filter(|attribute| is_kept(attribute));
         let own = self.arguments.list.iter().map(|Argument { called, declared, .. }| quote!(#called: #declared));
-        let further = self.arguments.taken(companion);
-        let further = further.into_iter().map(|(name, Type { tokens, .. })| quote!(#name: #tokens));
-        let (inputs, generics) = (own.chain(further), self.of_lanes.then(|| lanes::generics(self.krate)));
+        let extra = self.arguments.extra_parameters(companion);
+        let extra = extra.into_iter().map(|(name, Type { tokens, .. })| quote!(#name: #tokens));
+        let (inputs, generics) = (own.chain(extra), self.of_lanes.then(|| lanes::generics(self.krate)));
         let body = body.unwrap_or_else(|| quote!(::core::unreachable!()));
         quote! {
             #(#kept)*
@@ -226,19 +228,6 @@ impl Companions<'_> {
                 #body
             }
         }
-    }
-}
-
-/// Emits an assertion that the constant of this name has the value of the mathematical constant.
-fn sure_of(name: &str) -> TokenStream {
-    let (constant, text) =
-        (format_ident!("{name}"), format!("`{name}` is not the mathematical constant, which it was taken for"));
-    quote! {
-        const _: () = ::core::assert!(
-            #constant as ::core::primitive::f64 == ::core::f64::consts::#constant
-                || #constant as ::core::primitive::f64 == ::core::f32::consts::#constant as ::core::primitive::f64,
-            #text
-        );
     }
 }
 

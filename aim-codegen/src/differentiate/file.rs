@@ -7,11 +7,11 @@ use syn::{Attribute, Item, ItemFn, Meta};
 use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
 use super::items::Items;
-use super::manifold::Varies;
+use super::manifold::VaryingPart;
 use super::options::Options;
 use super::types::{Shape, Type};
 use super::{Search, is_ours, messages};
-use crate::declare::Place;
+use crate::declare::SourcePlace;
 use crate::declare::parse::tokens::word_of;
 use crate::declare::report::Report;
 use crate::declare::report::diagnostics::{Diagnostic, Diagnostics, Source};
@@ -23,14 +23,14 @@ use crate::emit::{Precision, Procedure};
 pub struct Differentiated {
     name: String,
     precision: Precision,
-    programs: Vec<Written>,
+    programs: Vec<CompanionProgram>,
     /// Graph and outputs of the first companion.
     stated: (Graph, Vec<Want>),
 }
 
 /// A companion, to be emitted in another language.
 #[derive(Debug)]
-struct Written {
+struct CompanionProgram {
     suffix: &'static str,
     /// Description of its outputs.
     outputs: String,
@@ -56,7 +56,7 @@ impl Differentiated {
     /// If the text is not valid Rust, has no such function, or the function cannot be differentiated: returns all
     /// errors, with places in the text.
     pub fn from_file(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
-        Self::found(file_name, text, name, Search::Smallest)
+        Self::derive_from_text(file_name, text, name, Search::Smallest)
     }
 
     /// Like [`from_file`](Self::from_file), but takes the first derivation found, which need not be the smallest. For
@@ -66,10 +66,10 @@ impl Differentiated {
     ///
     /// The same as [`from_file`](Self::from_file).
     pub fn from_file_at_once(file_name: &str, text: &str, name: &str) -> Result<Self, Diagnostics> {
-        Self::found(file_name, text, name, Search::Any)
+        Self::derive_from_text(file_name, text, name, Search::Any)
     }
 
-    fn found(file_name: &str, text: &str, name: &str, search: Search) -> Result<Self, Diagnostics> {
+    fn derive_from_text(file_name: &str, text: &str, name: &str, search: Search) -> Result<Self, Diagnostics> {
         let mut report = Report::new(tree::Notation::Rust);
         let derived = derive(text, name, search, &mut report);
         let mut found = report.into_list();
@@ -88,7 +88,7 @@ impl Differentiated {
     /// Returns `true` if one of the programs contains a constant that is infinite or NaN.
     #[must_use]
     pub fn has_infinities(&self) -> bool {
-        self.programs.iter().any(|Written { program, .. }| {
+        self.programs.iter().any(|CompanionProgram { program, .. }| {
             program.ops().iter().any(|op| match op {
                 aim_symbolic::Op::Constant(constant) => !constant.value().is_finite(),
                 _ => false,
@@ -119,7 +119,7 @@ impl Differentiated {
     #[must_use]
     pub fn procedures(&self) -> Vec<Procedure<'_>> {
         let programs = self.programs.iter();
-        let procedures = programs.map(|Written { suffix, outputs, parameters, program }| Procedure {
+        let procedures = programs.map(|CompanionProgram { suffix, outputs, parameters, program }| Procedure {
             name: format!("{}_{suffix}", self.name),
             doc: vec![outputs.clone(), format!("{}.", program.count())],
             parameters: parameters.clone(),
@@ -134,18 +134,18 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
     let file = match syn::parse_file(text) {
         Ok(file) => file,
         Err(error) => {
-            report.error(&Place::span(error.span()), messages::no_rust(&error.to_string()));
+            report.error(&SourcePlace::span(error.span()), messages::no_rust(&error.to_string()));
             return None;
         }
     };
     let mut functions = Vec::new();
-    collect(&file.items, None, &mut functions);
+    collect_requested(&file.items, None, &mut functions);
     let all: Vec<String> = functions.iter().map(|found| found.function.sig.ident.to_string()).collect();
-    let Some(Found { function, attribute, module }) =
+    let Some(RequestedFunction { function, attribute, module }) =
         functions.into_iter().find(|found| found.function.sig.ident == name)
     else {
         let all: Vec<&str> = all.iter().map(String::as_str).collect();
-        report.error(&Place::Text(0..0), messages::no_such_function(name, &all));
+        report.error(&SourcePlace::Text(0..0), messages::no_such_function(name, &all));
         return None;
     };
     let arguments = match &attribute.meta {
@@ -156,7 +156,7 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
     let items = module.map(Items::of).unwrap_or_default();
     let arguments = Arguments::check(&function.sig, &options, &items, report);
     let derived = Derived::all(function, &options, &arguments, &items, search, report)?;
-    if derived.iter().any(|derived| !derived.kept.is_empty()) {
+    if derived.iter().any(|derived| !derived.kept_loops.is_empty()) {
         report.error_in(&function.sig.ident, messages::kept_loop_elsewhere(name));
         return None;
     }
@@ -173,12 +173,13 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         parameter(&name, &argument.ty)
     });
     let own: Vec<_> = own.collect();
-    let written = |Derived { companion, program, .. }: Derived| {
-        let further = arguments.taken(companion).into_iter().map(|(name, ty)| parameter(&name.to_string(), &ty));
-        Some(Written {
+    let program_of = |Derived { companion, program, .. }: Derived| {
+        let extra =
+            arguments.extra_parameters(companion).into_iter().map(|(name, ty)| parameter(&name.to_string(), &ty));
+        Some(CompanionProgram {
             suffix: arguments.suffix(companion)?,
             outputs: outputs.of(companion),
-            parameters: own.iter().cloned().chain(further).collect(),
+            parameters: own.iter().cloned().chain(extra).collect(),
             program,
         })
     };
@@ -187,7 +188,7 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         stated,
         name: name.to_owned(),
         precision: arguments.precision(),
-        programs: derived.into_iter().filter_map(written).collect(),
+        programs: derived.into_iter().filter_map(program_of).collect(),
     })
 }
 
@@ -197,24 +198,24 @@ fn parameter(name: &str, ty: &Type) -> (String, Option<usize>) {
 }
 
 /// A function with the attribute, and the items of its module if the module has the attribute as well.
-struct Found<'f> {
+struct RequestedFunction<'f> {
     function: &'f ItemFn,
     attribute: &'f Attribute,
     module: Option<&'f [Item]>,
 }
 
 /// Collects all functions with the attribute, including those in modules.
-fn collect<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Vec<Found<'f>>) {
+fn collect_requested<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Vec<RequestedFunction<'f>>) {
     for item in items {
         match item {
             Item::Fn(function) => {
                 let attribute = function.attrs.iter().find(|attribute| is_ours(attribute));
-                functions.extend(attribute.map(|attribute| Found { function, attribute, module }));
+                functions.extend(attribute.map(|attribute| RequestedFunction { function, attribute, module }));
             }
             Item::Mod(inner) => {
                 let items = inner.content.as_ref().map_or(&[][..], |(_, items)| items);
-                let seen = inner.attrs.iter().any(is_ours).then_some(items);
-                collect(items, seen, functions);
+                let module_items = inner.attrs.iter().any(is_ours).then_some(items);
+                collect_requested(items, module_items, functions);
             }
             _ => {}
         }
@@ -259,7 +260,7 @@ impl Outputs<'_> {
     fn variables(&self) -> String {
         let variable = |argument: &&Argument| {
             let name = argument.name.as_ref().map(ToString::to_string).unwrap_or_default();
-            let tangent = if matches!(argument.varies, Varies::Tangent(_)) { "the tangent of " } else { "" };
+            let tangent = if matches!(argument.varying_part, VaryingPart::Tangent(_)) { "the tangent of " } else { "" };
             format!("{tangent}{name} ({})", argument.slope.dimension())
         };
         self.variables.iter().map(variable).collect::<Vec<_>>().join(", ")

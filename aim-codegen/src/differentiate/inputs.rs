@@ -6,14 +6,14 @@ use aim_symbolic::{Scalar, Vector};
 use quote::ToTokens;
 
 use super::lower::{Affine, Algebra, Condition, Map, Optional, Quaternion, Slice, Struct, TAG, Value, field_of};
-use super::manifold::Varies;
+use super::manifold::VaryingPart;
 use super::types::{Shape, Type};
 
 /// The numbers of an argument, consumed part by part.
 pub(super) struct Inputs<'a> {
     a: &'a mut Algebra,
     numbers: std::vec::IntoIter<Scalar>,
-    varies: Varies,
+    varying_part: VaryingPart,
     /// Inputs that derivatives are taken with respect to, in the order of the argument's parts.
     pub(super) variables: Vec<Scalar>,
     /// Number of slices so far, including those of earlier arguments.
@@ -21,8 +21,8 @@ pub(super) struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    pub(super) fn new(a: &'a mut Algebra, numbers: Vec<Scalar>, varies: Varies, slices: usize) -> Self {
-        Self { a, numbers: numbers.into_iter(), varies, variables: Vec::new(), slices }
+    pub(super) fn new(a: &'a mut Algebra, numbers: Vec<Scalar>, varying_part: VaryingPart, slices: usize) -> Self {
+        Self { a, numbers: numbers.into_iter(), varying_part, variables: Vec::new(), slices }
     }
 
     /// Builds a value of type `ty` from the next numbers. Transforms are assumed rigid, quaternions that are not
@@ -45,7 +45,8 @@ impl<'a> Inputs<'a> {
                 self.a.set_extent(len, 0.0, f64::INFINITY);
                 let (components, element) = (element.components(), element.clone());
                 // Elements contain no slices.
-                let make = move |a: &mut Algebra, numbers| Inputs::new(a, numbers, Varies::Nothing, 0).value(&element);
+                let make =
+                    move |a: &mut Algebra, numbers| Inputs::new(a, numbers, VaryingPart::Nothing, 0).value(&element);
                 let first = self.a.number(0.0);
                 Value::Slice(Rc::new(Slice { place, components, make: Rc::new(make), first, len }))
             }
@@ -85,7 +86,7 @@ impl<'a> Inputs<'a> {
 
     /// Builds a value that is not composed of others. Each of its numbers varies independently, or its tangent does.
     fn leaf(&mut self, ty: &Type) -> Value {
-        if let Varies::Tangent(side) = self.varies {
+        if let VaryingPart::Tangent(side) = self.varying_part {
             match ty.shape {
                 Shape::Quaternion => {
                     let numbers = self.take();
@@ -108,7 +109,7 @@ impl<'a> Inputs<'a> {
                 _ => {}
             }
         }
-        if self.varies != Varies::Nothing && !ty.is_discrete() {
+        if self.varying_part != VaryingPart::Nothing && !ty.is_discrete() {
             self.variables.extend(self.numbers.as_slice().iter().take(ty.components()));
         }
         match ty.shape {
@@ -130,8 +131,8 @@ impl<'a> Inputs<'a> {
             Shape::Four => Value::Four(self.take()),
             Shape::Quaternion => {
                 let (u, w) = (self.column(), self.next());
-                Value::Quaternion(match self.varies {
-                    Varies::Nothing => Quaternion::unit(self.a, u, w),
+                Value::Quaternion(match self.varying_part {
+                    VaryingPart::Nothing => Quaternion::unit(self.a, u, w),
                     _ => Quaternion::from_parts(u, w),
                 })
             }

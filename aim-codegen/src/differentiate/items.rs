@@ -7,7 +7,7 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Attribute, Expr, Fields, FnArg, GenericParam, ImplItem, Item, Member, Pat, Signature, TraitItem};
 
-use super::constants::{Constant, FileConstants, has_cfg};
+use super::constants::{Constant, Surroundings, has_cfg};
 use super::lower::{Callable, Scope};
 use super::names::{Meaning, Names, join, segments};
 
@@ -31,7 +31,7 @@ pub(super) struct Items {
     /// Names of items that depend on `cfg`; these items are not read.
     conditional: Vec<String>,
     /// Constants of the file around the module.
-    pub(super) file: FileConstants,
+    pub(super) surroundings: Surroundings,
     /// Functions with reported errors; further calls of them report nothing.
     faulty: RefCell<Vec<Rc<Callable>>>,
     /// Structs and enums whose fields are being read, to detect recursive types.
@@ -120,7 +120,7 @@ impl Items {
 
     /// The same items in the file that `span` is in.
     pub(super) fn in_file_of(self, span: Span) -> Self {
-        Self { file: FileConstants::new(span), ..self }
+        Self { surroundings: Surroundings::new(span), ..self }
     }
 
     /// Records the names of all items, so that paths can be resolved.
@@ -468,7 +468,7 @@ pub(super) fn callable(
         },
         body: Expr::Block(syn::ExprBlock { attrs: Vec::new(), label: None, block: block.clone() }),
         captured: Vec::new(),
-        home: None,
+        origin: None,
         scope,
         of_trait,
     }

@@ -15,7 +15,7 @@ use quote::quote;
 use super::arguments::{Argument, Arguments};
 use super::messages;
 use super::types::{Shape, Type};
-use crate::declare::Place;
+use crate::declare::SourcePlace;
 use crate::declare::report::Report;
 
 /// Returns the number type.
@@ -32,7 +32,7 @@ pub(super) fn generics(krate: &TokenStream) -> TokenStream {
 impl Arguments {
     /// Returns the arguments and the result in lanes. `None` if one of their types has no such form, which is reported
     /// at `place`.
-    pub(super) fn in_lanes(&self, place: &Place, report: &mut Report) -> Option<Self> {
+    pub(super) fn in_lanes(&self, place: &SourcePlace, report: &mut Report) -> Option<Self> {
         if let Some(partial) = self.list.iter().map(|argument| &argument.ty).find(|ty| !ty.is_whole()) {
             return report.refuse(place, messages::no_lanes(&partial.tokens.to_string()));
         }
@@ -54,7 +54,7 @@ impl Arguments {
                 pattern: argument.pattern.clone(),
                 declared: if ty.borrowed { quote!(&#tokens) } else { tokens.clone() },
                 variable: argument.variable,
-                varies: argument.varies,
+                varying_part: argument.varying_part,
                 ty,
                 slope,
             }

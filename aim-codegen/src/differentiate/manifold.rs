@@ -25,7 +25,7 @@ pub(super) enum Side {
 
 /// The part of an argument that derivatives are taken with respect to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Varies {
+pub(super) enum VaryingPart {
     Nothing,
     Numbers,
     /// Its tangent vector.

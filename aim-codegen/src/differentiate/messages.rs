@@ -220,6 +220,10 @@ messages! {
         "the value of `{name}` is not visible to `#[differentiate]`",
         "{help}";
 
+    behind_glob(name: &str) =>
+        "`{name}` may come from a glob import in this function, which `#[differentiate]` cannot look into",
+        "import it by its name, or move the glob import out of the function";
+
     outside_constant(path: &str) =>
         "the value of `{path}` is not visible to `#[differentiate]`",
         "pass it as an argument, or {MODULE}; always visible are `core::f32::consts::PI` and the like, \
@@ -268,7 +272,7 @@ messages! {
 
     range_without_end() => "this range needs both bounds", "write it as in `0..N`";
 
-    rounds_unknown() =>
+    unknown_iteration_count() =>
         "the number of iterations of this loop is unknown",
         "loops are unrolled: bound a counter, as in `0..n.min(8)` or by `assert!(n <= 8)` before the loop, \
          and a loop that ends on a condition, as in `while n < 20 && error > 1e-9`";
@@ -457,7 +461,7 @@ messages! {
         "the branches cannot be merged: one is {then}, the other {otherwise}",
         "{help}";
 
-    unknown_round() =>
+    unknown_iteration() =>
         "the effect of one iteration of this loop cannot be determined",
         "the compiler's own errors may explain why";
 

@@ -6,8 +6,8 @@
 //!    ([`manifold`]).
 //! 2. [`lower`] runs the body symbolically, statement by statement, and builds its value in the graph. Rotations stay
 //!    rotations.
-//! 3. The graph is differentiated and compiled like the objectives of rigs. A kept loop ([`kept_loops`]) is compiled in
-//!    three parts: the code before it, one iteration, and the code after it.
+//! 3. The graph is differentiated and compiled like the objectives of rigs. A kept loop ([`loop_programs`]) is compiled
+//!    in three parts: the code before it, one iteration, and the code after it.
 //! 4. [`emit`] writes the programs as functions of the same arguments. A derivative with respect to a value keeps the
 //!    parts of that value that do not vary ([`slopes`]).
 //!
@@ -20,17 +20,17 @@ mod companion;
 mod constants;
 mod emit;
 pub(crate) mod file;
-mod given;
+mod generic_arguments;
 mod inputs;
 mod items;
-mod kept_loops;
 mod lanes;
+mod loop_programs;
 mod lower;
 mod manifold;
 mod messages;
 mod names;
-mod needed;
 mod options;
+mod pruned_graph;
 mod slices;
 mod slopes;
 mod types;
@@ -50,10 +50,10 @@ use self::arguments::{Arguments, Declared};
 use self::companion::{Companion, Derived};
 use self::emit::Companions;
 use self::items::Items;
-use self::kept_loops::Kept;
+use self::loop_programs::KeptLoops;
 use self::lower::{Algebra, Translation, Value};
-use self::needed::{Needed, Stated};
 use self::options::Options;
+use self::pruned_graph::{PrunedGraph, ValueAndVariables};
 use self::types::{Shape, Type};
 use crate::declare::report::Report;
 use crate::declare::tree::Notation;
@@ -151,11 +151,11 @@ fn take_requests_of_methods(item: &mut Item) -> Vec<syn::Attribute> {
 /// Returns `true` if a test is requested and test values for all arguments can be built.
 fn checked(options: &Options, arguments: &Arguments, report: &mut Report) -> bool {
     let Some((true, place)) = &options.check else { return false };
-    let unmade = arguments.list.iter().find(|argument| !argument.ty.is_whole());
-    if let Some(argument) = unmade {
+    let without_test_value = arguments.list.iter().find(|argument| !argument.ty.is_whole());
+    if let Some(argument) = without_test_value {
         report.error(place, messages::unchecked(&argument.ty.tokens.to_string()));
     }
-    unmade.is_none()
+    without_test_value.is_none()
 }
 
 /// Returns `true` if the attribute is `differentiate`.
@@ -172,18 +172,19 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     }
     let arguments = Arguments::check(&function.sig, options, items, report);
     let derived = Derived::all(function, options, &arguments, items, Search::Smallest, report);
-    let assertions = items.file.assertions();
+    let assertions = items.surroundings.take_assertions();
     let krate = options.krate.clone().unwrap_or_default();
-    let companions = Companions { item: function, arguments: &arguments, krate: &krate, of_lanes: false };
+    let companions =
+        Companions { item: function, arguments: &arguments, krate: &krate, assertions: &assertions, of_lanes: false };
     // With `self` or an unsupported type in the signature, a stub would only cause another error.
     if !arguments.faulty.is_empty() || function.sig.receiver().is_some() {
         return TokenStream::new();
     }
     let in_lanes = options.lanes.as_ref().and_then(|place| arguments.in_lanes(place, report));
     let in_lanes = in_lanes.as_ref().map(|arguments| Companions { arguments, of_lanes: true, ..companions });
-    let asked = options.companions.iter().map(|(companion, _)| *companion);
+    let requested = options.companions.iter().map(|(companion, _)| *companion);
     let mut all = TokenStream::new();
-    for companion in [Companion::First].into_iter().chain(asked) {
+    for companion in [Companion::First].into_iter().chain(requested) {
         let derived = derived.iter().flatten().find(|derived| derived.companion == companion);
         all.extend(companions.companion(companion, derived));
         all.extend(in_lanes.as_ref().and_then(|companions| companions.companion(companion, derived)));
@@ -191,7 +192,7 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
     let wanted = derived.is_some() && checked(options, &arguments, report);
     let check = wanted.then(|| companions.check());
     let check = check.flatten();
-    quote!(#assertions #all #check)
+    quote!(#all #check)
 }
 
 /// Decides whether competing rewrite rules are compared.
@@ -263,11 +264,11 @@ impl Derived {
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
         let mut flag = is_some.map(|is_some| algebra.number_of(&is_some));
-        let mut stated = Stated { values: numbers, vector, variables };
-        let needed = Needed::of(&algebra, &mut stated, &mut flag);
-        let kept = Rc::new(Kept::derive(&needed, &stated.variables, &|g, wanted| search.program(g, wanted)));
-        let is_kept = !kept.is_empty();
-        if is_kept {
+        let mut stated = ValueAndVariables { values: numbers, vector, variables };
+        let pruned = PrunedGraph::new(&algebra, &mut stated, &mut flag);
+        let kept_loops = Rc::new(KeptLoops::derive(&pruned, &stated.variables, &|g, wanted| search.program(g, wanted)));
+        let has_kept_loops = !kept_loops.is_empty();
+        if has_kept_loops {
             for (companion, place) in &options.companions {
                 report.error(place, messages::companion_of_kept_loop(companion.key()));
             }
@@ -279,22 +280,15 @@ impl Derived {
             }
         }
         let derive = |companion: Companion| {
-            let mut g = needed.g.clone();
-            let taken = arguments.further(companion, &mut g);
-            let mut wanted = companion.wanted(&mut g, &stated, &taken);
-            wanted.extend(kept.after().flat_map(|after| stated.derivatives_by(after)));
+            let mut g = pruned.g.clone();
+            let extra = arguments.extra_inputs(companion, &mut g);
+            let mut wanted = companion.wanted(&mut g, &stated, &extra);
+            wanted.extend(kept_loops.final_states().flat_map(|after| stated.derivatives_by(after)));
             if let Some(flag) = flag {
                 wanted.push(Want::Value(flag));
             }
             let program = search.program(&g, &wanted);
-            Self {
-                companion,
-                graph: g,
-                wanted,
-                program,
-                kept: kept.clone(),
-                taken_for_known: algebra.taken_for_known.clone(),
-            }
+            Self { companion, graph: g, wanted, program, kept_loops: kept_loops.clone() }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget
@@ -302,8 +296,8 @@ impl Derived {
         {
             return None;
         }
-        let further = options.companions.iter().map(|(companion, _)| derive(*companion));
-        Some([first].into_iter().chain(further).collect())
+        let requested = options.companions.iter().map(|(companion, _)| derive(*companion));
+        Some([first].into_iter().chain(requested).collect())
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) enum Meaning {
     /// An item of these modules, by its full name.
     Own(String),
     /// Any other item, by its path where it was imported.
-    Outside(Vec<String>),
+    External(Vec<String>),
 }
 
 impl Meaning {
@@ -36,7 +36,7 @@ impl Meaning {
     pub(super) fn into_type(self) -> String {
         match self {
             Self::Own(name) => name,
-            Self::Outside(mut path) => path.pop().unwrap_or_default(),
+            Self::External(mut path) => path.pop().unwrap_or_default(),
         }
     }
 }
@@ -59,6 +59,11 @@ pub(super) fn arguments(path: &syn::Path) -> Vec<&syn::GenericArgument> {
 /// Returns the segments of a path.
 pub(super) fn segments(path: &syn::Path) -> Vec<String> {
     path.segments.iter().map(|segment| segment.ident.to_string()).collect()
+}
+
+/// Returns `true` for a path into the standard library.
+pub(super) fn is_of_std(path: &[String]) -> bool {
+    path.first().is_some_and(|krate| ["std", "core", "alloc"].contains(&krate.as_str()))
 }
 
 /// Returns the imports of a `use`: the name, `None` for a glob, and the path.
@@ -103,7 +108,7 @@ impl Names {
 
     /// Resolves a path in a module.
     pub(super) fn meaning(&self, module: &str, path: &[String]) -> Meaning {
-        self.follow(module, path, &mut Vec::new()).unwrap_or_else(|| Meaning::Outside(path.to_vec()))
+        self.follow(module, path, &mut Vec::new()).unwrap_or_else(|| Meaning::External(path.to_vec()))
     }
 
     /// Iterates over the names of the items of a module and of the modules inside it.
@@ -130,9 +135,9 @@ impl Names {
                 self.follow(&inner, rest, under_way)
             }
             Meaning::Own(_) => None,
-            Meaning::Outside(mut path) => {
+            Meaning::External(mut path) => {
                 path.extend_from_slice(rest);
-                Some(Meaning::Outside(path))
+                Some(Meaning::External(path))
             }
         }
     }
@@ -142,16 +147,16 @@ impl Names {
         if self.items.contains(&full) || self.modules.contains(&full) {
             return Some(Meaning::Own(full));
         }
-        let asked = (module.to_owned(), name.to_owned());
-        if under_way.contains(&asked) {
+        let query = (module.to_owned(), name.to_owned());
+        if under_way.contains(&query) {
             return None;
         }
-        under_way.push(asked);
+        under_way.push(query);
         let mine = || self.imports.iter().filter(|import| import.module == module);
         if let Some(import) = mine().find(|import| import.name.as_deref() == Some(name)) {
             // An external crate of the same name.
             let found = self.follow(module, &import.path, under_way);
-            return Some(found.unwrap_or_else(|| Meaning::Outside(import.path.clone())));
+            return Some(found.unwrap_or_else(|| Meaning::External(import.path.clone())));
         }
         mine().filter(|import| import.name.is_none()).find_map(|import| {
             let mut path = import.path.clone();
@@ -159,7 +164,7 @@ impl Names {
                 Some(Meaning::Own(inner)) => self.name(&inner, name, under_way),
                 _ if names_at(&path).any(|known| known == name) => {
                     path.push(name.to_owned());
-                    Some(Meaning::Outside(path))
+                    Some(Meaning::External(path))
                 }
                 _ => None,
             }
@@ -191,7 +196,7 @@ mod tests {
                 names.add_use(module, &item.tree);
             }
         }
-        let outside = |path: &str| Meaning::Outside(path.split("::").map(str::to_owned).collect());
+        let outside = |path: &str| Meaning::External(path.split("::").map(str::to_owned).collect());
         for (module, path, expected) in [
             ("", "K", Meaning::Own("K".into())),
             ("shapes", "K", Meaning::Own("shapes::K".into())),

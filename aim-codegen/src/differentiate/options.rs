@@ -5,11 +5,11 @@ use quote::{format_ident, quote};
 
 use super::budget::Budget;
 use super::companion::Companion;
-use super::manifold::{Side, Varies};
+use super::manifold::{Side, VaryingPart};
 use super::messages;
-use crate::declare::Place;
+use crate::declare::SourcePlace;
 use crate::declare::check::keys::Key;
-use crate::declare::check::read::{self, FoundWord};
+use crate::declare::check::read::{self, ListedWord};
 use crate::declare::check::settings::{Level, Setting, Settings};
 use crate::declare::parse::tokens::entries;
 use crate::declare::report::Report;
@@ -26,11 +26,11 @@ pub(super) struct Options {
     pub(super) lengths: Vec<(Word, usize)>,
     pub(super) budget: Option<Budget>,
     /// Requested companions besides the first, and the place of each request.
-    pub(super) companions: Vec<(Companion, Place)>,
+    pub(super) companions: Vec<(Companion, SourcePlace)>,
     /// `true` if a test is to be emitted, and the place of that option.
-    pub(super) check: Option<(bool, Place)>,
+    pub(super) check: Option<(bool, SourcePlace)>,
     /// Place of the request for companions over numbers in lanes.
-    pub(super) lanes: Option<Place>,
+    pub(super) lanes: Option<SourcePlace>,
     pub(super) krate: Option<TokenStream>,
     /// `false` if the companions are written in another language.
     in_rust: bool,
@@ -108,8 +108,8 @@ impl Options {
     }
 
     /// Returns the part of a variable that derivatives are taken with respect to.
-    pub(super) fn varies(&self, variable: &Variable) -> Varies {
-        if variable.tangent { Varies::Tangent(self.side) } else { Varies::Numbers }
+    pub(super) fn varying_part(&self, variable: &Variable) -> VaryingPart {
+        if variable.tangent { VaryingPart::Tangent(self.side) } else { VaryingPart::Numbers }
     }
 
     pub(super) fn parse(attribute: TokenStream, report: &mut Report) -> Self {
@@ -154,7 +154,7 @@ fn variables(report: &mut Report, wrt: Setting<'_>) -> Vec<Variable> {
         report.error(wrt.place(), messages::wrt_empty());
     }
     let words = read::wrapped_words(report, wrt, "arguments", TANGENT);
-    let variable = |FoundWord { text, place, wrapped }: FoundWord<'_>| Variable {
+    let variable = |ListedWord { text, place, wrapped }: ListedWord<'_>| Variable {
         name: Word { text: text.to_owned(), place: place.clone() },
         tangent: wrapped,
     };
@@ -178,7 +178,7 @@ fn lengths(report: &mut Report, setting: Setting<'_>) -> Option<Vec<(Word, usize
     Some(lengths)
 }
 
-fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
+fn presence(report: &mut Report, setting: Setting<'_>) -> Option<SourcePlace> {
     match setting.value.kind {
         Kind::Absent | Kind::Bool(true) => Some(setting.place().clone()),
         Kind::Bool(false) => None,
@@ -186,7 +186,7 @@ fn presence(report: &mut Report, setting: Setting<'_>) -> Option<Place> {
     }
 }
 
-fn check(report: &mut Report, setting: Setting<'_>) -> Option<(bool, Place)> {
+fn check(report: &mut Report, setting: Setting<'_>) -> Option<(bool, SourcePlace)> {
     match setting.value.kind {
         Kind::Bool(wanted) => Some((wanted, setting.place().clone())),
         _ => read::mismatch(report, setting),

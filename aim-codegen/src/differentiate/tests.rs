@@ -54,7 +54,7 @@ const ODD: &[&str] = &[
 ];
 
 #[test]
-fn odd_functions_are_differentiated_or_refused() {
+fn unusual_functions_are_differentiated_or_reported() {
     for value in ODD {
         let item = format!("fn f(x: f64) -> f64 {{ {value} }}");
         let expansion = expand("wrt(x), hessian", &item);
@@ -85,7 +85,7 @@ fn one_sine_and_cosine_of_one_angle() {
 }
 
 #[test]
-fn matrices_stand_beside_the_users_vectors() {
+fn matrix_types_come_from_the_module_of_the_users_vectors() {
     let of = |vector: &str| expand("wrt(v)", &format!("fn f(v: {vector}) -> {vector} {{ v * 2.0 }}")).replace(' ', "");
     assert!(of("glam::Vec3").contains("(glam::Mat3,)"));
     assert!(of("::bevy::math::DVec3").contains("(::bevy::math::DMat3,)"));
@@ -99,14 +99,14 @@ fn the_same_function_gives_the_same_code() {
 }
 
 #[test]
-fn long_sums_are_no_trouble() {
+fn sums_of_five_hundred_terms_are_differentiated() {
     let sum = vec!["x * k"; 500].join(" + ");
     let expansion = expand("wrt(x)", &format!("fn f(x: f32, k: f32) -> f32 {{ {sum} }}"));
     assert_eq!(errors(&expansion), 0);
 }
 
 #[test]
-fn what_kept_loops_cannot_do_is_refused() {
+fn unsupported_uses_of_kept_loops_are_reported() {
     for (options, body, what) in [
         ("wrt(x)", "let mut s = vec![]; for a in v { s.push(a * x); } s[0]", "different kinds"),
         (
@@ -135,7 +135,7 @@ fn what_kept_loops_cannot_do_is_refused() {
 }
 
 #[test]
-fn what_cannot_be_told_is_refused() {
+fn code_with_an_uncertain_result_is_reported() {
     for (body, what) in [
         ("let mut t = 0.0; let mut s = x; while t < 1.0 { s += x * 0.1; t += 0.1; } s", "rounding"),
         ("if 0.1f32 + 0.2 > 0.3 { x } else { 2.0 * x }", "rounding"),
@@ -165,7 +165,7 @@ fn what_cannot_be_told_is_refused() {
 }
 
 #[test]
-fn whole_numbers_are_no_others() {
+fn integers_and_floats_are_not_mixed() {
     for value in ["x.powi(x)", "x * 2", "x + n", "x + n as u8 as f32"] {
         let item = format!("fn f(x: f32, n: usize) -> f32 {{ {value} }}");
         assert_eq!(errors(&expand("wrt(x)", &item)), 1, "{value}");
@@ -185,7 +185,7 @@ fn whole_numbers_are_no_others() {
 
 /// Rejects code that would otherwise be misinterpreted.
 #[test]
-fn what_is_not_followed_is_refused() {
+fn code_that_would_be_misinterpreted_is_reported() {
     for value in [
         "x + [x, 2.0].iter().map(|v| Default::default()).fold(x, |a, b| a + b)",
         "x + f32::from(Default::default())",
@@ -207,7 +207,7 @@ fn what_is_not_followed_is_refused() {
 
 /// Recursive types are read once.
 #[test]
-fn types_that_contain_themselves_are_refused() {
+fn recursive_types_are_read_once() {
     for tree in ["enum Tree { Leaf(f64), Node(&'static Tree) }", "struct Tree { k: f64, next: Option<&'static Tree> }"]
     {
         let module = format!("mod m {{ {tree} #[differentiate(wrt(x))] fn f(t: &Tree, x: f64) -> f64 {{ x }} }}");
@@ -220,7 +220,7 @@ fn types_that_contain_themselves_are_refused() {
 
 /// A generic parameter resolves to the argument's type, even if another struct has the parameter's name.
 #[test]
-fn defaults_of_generic_types_are_those_of_the_arguments() {
+fn the_default_of_a_generic_parameter_is_that_of_its_argument() {
     let module = |parameter: &str| {
         format!(
             "mod m {{ #[derive(Clone, Copy, Default)] struct P {{ a: f64 }} \
@@ -235,7 +235,7 @@ fn defaults_of_generic_types_are_those_of_the_arguments() {
 }
 
 #[test]
-fn a_module_is_emitted_as_written_but_for_the_requests() {
+fn a_module_is_emitted_as_written_without_its_differentiate_attributes() {
     let module = "# [cfg (all ())] pub mod m { # ! [doc = \" Words.\"] use core :: fmt ; struct S (f32) ; \
                   # [differentiate (wrt (x))] # [inline] fn f (x : f32) -> f32 { x } fn g () { } }";
     let expansion = expand("", module);
@@ -259,7 +259,7 @@ fn functions_of_a_file_see_their_module() {
 }
 
 #[test]
-fn lanes_stand_beside_each_companion() {
+fn each_companion_gets_a_lane_version() {
     let item = "fn f((v, flag): (Vec3, bool), &m: &Mat3, n: [u8; 2], q: Quat) -> f32 { v.x * m.x_axis.x * q.w }";
     let expansion = expand("wrt(q), hvp, lanes", item);
     assert_eq!(names(&expansion), ["f", "f_gradient", "f_gradient_lanes", "f_hvp", "f_hvp_lanes"], "{expansion}");
@@ -278,7 +278,7 @@ fn lanes_stand_beside_each_companion() {
 /// For a chain of points, a Hessian-vector product costs a constant number of operations for each point; the Hessian
 /// itself grows with the square of their number.
 #[test]
-fn products_are_linear() {
+fn operations_of_products_grow_linearly() {
     let of = |points: usize| {
         let item = format!(
             "#[differentiate(wrt(p), hessian, jvp, vjp, hvp)] fn f(p: [f64; {points}]) -> f64 {{
@@ -349,7 +349,7 @@ fn eighty_layers_take_less_than_sixty_kilobytes() {
 }
 
 #[test]
-fn conditions_and_branches_used_again_are_written_once() {
+fn reused_conditions_and_branches_are_emitted_once() {
     for (what, arguments, body) in [
         ("conditions", "x: f64", ["let c = x > 1.0;", "let c = c && (c || x > 2.0);", "if c { x * x } else { x }"]),
         (
@@ -394,7 +394,7 @@ fn conditions_and_branches_used_again_are_written_once() {
 
 /// Unknown values are not taken from an item of the same name, nor from another implementation.
 #[test]
-fn generic_parameters_are_nothing_else() {
+fn unknown_generic_parameters_do_not_resolve_to_other_items() {
     for module in [
         "const N: usize = 10; struct P<const N: usize>([f64; N]); impl<const N: usize> P<N> { const LAST: usize = N - 1; \
          fn last(&self) -> f64 { self.0[Self::LAST - 7] } } \

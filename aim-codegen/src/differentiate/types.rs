@@ -5,7 +5,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{Ident, Member};
 
-use super::given::{Given, given, with, written_out};
+use super::generic_arguments::{GenericArguments, generic_arguments, substitute, substituted};
 use super::items::{Enumeration, Items, Structure};
 use super::lower::Scope;
 use super::names::{Meaning, segments};
@@ -124,9 +124,9 @@ pub(super) struct Type {
     pub(super) borrowed: bool,
 }
 
-type Fault = (TokenStream, Text);
+type TypeError = (TokenStream, Text);
 
-fn unknown(written: &syn::Type) -> Fault {
+fn unknown(written: &syn::Type) -> TypeError {
     let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
     let tokens = quote!(#written);
     let text = messages::unknown_type(&tokens.to_string(), &known);
@@ -136,12 +136,12 @@ fn unknown(written: &syn::Type) -> Fault {
 impl Type {
     /// Parses a type, also in invisible groups and behind one reference. Returns an error and its place if it is not
     /// supported.
-    pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, Fault> {
+    pub(super) fn parse(written: &syn::Type, items: &Items) -> Result<Self, TypeError> {
         Self::parse_in(&Scope::default(), written, items)
     }
 
     /// Parses a type that is written in `scope`, elsewhere in the module.
-    pub(super) fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, Fault> {
+    pub(super) fn parse_in(scope: &Scope, written: &syn::Type, items: &Items) -> Result<Self, TypeError> {
         let unknown = || unknown(written);
         match written {
             syn::Type::Group(group) => Self::parse_in(scope, &group.elem, items),
@@ -169,7 +169,7 @@ impl Type {
                     _ => items.meaning(scope, &segments(&path.path)),
                 };
                 // Tokens that name the type from the module that is read.
-                let seen = |name: &str| match syn::parse_str::<syn::Type>(name) {
+                let tokens_of = |name: &str| match syn::parse_str::<syn::Type>(name) {
                     Ok(ty) if !scope.module.is_empty() => {
                         let arguments = &last.arguments;
                         quote!(#ty #arguments)
@@ -178,18 +178,22 @@ impl Type {
                 };
                 if let Meaning::Own(name) = &meaning {
                     if let Some(alias) = items.alias(name) {
-                        let ty = written_out(&alias.ty, &alias.parameters, &path.path, scope, items);
+                        let ty = substituted(&alias.ty, &alias.parameters, &path.path, scope, items);
                         let ty = ty.ok_or_else(unknown)?;
-                        return Ok(Self { tokens: seen(name), ..Self::parse_in(&alias.scope, &ty, items)? });
+                        return Ok(Self { tokens: tokens_of(name), ..Self::parse_in(&alias.scope, &ty, items)? });
                     }
                     if let Some(structure) = items.structure(name) {
-                        let given = given(&structure.parameters, &path.path, scope, items).ok_or_else(unknown)?;
-                        let read = items.once(name, || Self::of_struct(seen(name), name, structure, &given, items));
+                        let arguments =
+                            generic_arguments(&structure.parameters, &path.path, scope, items).ok_or_else(unknown)?;
+                        let read =
+                            items.once(name, || Self::of_struct(tokens_of(name), name, structure, &arguments, items));
                         return read.ok_or_else(unknown)?;
                     }
                     if let Some(enumeration) = items.enumeration(name) {
-                        let given = given(&enumeration.parameters, &path.path, scope, items).ok_or_else(unknown)?;
-                        let read = items.once(name, || Self::of_enum(seen(name), name, enumeration, &given, items));
+                        let arguments =
+                            generic_arguments(&enumeration.parameters, &path.path, scope, items).ok_or_else(unknown)?;
+                        let read =
+                            items.once(name, || Self::of_enum(tokens_of(name), name, enumeration, &arguments, items));
                         return read.ok_or_else(unknown)?;
                     }
                     return Err(unknown());
@@ -231,7 +235,12 @@ impl Type {
         }
     }
 
-    fn of_option(scope: &Scope, written: &syn::Type, last: &syn::PathSegment, items: &Items) -> Result<Self, Fault> {
+    fn of_option(
+        scope: &Scope,
+        written: &syn::Type,
+        last: &syn::PathSegment,
+        items: &Items,
+    ) -> Result<Self, TypeError> {
         if let syn::PathArguments::AngleBracketed(of) = &last.arguments
             && let Some(syn::GenericArgument::Type(inner)) = of.args.first()
         {
@@ -259,19 +268,24 @@ impl Type {
         tokens: TokenStream,
         name: &str,
         structure: &Structure,
-        given: &Given,
+        arguments: &GenericArguments,
         items: &Items,
-    ) -> Result<Self, Fault> {
-        let fields = Self::of_fields(&structure.scope, &structure.fields, given, items);
+    ) -> Result<Self, TypeError> {
+        let fields = Self::of_fields(&structure.scope, &structure.fields, arguments, items);
         let precision = fields.iter().find_map(|(_, ty)| ty.precision);
         let whole = fields.len() == structure.fields.len();
         Self::of_parts(tokens, Shape::Struct(name.to_owned(), fields, whole), precision)
     }
 
     /// Returns the types of the fields that are supported.
-    fn of_fields(scope: &Scope, declared: &[(Member, syn::Type)], given: &Given, items: &Items) -> Vec<(Member, Self)> {
+    fn of_fields(
+        scope: &Scope,
+        declared: &[(Member, syn::Type)],
+        arguments: &GenericArguments,
+        items: &Items,
+    ) -> Vec<(Member, Self)> {
         let known = declared.iter().filter_map(|(member, ty)| {
-            let ty = syn::parse2(with(quote!(#ty), given)).ok()?;
+            let ty = syn::parse2(substitute(quote!(#ty), arguments)).ok()?;
             let slice = Self::slice(&ty, scope, items);
             let ty = slice.or_else(|| Self::parse_in(scope, &ty, items).ok().filter(|ty| !ty.borrowed))?;
             Some((member.clone(), ty))
@@ -280,9 +294,15 @@ impl Type {
     }
 
     /// Returns an enum of the module.
-    fn of_enum(tokens: TokenStream, name: &str, of: &Enumeration, given: &Given, items: &Items) -> Result<Self, Fault> {
+    fn of_enum(
+        tokens: TokenStream,
+        name: &str,
+        of: &Enumeration,
+        arguments: &GenericArguments,
+        items: &Items,
+    ) -> Result<Self, TypeError> {
         let variants = of.variants.iter().map(|variant| {
-            let mut fields = Self::of_fields(&of.scope, &variant.fields, given, items);
+            let mut fields = Self::of_fields(&of.scope, &variant.fields, arguments, items);
             fields.retain(|(_, ty)| !ty.has_slice());
             let is_whole = fields.len() == variant.fields.len();
             Variant { name: format_ident!("{}", variant.name), fields, is_whole }
@@ -292,7 +312,7 @@ impl Type {
         Self::of_parts(tokens, Shape::Enum(name.to_owned(), variants), precision)
     }
 
-    fn of_parts(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Result<Self, Fault> {
+    fn of_parts(tokens: TokenStream, shape: Shape, precision: Option<Precision>) -> Result<Self, TypeError> {
         let ty = Self::made(tokens, shape, precision);
         if ty.components() > LONGEST { Err((ty.tokens, messages::too_many_numbers(LONGEST))) } else { Ok(ty) }
     }

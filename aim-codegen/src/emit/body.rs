@@ -3,7 +3,7 @@
 use core::fmt;
 use std::collections::HashMap;
 
-use aim_symbolic::print::{Printer, Written};
+use aim_symbolic::print::{Printer, ProgramWriter};
 use aim_symbolic::{Count, Function, Op, Program, Value};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -79,7 +79,7 @@ impl Body<'_> {
 
     /// Returns the statements, each with the number of the step that it computes.
     pub fn statements(&self) -> Vec<(usize, TokenStream)> {
-        let written = Written { program: self.program, printer: self };
+        let written = ProgramWriter { program: self.program, printer: self };
         let real = self.real();
         let mut statements = Vec::new();
         for (number, op) in self.program.steps() {
@@ -107,7 +107,7 @@ impl Body<'_> {
 
     /// Returns the expression of a value where it is used.
     pub(crate) fn operand(&self, v: Value) -> TokenStream {
-        Written { program: self.program, printer: self }.operand(v)
+        ProgramWriter { program: self.program, printer: self }.operand(v)
     }
 
     /// Returns the step numbers if the program needs both sine and cosine of `a`: the lower of the two, the sine's, the

@@ -25,7 +25,7 @@ fn state(g: &mut Graph, chain: &Chain<'_>) -> Vec<Scalar> {
 }
 
 #[test]
-fn a_new_objective_is_one_constant() {
+fn a_user_defined_objective_is_emitted_in_every_language() {
     let spec = rig(2, Frame::cardinal().next().expect("there are 48"));
     let kernels = SQUARED_DISTANCE.kernels(&spec, FirstLink::Given);
     let rig = Rig { spec: &spec, kernels: &kernels };

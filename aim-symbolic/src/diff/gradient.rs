@@ -22,7 +22,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diff::growth::Growth;
 use crate::diff::mask::{Mask, Masks};
-use crate::diff::sweep::Passage;
+use crate::diff::sweep::VisitedNode;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, NodeTable};
 use crate::rewrite::rules::COMPOSITIONS;
@@ -31,7 +31,7 @@ use crate::{Attitude, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Spa
 /// Placement of the reciprocal length in the derivative of a normalised vector. The length of the chain decides which
 /// costs less.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Placement {
+pub enum ReciprocalPlacement {
     /// The reciprocal remains a scale factor, which later rules may move out to each derivative.
     Late,
     /// The reciprocal is multiplied into the vector at once, before everything that follows.
@@ -44,17 +44,17 @@ impl Graph {
     /// Matrices, quaternions and the axes of rotations are treated as constants. A guarded
     /// [`reciprocal`](Self::reciprocal) that is 0 by its guard has derivatives 0, and the derivative of a root is 0
     /// where the root is 0.
-    pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: Placement) -> Vec<Scalar> {
-        self.swept_back(output, variables, placement).0
+    pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: ReciprocalPlacement) -> Vec<Scalar> {
+        self.sweep_backward(output, variables, placement).0
     }
 
     /// Returns the [`gradient`](Self::gradient) and the nodes that the sweep visited.
-    pub(crate) fn swept_back(
+    pub(crate) fn sweep_backward(
         &mut self,
         output: Scalar,
         variables: &[Variable],
-        placement: Placement,
-    ) -> (Vec<Scalar>, Vec<Passage>) {
+        placement: ReciprocalPlacement,
+    ) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let components: Vec<_> = variables.iter().map(|&variable| self.components_of(variable)).collect();
         let mut alone: Vec<Variable> = Vec::new();
@@ -63,23 +63,23 @@ impl Graph {
                 alone.push(variable);
             }
         }
-        let (gradient, passages) = self.swept_back_to(output, &alone, placement);
+        let (gradient, visited) = self.sweep_backward_to(output, &alone, placement);
         let by = |variable| gradient[alone.iter().position(|&known| known == variable).expect("it was collected")];
         let sum = |terms: Vec<(Variable, Option<Scalar>)>| {
             let terms = terms.into_iter().map(|(variable, k)| (by(variable), k));
             let products: Vec<Scalar> = terms.map(|(slope, k)| k.map_or(slope, |k| self.mul(slope, k))).collect();
             products.into_iter().reduce(|a, b| self.add(a, b)).unwrap_or_else(|| self.constant(0.0))
         };
-        (components.into_iter().map(sum).collect(), passages)
+        (components.into_iter().map(sum).collect(), visited)
     }
 
     /// Sweeps back to variables that are not directions.
-    fn swept_back_to(
+    fn sweep_backward_to(
         &mut self,
         output: Scalar,
         variables: &[Variable],
-        placement: Placement,
-    ) -> (Vec<Scalar>, Vec<Passage>) {
+        placement: ReciprocalPlacement,
+    ) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let order = self.order(&[output]);
         let active = self.active(&order, variables);
         // Builds with `aim_small`, as for the web, derive only rigs, which have no selects.
@@ -97,33 +97,36 @@ impl Graph {
             growth,
             masks,
             unmasked: NodeSet::default(),
-            here: Here { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, unmasked: false },
+            current: CurrentNode { adjoint: Node::Scalar(one), mask: Mask::ALWAYS, unmasked: false },
             adjoints: NodeTable::default(),
-            waiting: FxHashMap::default(),
-            found: vec![None; variables.len()],
-            gives: Vec::new(),
+            deferred: FxHashMap::default(),
+            derivatives: vec![None; variables.len()],
+            contributions: Vec::new(),
         };
         sweep.add_to_scalar(output, |_| one);
-        let mut passages = Vec::new();
+        let mut visited = Vec::new();
         for node in order.into_iter().rev() {
             let Some(derivative) = sweep.adjoint(node) else { continue };
-            sweep.here =
-                Here { adjoint: derivative, mask: sweep.masks.of_node(node), unmasked: sweep.unmasked.contains(node) };
+            sweep.current = CurrentNode {
+                adjoint: derivative,
+                mask: sweep.masks.of_node(node),
+                unmasked: sweep.unmasked.contains(node),
+            };
             match (node, derivative) {
                 (Node::Scalar(s), Node::Scalar(bar)) => sweep.scalar(s, bar),
                 (Node::Vector(v), Node::Vector(bar)) => sweep.vector(v, bar),
                 _ => unreachable!("the derivative by a number is one, that by a vector one"),
             }
-            passages.push(Passage { node, derivative, gives: core::mem::take(&mut sweep.gives) });
+            visited.push(VisitedNode { node, derivative, contributions: core::mem::take(&mut sweep.contributions) });
         }
-        let found = sweep.found;
-        (found.into_iter().map(|found| found.unwrap_or_else(|| self.constant(0.0))).collect(), passages)
+        let found = sweep.derivatives;
+        (found.into_iter().map(|found| found.unwrap_or_else(|| self.constant(0.0))).collect(), visited)
     }
 }
 
 /// The node that the sweep is visiting.
 #[derive(Clone, Copy)]
-struct Here {
+struct CurrentNode {
     /// d output / d node.
     adjoint: Node,
     /// The condition under which the adjoint is needed.
@@ -134,36 +137,36 @@ struct Here {
 
 struct Sweep<'g> {
     g: &'g mut Graph,
-    placement: Placement,
+    placement: ReciprocalPlacement,
     active: NodeSet,
     variables: &'g [Variable],
     growth: Growth,
     masks: Masks,
     /// The nodes whose adjoint may have any value where their mask does not hold. All other adjoints are 0 there.
     unmasked: NodeSet,
-    here: Here,
+    current: CurrentNode,
     /// d output / d node, for a vector a covector.
     adjoints: NodeTable<Node>,
     /// Contributions from unmasked adjoints that are not yet added to their node, by mask.
-    waiting: FxHashMap<Node, Vec<(Mask, Node)>>,
+    deferred: FxHashMap<Node, Vec<(Mask, Node)>>,
     /// d output / d variable.
-    found: Vec<Option<Scalar>>,
+    derivatives: Vec<Option<Scalar>>,
     /// The contributions of the current node to `found`.
-    gives: Vec<(Variable, Scalar)>,
+    contributions: Vec<(Variable, Scalar)>,
 }
 
 impl Sweep<'_> {
     fn add_to_scalar(&mut self, scalar: Scalar, change: impl FnOnce(&mut Graph) -> Scalar) {
         if self.active.contains(Node::Scalar(scalar)) {
             let change = Node::Scalar(change(self.g));
-            self.add(Node::Scalar(scalar), change, self.here.mask, self.is_unmasked(change));
+            self.add(Node::Scalar(scalar), change, self.current.mask, self.is_unmasked(change));
         }
     }
 
     fn add_to_vector(&mut self, vector: Vector, change: impl FnOnce(&mut Graph) -> Vector) {
         if self.active.contains(Node::Vector(vector)) {
             let change = Node::Vector(change(self.g));
-            self.add(Node::Vector(vector), change, self.here.mask, self.is_unmasked(change));
+            self.add(Node::Vector(vector), change, self.current.mask, self.is_unmasked(change));
         }
     }
 
@@ -172,7 +175,7 @@ impl Sweep<'_> {
     /// contributions of the same mask.
     fn add(&mut self, node: Node, change: Node, mask: Mask, unmasked: bool) {
         if unmasked && self.masks.of_node(node) != mask {
-            let waiting = self.waiting.entry(node).or_default();
+            let waiting = self.deferred.entry(node).or_default();
             match waiting.iter_mut().find(|(known, _)| *known == mask) {
                 Some((_, so_far)) => *so_far = self.g.add_nodes(*so_far, change),
                 None => waiting.push((mask, change)),
@@ -192,7 +195,7 @@ impl Sweep<'_> {
     /// Returns d output / d node, or `None` if the output does not depend on the node. All users of the node must have
     /// been visited.
     fn adjoint(&mut self, node: Node) -> Option<Node> {
-        for (mask, change) in self.waiting.remove(&node).unwrap_or_default() {
+        for (mask, change) in self.deferred.remove(&node).unwrap_or_default() {
             let change = match change {
                 Node::Scalar(change) => Node::Scalar(self.masks.masked(self.g, mask, change)),
                 Node::Vector(change) => {
@@ -210,10 +213,10 @@ impl Sweep<'_> {
 
     fn add_to_variable(&mut self, variable: Variable, change: Scalar) {
         let is_unmasked = self.is_unmasked(Node::Scalar(change));
-        let change = if is_unmasked { self.masks.masked(self.g, self.here.mask, change) } else { change };
-        self.gives.push((variable, change));
+        let change = if is_unmasked { self.masks.masked(self.g, self.current.mask, change) } else { change };
+        self.contributions.push((variable, change));
         let wanted = self.variables.iter().position(|&v| v == variable);
-        if let Some(found) = wanted.map(|place| &mut self.found[place]) {
+        if let Some(found) = wanted.map(|place| &mut self.derivatives[place]) {
             *found = Some(match *found {
                 Some(so_far) => self.g.add(so_far, change),
                 None => change,
@@ -224,7 +227,7 @@ impl Sweep<'_> {
     /// Returns `true` if `change`, computed from the current adjoint, may differ from 0 where the current mask does not
     /// hold.
     fn is_unmasked(&self, change: Node) -> bool {
-        let Here { adjoint, mask, unmasked } = self.here;
+        let CurrentNode { adjoint, mask, unmasked } = self.current;
         mask != Mask::ALWAYS && (unmasked || !self.growth.keeps_zero(self.g, change, adjoint))
     }
 
@@ -273,9 +276,9 @@ impl Sweep<'_> {
     fn select(&mut self, bar: Scalar, [a, b]: [Scalar; 2], branches: [Scalar; 2]) {
         for (branch, holds) in branches.into_iter().zip([true, false]) {
             if self.active.contains(Node::Scalar(branch)) {
-                let mask = self.masks.branch(a, b, holds, self.here.mask);
+                let mask = self.masks.branch(a, b, holds, self.current.mask);
                 let change = self.g.where_less(a, b, holds, bar);
-                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.here.unmasked);
+                self.add(Node::Scalar(branch), Node::Scalar(change), mask, self.current.unmasked);
             }
         }
     }
@@ -315,8 +318,8 @@ impl Sweep<'_> {
                     let norm = g.norm(v);
                     let reciprocal = g.reciprocal(norm);
                     match placement {
-                        Placement::Late => g.scale(reciprocal, across),
-                        Placement::Early => {
+                        ReciprocalPlacement::Late => g.scale(reciprocal, across),
+                        ReciprocalPlacement::Early => {
                             let components = [0, 1, 2].map(|axis| {
                                 let component = g.component(across, axis);
                                 g.mul(reciprocal, component)

@@ -44,7 +44,7 @@ impl Growth {
         if let Some(known) = self.known.copied(node) {
             return known;
         }
-        let of = Degrees { growth: self, g, zero };
+        let of = DegreeRules { growth: self, g, zero };
         match node {
             Node::Scalar(s) => of.scalar_node(g.scalar_node(s)),
             Node::Vector(v) => of.vector_node(g.vector_node(v)),
@@ -54,14 +54,14 @@ impl Growth {
 
 /// Computes the degree of a node from those of its operands.
 #[derive(Clone, Copy)]
-struct Degrees<'a> {
+struct DegreeRules<'a> {
     growth: &'a Growth,
     g: &'a Graph,
     /// The node that is assumed to be 0.
     zero: Option<Node>,
 }
 
-impl Degrees<'_> {
+impl DegreeRules<'_> {
     fn scalar(self, s: Scalar) -> u8 {
         self.growth.degree(self.g, Node::Scalar(s), self.zero)
     }
@@ -109,7 +109,7 @@ impl Degrees<'_> {
 
     /// Returns the degree of a rotation, which preserves lengths: 0 if its numbers are finite.
     fn rotation(self, rotation: Rotation) -> u8 {
-        let mut parts = Largest { of: self, degree: 0 };
+        let mut parts = LargestDegree { of: self, degree: 0 };
         parts.rotation(rotation);
         bounded(parts.degree)
     }
@@ -121,12 +121,12 @@ fn bounded(degree: u8) -> u8 {
 }
 
 /// Accumulates the largest degree among operands.
-struct Largest<'a> {
-    of: Degrees<'a>,
+struct LargestDegree<'a> {
+    of: DegreeRules<'a>,
     degree: u8,
 }
 
-impl Parts for Largest<'_> {
+impl Parts for LargestDegree<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         self.degree = self.degree.max(self.of.scalar(scalar));
         scalar

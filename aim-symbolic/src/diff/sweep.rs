@@ -5,29 +5,29 @@ use crate::{Scalar, Variable};
 
 /// The record of a sweep: all nodes that it visited, in order.
 #[derive(Clone, Debug)]
-pub struct Swept {
+pub struct SweepRecord {
     /// The direction of the sweep.
-    pub course: Course,
+    pub direction: SweepDirection,
     /// The visited nodes.
-    pub passages: Vec<Passage>,
+    pub visited: Vec<VisitedNode>,
 }
 
 /// The direction of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Course {
+pub enum SweepDirection {
     /// Backward, from this value to the variables.
-    Back(Scalar),
+    Backward(Scalar),
     /// Forward, from this variable to the values.
     Forward(Variable),
 }
 
 /// A node that a sweep visited.
 #[derive(Clone, Debug)]
-pub struct Passage {
+pub struct VisitedNode {
     /// The visited node.
     pub node: Node,
     /// Backward, the derivative of the value by the node; forward, the derivative of the node by the variable.
     pub derivative: Node,
     /// Backward, the node's contributions to the derivatives of the value by variables. Empty forward.
-    pub gives: Vec<(Variable, Scalar)>,
+    pub contributions: Vec<(Variable, Scalar)>,
 }

@@ -9,7 +9,7 @@
 //! - (v/|v|)˙ = across(v̇)/|v|, the part of v̇ perpendicular to v over |v|
 //! - (v − (v · u) u)˙ = across(v̇) − (v · u̇) u − (v · u) u̇
 
-use crate::diff::sweep::Passage;
+use crate::diff::sweep::VisitedNode;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, Table};
 use crate::rewrite::rules::COMPOSITIONS;
@@ -19,18 +19,18 @@ impl Graph {
     /// Returns the derivatives of each of `outputs` by `variable`, with the same conventions as
     /// [`gradient`](Self::gradient).
     pub fn tangents(&mut self, outputs: &[Scalar], variable: Variable) -> Vec<Scalar> {
-        self.swept_forward(outputs, variable).0
+        self.sweep_forward(outputs, variable).0
     }
 
     /// Returns the [`tangents`](Self::tangents) and the nodes that the sweep visited.
-    pub(crate) fn swept_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<Passage>) {
+    pub(crate) fn sweep_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs);
         let seeds = self.components_of(variable);
         let variables: Vec<Variable> = seeds.iter().map(|(variable, _)| *variable).collect();
         let active = self.active(&order, &variables);
         let mut sweep = Sweep { g: self, seeds, active, scalars: Table::default(), vectors: Table::default() };
-        let mut passages = Vec::new();
+        let mut visited = Vec::new();
         for node in order {
             if sweep.active.contains(node) {
                 let derivative = match node {
@@ -44,12 +44,16 @@ impl Graph {
                         Node::Vector(tangent)
                     }),
                 };
-                passages.extend(derivative.map(|derivative| Passage { node, derivative, gives: Vec::new() }));
+                visited.extend(derivative.map(|derivative| VisitedNode {
+                    node,
+                    derivative,
+                    contributions: Vec::new(),
+                }));
             }
         }
         let found = sweep.scalars;
         let tangents = outputs.iter().map(|s| found.copied(*s).unwrap_or_else(|| self.constant(0.0))).collect();
-        (tangents, passages)
+        (tangents, visited)
     }
 }
 

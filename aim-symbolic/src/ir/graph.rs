@@ -52,7 +52,7 @@ pub struct Graph {
     /// Vectors that are used more than once and that the rules of the current pass may not take apart.
     closed: Table<Vector, ()>,
     /// Rotations whose inner frame the calculation should move to; see [`keep`](Graph::keep).
-    kept: Vec<Rotation>,
+    inner_frames: Vec<Rotation>,
     /// Rotations that cancelled between a direction and the other side of a dot product, in order, with repetitions.
     cancelled: Vec<Rotation>,
 }
@@ -88,7 +88,7 @@ impl Graph {
             directions: Vec::new(),
             steps: 0,
             closed: Table::default(),
-            kept: Vec::new(),
+            inner_frames: Vec::new(),
             cancelled: Vec::new(),
         }
     }
@@ -166,13 +166,13 @@ impl Graph {
 
     /// Sets the rotations to whose inner frame [`FRAMES`](crate::rewrite::rules::FRAMES) moves calculations from now
     /// on.
-    pub fn keep(&mut self, rotations: &[Rotation]) {
-        self.kept = rotations.to_vec();
+    pub fn set_inner_frames(&mut self, rotations: &[Rotation]) {
+        self.inner_frames = rotations.to_vec();
         self.cancelled.clear();
     }
 
-    pub(crate) fn is_kept(&self, rotation: Rotation) -> bool {
-        self.kept.contains(&rotation)
+    pub(crate) fn is_inner_frame(&self, rotation: Rotation) -> bool {
+        self.inner_frames.contains(&rotation)
     }
 
     pub(crate) fn cancel(&mut self, rotation: Rotation) {
@@ -180,7 +180,7 @@ impl Graph {
     }
 
     /// Returns the rotations that cancelled between a direction and the other side of a dot product since
-    /// [`keep`](Self::keep), with repetitions.
+    /// [`set_inner_frames`](Self::set_inner_frames), with repetitions.
     pub(crate) fn cancelled(&self) -> &[Rotation] {
         &self.cancelled
     }
@@ -258,9 +258,9 @@ impl Graph {
             return self.angle_of(sum);
         }
         let ((sin, cos), [sine, cosine]) = (self.sin_cos(angle), [sine, cosine].map(|c| self.constant(c)));
-        let [kept, won] = [self.mul(cosine, sin), self.mul(sine, cos)];
-        let [left, lost] = [self.mul(cosine, cos), self.mul(sine, sin)];
-        let (sin, cos) = (self.add(kept, won), self.sub(left, lost));
+        let [sin_cosine, cos_sine] = [self.mul(cosine, sin), self.mul(sine, cos)];
+        let [cos_cosine, sin_sine] = [self.mul(cosine, cos), self.mul(sine, sin)];
+        let (sin, cos) = (self.add(sin_cosine, cos_sine), self.sub(cos_cosine, sin_sine));
         let base = self.unshifted(angle);
         if let Some(known) = self.angles.iter().position(|a| (a.sin, a.cos, a.shifted) == (sin, cos, Some(base))) {
             return Angle(u32::try_from(known).unwrap_or_default());

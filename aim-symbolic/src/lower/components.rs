@@ -3,7 +3,7 @@
 use crate::ir::node::Node;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::limits::Highest;
+use crate::lower::limits::HighestOrders;
 use crate::rewrite::rules::{MATRIX, Rules};
 use crate::{Attitude, Constant, Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
 
@@ -27,7 +27,7 @@ pub(crate) struct Lowering {
     /// The matrices of the quaternions that are applied as matrices.
     matrices: Table<Rotation, [Scalar; 9]>,
     by_matrices: bool,
-    highest: Highest,
+    highest: HighestOrders,
 }
 
 impl Lowering {
@@ -41,7 +41,7 @@ impl Lowering {
     fn lower(&mut self, nodes: &[Node]) {
         let order = self.fold.g.order_with_numbers(nodes);
         if cfg!(not(aim_small)) {
-            self.highest.note(&self.fold.g, &order);
+            self.highest.record_orders(&self.fold.g, &order);
         }
         if self.by_matrices {
             self.make_matrices(&order);
@@ -357,10 +357,10 @@ impl Lowering {
     fn turn(&mut self, plane: Plane, sin: Scalar, cos: Scalar, v: [Scalar; 3]) -> [Scalar; 3] {
         let (from, towards) = plane.axes();
         let mut out = v;
-        let (kept, lost) = (self.fold.mul(cos, v[from]), self.fold.mul(sin, v[towards]));
-        out[from] = self.fold.sub(kept, lost);
-        let (won, kept) = (self.fold.mul(sin, v[from]), self.fold.mul(cos, v[towards]));
-        out[towards] = self.fold.add(won, kept);
+        let (cos_from, sin_towards) = (self.fold.mul(cos, v[from]), self.fold.mul(sin, v[towards]));
+        out[from] = self.fold.sub(cos_from, sin_towards);
+        let (sin_from, cos_towards) = (self.fold.mul(sin, v[from]), self.fold.mul(cos, v[towards]));
+        out[towards] = self.fold.add(sin_from, cos_towards);
         out
     }
 }

@@ -3,13 +3,13 @@
 
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::products::Open;
+use crate::lower::products::OpenProducts;
 use crate::lower::rebuild::{Exchange, Missing, Rebuild, Uses};
 use crate::lower::sides::Join;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// Returns `outputs`, which must be lowered, with every sum factored.
-pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
+pub(crate) fn factor(fold: &mut Fold, outputs: &[Scalar], open: OpenProducts, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
     let mut factoring = Factoring { uses, open, joins, terms: Table::default() };
     let order = factoring.uses.order().to_vec();
@@ -30,7 +30,7 @@ type Factor = (bool, Scalar);
 
 struct Factoring {
     uses: Uses,
-    open: Open,
+    open: OpenProducts,
     /// `true` if multiples of the same number are joined.
     joins: bool,
     /// The terms of the sums that are in progress or done.
@@ -60,7 +60,7 @@ impl Factoring {
         }
         let mut terms = Vec::new();
         self.collect(&fold.g, s, false, 0, &mut terms);
-        if cfg!(not(aim_small)) && self.open == Open::Sums {
+        if cfg!(not(aim_small)) && self.open == OpenProducts::Sums {
             terms = terms.into_iter().flat_map(|term| self.spread(fold, term)).collect();
         }
         let is_shorter = cfg!(not(aim_small)) && self.joins && join_like(fold, &mut terms);
@@ -108,10 +108,10 @@ impl Factoring {
             ScalarNode::Op(Op::Mul(a, b)) => vec![(false, a), (false, b)],
             _ => vec![(false, s)],
         };
-        let opens = self.uses.once(s) || matches!(self.open, Open::Quotients | Open::Sums);
+        let opens = self.uses.once(s) || matches!(self.open, OpenProducts::Quotients | OpenProducts::Sums);
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Mul(a, b)) if opens => match self.open {
-                Open::Private => vec![(false, a), (false, b)],
+                OpenProducts::Private => vec![(false, a), (false, b)],
                 _ => [a, b].into_iter().flat_map(parts).collect(),
             },
             ScalarNode::Op(Op::Div(_, b)) if cfg!(not(aim_small)) && opens => vec![(true, b)],

@@ -21,15 +21,15 @@ const ARC_TERMS: u8 = 18;
 
 /// The highest required orders, by argument.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Highest {
+pub(crate) struct HighestOrders {
     /// The highest even and the highest odd order of Stumpff functions.
     stumpff: FxHashMap<(bool, Scalar), [u8; 2]>,
     arc: FxHashMap<(Scalar, Scalar), u8>,
 }
 
-impl Highest {
+impl HighestOrders {
     /// Notes the orders that occur among the nodes.
-    pub(crate) fn note(&mut self, g: &crate::Graph, nodes: &[Node]) {
+    pub(crate) fn record_orders(&mut self, g: &crate::Graph, nodes: &[Node]) {
         for node in nodes {
             let Node::Scalar(s) = *node else { continue };
             match g.scalar_node(s) {

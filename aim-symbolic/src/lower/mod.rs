@@ -13,7 +13,7 @@ pub(crate) mod sides;
 
 use self::factor::factor;
 use self::fold::Fold;
-use self::products::{Open, share_products};
+use self::products::{OpenProducts, share_products};
 use self::rebuild::Uses;
 pub(crate) use self::scales::scaled;
 use crate::rewrite::rules::{FACTOR, JOIN, Rules, SHARE};
@@ -48,11 +48,16 @@ const MOST_IN_LAST: usize = 300;
 
 /// Returns the arrangement of sums and products that needs the fewest operations among those tried; for a last effort
 /// also the next best, in order.
-pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>, effort: Effort) -> Vec<Vec<Scalar>> {
+pub(crate) fn best_arrangements(
+    fold: &mut Fold,
+    outputs: Vec<Scalar>,
+    rules: &Rules<'_>,
+    effort: Effort,
+) -> Vec<Vec<Scalar>> {
     let is_last = matches!(effort, Effort::Last { .. });
-    let mut all = tried(fold, &outputs, rules, effort, false);
+    let mut all = try_arrangements(fold, &outputs, rules, effort, false);
     if is_last && rules.has(&JOIN) && all.iter().any(|&(needed, _)| needed <= MOST_IN_LAST) {
-        all.extend(tried(fold, &outputs, rules, effort, true));
+        all.extend(try_arrangements(fold, &outputs, rules, effort, true));
     }
     all.sort_by_key(|&(needed, _)| needed);
     let least = all.first().map_or(0, |&(needed, _)| needed);
@@ -67,7 +72,7 @@ pub(crate) fn arranged(fold: &mut Fold, outputs: Vec<Scalar>, rules: &Rules<'_>,
 }
 
 /// Returns the arrangements that were tried, each with its number of operations, or with 0 if it is the only one.
-fn tried(
+fn try_arrangements(
     fold: &mut Fold,
     outputs: &[Scalar],
     rules: &Rules<'_>,
@@ -77,16 +82,16 @@ fn tried(
     // For each try: whether it starts from the best result so far, and which products to open for sharing and for
     // factoring.
     let tries = [
-        (false, Open::Private, Open::Private),
-        (false, Open::Shared, Open::Private),
-        (true, Open::Shared, Open::Private),
-        (true, Open::Quotients, Open::Shared),
-        (false, Open::Quotients, Open::Shared),
-        (true, Open::Quotients, Open::Private),
-        (false, Open::Shared, Open::Quotients),
-        (true, Open::Shared, Open::Shared),
-        (false, Open::Shared, Open::Sums),
-        (true, Open::Shared, Open::Shared),
+        (false, OpenProducts::Private, OpenProducts::Private),
+        (false, OpenProducts::Shared, OpenProducts::Private),
+        (true, OpenProducts::Shared, OpenProducts::Private),
+        (true, OpenProducts::Quotients, OpenProducts::Shared),
+        (false, OpenProducts::Quotients, OpenProducts::Shared),
+        (true, OpenProducts::Quotients, OpenProducts::Private),
+        (false, OpenProducts::Shared, OpenProducts::Quotients),
+        (true, OpenProducts::Shared, OpenProducts::Shared),
+        (false, OpenProducts::Shared, OpenProducts::Sums),
+        (true, OpenProducts::Shared, OpenProducts::Shared),
     ];
     let count = match effort {
         Effort::Compare => 1,
@@ -94,29 +99,29 @@ fn tried(
         Effort::Finish | Effort::Polish | Effort::Last { .. } => USUAL_TRIES,
     };
     let (mut all, mut best, mut least) = (Vec::new(), outputs.to_vec(), usize::MAX);
-    let mut shared: Vec<(Vec<Scalar>, Open, Vec<Scalar>)> = Vec::new();
+    let mut shared: Vec<(Vec<Scalar>, OpenProducts, Vec<Scalar>)> = Vec::new();
     for (number, (of_best, products, factors)) in tries.into_iter().take(count).enumerate() {
         if number >= USUAL_TRIES && least > MOST_OPERATIONS {
             break;
         }
         let start = if of_best { &best } else { outputs };
         let known = shared.iter().find(|(from, open, _)| *open == products && from == start);
-        let mut tried = match known {
+        let mut arrangement = match known {
             Some((.., made)) => made.clone(),
             None if rules.has(&SHARE) => share_products(fold, start, products, joins),
             None => start.to_vec(),
         };
         if known.is_none() {
-            shared.push((start.to_vec(), products, tried.clone()));
+            shared.push((start.to_vec(), products, arrangement.clone()));
         }
         if rules.has(&FACTOR) {
-            tried = factor(fold, &tried, factors, joins);
+            arrangement = factor(fold, &arrangement, factors, joins);
         }
-        let needed = if count > 1 { operations(&fold.g, &tried) } else { 0 };
+        let needed = if count > 1 { operations(&fold.g, &arrangement) } else { 0 };
         if needed < least {
-            (best, least) = (tried.clone(), needed);
+            (best, least) = (arrangement.clone(), needed);
         }
-        all.push((needed, tried));
+        all.push((needed, arrangement));
     }
     all
 }

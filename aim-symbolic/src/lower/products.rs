@@ -11,13 +11,13 @@ use crate::{Op, Scalar, ScalarNode};
 type Factor = (bool, Scalar);
 
 /// A product or quotient, flattened into its factors.
-struct Chain {
+struct FactorChain {
     root: Scalar,
     factors: Vec<Factor>,
     changed: bool,
 }
 
-impl Chain {
+impl FactorChain {
     /// Combines several constants into one, which is dropped if it is 1. A factor a + a counts as 2 a.
     fn with_one_constant(mut self, fold: &mut Fold) -> Self {
         let (mut constant, mut count, mut factors) = (1.0, 0, Vec::new());
@@ -83,7 +83,7 @@ fn products_of_sum(fold: &Fold, uses: &Uses, sum: Scalar) -> Option<Vec<[Scalar;
 
 /// Which products are taken apart. Taking apart more of them may save or cost operations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Open {
+pub(crate) enum OpenProducts {
     /// Products that are a factor of exactly one other product and have no other use.
     Private,
     /// Also products that have other uses.
@@ -95,16 +95,16 @@ pub(crate) enum Open {
 }
 
 /// Limit on the number of pairs of factors that are multiplied first, the most shared ones first.
-const MOST_ROUNDS: usize = 48;
+const MAX_SHARED_PAIRS: usize = 48;
 
 /// Limit on the number of factors of a product that is rearranged: a high power is better computed by squaring.
 const MOST_FACTORS: usize = 12;
 
 /// Returns `outputs`, which must be lowered, with the factors of products in the order in which they share most.
-pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Scalar> {
+pub(crate) fn share_products(fold: &mut Fold, outputs: &[Scalar], open: OpenProducts, joins: bool) -> Vec<Scalar> {
     let uses = Uses::count(&fold.g, outputs);
     let mut chains = chains(fold, &uses, outputs, open, joins);
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..MAX_SHARED_PAIRS {
         let Some(pair) = most_shared(&chains) else { break };
         let [(_, a), (over, b)] = pair;
         let made = if over { fold.div(a, b) } else { fold.mul(a, b) };
@@ -144,17 +144,17 @@ impl Exchange for Table<Scalar, Vec<Factor>> {
 }
 
 /// Returns the products that are used by anything but products, flattened into their factors.
-fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: Open, joins: bool) -> Vec<Chain> {
+fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: OpenProducts, joins: bool) -> Vec<FactorChain> {
     let is_product = |s: Scalar| match fold.g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(..)) => true,
-        ScalarNode::Op(Op::Div(..)) => open == Open::Quotients,
+        ScalarNode::Op(Op::Div(..)) => open == OpenProducts::Quotients,
         _ => false,
     };
     let mut roots = Table::default();
     let mut inner = Table::default();
     let mut sort = |part: Scalar, in_product: bool| {
         if is_product(part) {
-            let opens = in_product && (open != Open::Private || uses.once(part));
+            let opens = in_product && (open != OpenProducts::Private || uses.once(part));
             if opens {
                 inner.insert(part, ())
             } else {
@@ -170,9 +170,9 @@ fn chains(fold: &mut Fold, uses: &Uses, outputs: &[Scalar], open: Open, joins: b
     let chains = roots.map(|root| {
         let mut factors = Vec::new();
         collect(fold, &inner, (false, root), &mut factors);
-        Chain { root, factors, changed: false }
+        FactorChain { root, factors, changed: false }
     });
-    let short: Vec<Chain> = chains.filter(|chain| chain.factors.len() <= MOST_FACTORS).collect();
+    let short: Vec<FactorChain> = chains.filter(|chain| chain.factors.len() <= MOST_FACTORS).collect();
     if cfg!(aim_small) || !joins {
         return short;
     }
@@ -215,7 +215,7 @@ fn ordered([a, b]: [Factor; 2]) -> [Factor; 2] {
 
 /// Returns the pair of factors that occurs in the most chains, the first of several; `None` if no pair saves an
 /// operation.
-fn most_shared(chains: &[Chain]) -> Option<[Factor; 2]> {
+fn most_shared(chains: &[FactorChain]) -> Option<[Factor; 2]> {
     // For each pair the number of chains with it, and its order of appearance. A pair saves an operation only if it
     // occurs in a chain of more than two factors.
     let mut found: FxHashMap<[Factor; 2], (usize, usize)> = FxHashMap::default();

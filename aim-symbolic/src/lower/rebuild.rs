@@ -66,32 +66,32 @@ impl<'f> Rebuild<'f> {
     /// Returns `outputs` rebuilt.
     pub(crate) fn outputs(fold: &'f mut Fold, outputs: &[Scalar], exchange: &mut impl Exchange) -> Vec<Scalar> {
         let mut rebuild = Self { fold, done: Table::default() };
-        let mut made = Vec::new();
+        let mut rebuilt = Vec::new();
         for &output in outputs {
-            let mut wanted = vec![output];
-            while let Some(&s) = wanted.last() {
-                match rebuild.made(exchange, s) {
+            let mut pending = vec![output];
+            while let Some(&s) = pending.last() {
+                match rebuild.rebuild(exchange, s) {
                     Ok(_) => {
-                        wanted.pop();
+                        pending.pop();
                     }
-                    Err(Missing(part)) => wanted.push(part),
+                    Err(Missing(part)) => pending.push(part),
                 }
             }
-            made.extend(rebuild.done.get(output));
+            rebuilt.extend(rebuild.done.get(output));
         }
-        made
+        rebuilt
     }
 
-    fn made(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Result<Scalar, Missing> {
+    fn rebuild(&mut self, exchange: &mut impl Exchange, s: Scalar) -> Result<Scalar, Missing> {
         if let Some(&done) = self.done.get(s) {
             return Ok(done);
         }
-        let made = match exchange.exchange(self, s)? {
-            Some(made) => made,
-            None => self.kept(s)?,
+        let rebuilt = match exchange.exchange(self, s)? {
+            Some(rebuilt) => rebuilt,
+            None => self.rebuild_operands(s)?,
         };
-        self.done.insert(s, made);
-        Ok(made)
+        self.done.insert(s, rebuilt);
+        Ok(rebuilt)
     }
 
     /// Returns the rebuilt scalar, or the error that it is missing.
@@ -100,12 +100,12 @@ impl<'f> Rebuild<'f> {
     }
 
     /// Rebuilds the scalar with rebuilt operands and the same operation.
-    fn kept(&mut self, s: Scalar) -> Result<Scalar, Missing> {
+    fn rebuild_operands(&mut self, s: Scalar) -> Result<Scalar, Missing> {
         let Some(op) = self.fold.g.scalar_node(s).op() else { return Ok(s) };
         let mut missing = None;
         let op = op.map(|part| {
-            let made = self.scalar(part);
-            made.unwrap_or_else(|part| {
+            let rebuilt = self.scalar(part);
+            rebuilt.unwrap_or_else(|part| {
                 missing.get_or_insert(part);
                 s
             })

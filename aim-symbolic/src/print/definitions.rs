@@ -9,14 +9,14 @@ use crate::{Graph, Op, Scalar, ScalarNode, VectorNode};
 
 /// Expressions in which repeated and long parts have names.
 #[derive(Clone, Debug)]
-pub struct Defined {
+pub struct NamedParts {
     /// Each named part with its symbol, after the parts on which it depends.
     pub definitions: Vec<(Node, Formula)>,
     /// The notation, extended by those symbols.
     pub notation: Notation,
 }
 
-impl Defined {
+impl NamedParts {
     /// Returns the equations that define the symbols.
     #[must_use]
     pub fn equations(&self, g: &Graph) -> Vec<(Formula, Formula)> {
@@ -34,7 +34,7 @@ const LONG: usize = 16;
 
 /// Names the parts of `outputs` that are used more than once or are long: vectors **a**₁, **a**₂, …, numbers k₁, k₂, …
 #[must_use]
-pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
+pub fn name_parts(g: &Graph, outputs: &[Scalar], notation: &Notation) -> NamedParts {
     let order = g.order(outputs);
     let mut uses: HashMap<Node, usize> = HashMap::new();
     for &node in &order {
@@ -47,14 +47,14 @@ pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
             *uses.entry(part).or_default() += times;
         }
     }
-    let mut defined = Defined { definitions: Vec::new(), notation: notation.clone() };
+    let mut named = NamedParts { definitions: Vec::new(), notation: notation.clone() };
     let (mut vectors, mut scalars) = (0, 0);
     for &node in &order {
         let is_output = matches!(node, Node::Scalar(s) if outputs.contains(&s));
         if is_given(g, node) || is_output && !uses.contains_key(&node) {
             continue;
         }
-        let length = expression::node(g, node, &defined.notation).length();
+        let length = expression::node(g, node, &named.notation).length();
         if (uses.get(&node).is_some_and(|&uses| uses > 1) && length > SHORT) || length > LONG {
             let symbol = match node {
                 Node::Vector(_) => {
@@ -66,11 +66,11 @@ pub fn defined(g: &Graph, outputs: &[Scalar], notation: &Notation) -> Defined {
                     Formula::italic("k").numbered(scalars)
                 }
             };
-            defined.notation.parts.push((node, symbol.clone()));
-            defined.definitions.push((node, symbol));
+            named.notation.parts.push((node, symbol.clone()));
+            named.definitions.push((node, symbol));
         }
     }
-    defined
+    named
 }
 
 /// Returns `true` if the node is a symbol or a number already.
@@ -91,7 +91,7 @@ fn is_given(g: &Graph, node: Node) -> bool {
 pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Formula; 2], Vec<(Formula, Formula)>) {
     let reachable = |root| -> HashSet<Node> { g.order_of_nodes(&[root]).into_iter().collect() };
     let (of_from, of_to) = (reachable(from), reachable(to));
-    let mut letters = Letters { g, notation: notation.clone(), meanings: Vec::new(), vectors: 0, scalars: 0 };
+    let mut letters = LetterNames { g, notation: notation.clone(), meanings: Vec::new(), vectors: 0, scalars: 0 };
     let mut stack = vec![to, from];
     let mut seen = HashSet::new();
     while let Some(node) = stack.pop() {
@@ -109,7 +109,7 @@ pub fn rewriting(g: &Graph, from: Node, to: Node, notation: &Notation) -> ([Form
     (sides, letters.meanings)
 }
 
-struct Letters<'a> {
+struct LetterNames<'a> {
     g: &'a Graph,
     notation: Notation,
     meanings: Vec<(Formula, Formula)>,
@@ -117,7 +117,7 @@ struct Letters<'a> {
     scalars: usize,
 }
 
-impl Letters<'_> {
+impl LetterNames<'_> {
     fn name(&mut self, node: Node) {
         let formula = expression::node(self.g, node, &self.notation);
         if formula.length() <= 1 {

@@ -1,7 +1,7 @@
 //! Expressions and programs as formulas.
 
 use super::formula::{Formula, Sign};
-use super::steps::{Binding, Printer, Written};
+use super::steps::{Binding, Printer, ProgramWriter};
 use crate::ir::node::Node;
 use crate::{
     Angle, Attitude, Condition, Function, Graph, Op, Plane, Program, Rotation, RotationNode, Scalar, ScalarNode,
@@ -298,12 +298,12 @@ impl Writer<'_> {
                 let a = if is_scaled { (group(v(a), self.factors()), Binding::Atom) } else { v(a) };
                 product((group(self.scalar(k), self.factors()), Binding::Atom), a)
             }
-            VectorNode::Rotate(r, a) => self.moved(group(self.rotation(r), self.factors()), a),
+            VectorNode::Rotate(r, a) => self.multiplied(group(self.rotation(r), self.factors()), a),
             VectorNode::Normalize(a) => {
                 let a = v(a).0;
                 quotient(a.clone(), Formula::Bars(Box::new(a)))
             }
-            VectorNode::Perp(plane, a) => self.moved(self.notation.plane(plane), a),
+            VectorNode::Perp(plane, a) => self.multiplied(self.notation.plane(plane), a),
             VectorNode::Cross(a, b) => {
                 let [a, b] = [a, b].map(|e| group(v(e), Binding::Dot));
                 (Formula::infix(a, Sign::Cross, b), Binding::Dot)
@@ -311,7 +311,7 @@ impl Writer<'_> {
             VectorNode::Solve(m, a) => {
                 let columns = Formula::Matrix(vec![m.columns.map(|column| v(column).0).to_vec()]);
                 let matrix = if m.transposed { columns.transposed() } else { columns };
-                self.moved(Formula::Inverse(Box::new(matrix)), a)
+                self.multiplied(Formula::Inverse(Box::new(matrix)), a)
             }
             VectorNode::Motion(_, Attitude::Quaternion(u, _) | Attitude::Turn(u)) => {
                 (Formula::italic("ω").indexed(v(u).0), Binding::Atom)
@@ -338,7 +338,7 @@ impl Writer<'_> {
         if self.notation.grouped { Binding::Product } else { Binding::Dot }
     }
 
-    fn moved(&self, by: Formula, v: Vector) -> Bound {
+    fn multiplied(&self, by: Formula, v: Vector) -> Bound {
         (Formula::infix(by, Sign::Times, group(self.vector(v), Binding::Dot)), Binding::Product)
     }
 
@@ -420,7 +420,7 @@ fn common_name(g: &Graph, components: [Scalar; 3]) -> Option<String> {
 
 /// A program as formulas.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct ProgramFormulas {
     /// The number, symbol and formula of each step.
     pub steps: Vec<(usize, Formula, Formula)>,
     /// The formulas of the outputs.
@@ -429,10 +429,10 @@ pub struct Told {
 
 /// Returns the program as formulas, in the same steps that every back end writes.
 #[must_use]
-pub fn program(program: &Program, notation: &Notation) -> Told {
+pub fn program(program: &Program, notation: &Notation) -> ProgramFormulas {
     let steps = Steps { inputs: program.inputs(), notation };
-    let written = Written { program, printer: &steps };
-    Told {
+    let written = ProgramWriter { program, printer: &steps };
+    ProgramFormulas {
         steps: written.steps().map(|(number, (formula, _))| (number, steps.step(number).0, formula)).collect(),
         outputs: written.outputs().into_iter().map(|(formula, _)| formula).collect(),
     }

@@ -5,7 +5,7 @@
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Formula {
     /// A symbol: a letter or a word.
-    Symbol(String, Face),
+    Symbol(String, Typeface),
     /// A number, as digits.
     Number(String),
     /// A sign between two formulas, or before one.
@@ -38,7 +38,7 @@ pub enum Formula {
 
 /// The typeface of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Face {
+pub enum Typeface {
     /// Numbers and matrices.
     Italic,
     /// Vectors.
@@ -82,19 +82,19 @@ impl Formula {
     /// Creates the symbol of a vector.
     #[must_use]
     pub fn vector(name: &str) -> Self {
-        Self::Symbol(name.to_owned(), Face::Bold)
+        Self::Symbol(name.to_owned(), Typeface::Bold)
     }
 
     /// Creates the symbol of a number or a matrix.
     #[must_use]
     pub fn italic(name: &str) -> Self {
-        Self::Symbol(name.to_owned(), Face::Italic)
+        Self::Symbol(name.to_owned(), Typeface::Italic)
     }
 
     /// Creates an upright word.
     #[must_use]
     pub fn upright(name: &str) -> Self {
-        Self::Symbol(name.to_owned(), Face::Upright)
+        Self::Symbol(name.to_owned(), Typeface::Upright)
     }
 
     /// Creates a number, rounded to seven digits, with a minus sign if it is negative.

@@ -1,6 +1,6 @@
 //! LaTeX output; needs the package amsmath.
 
-use super::formula::{Face, Formula, Sign};
+use super::formula::{Formula, Sign, Typeface};
 
 /// Returns the formula in LaTeX, for use in math mode.
 #[must_use]
@@ -47,13 +47,13 @@ fn base(stem: &Formula) -> String {
     }
 }
 
-fn symbol(name: &str, face: Face) -> String {
+fn symbol(name: &str, face: Typeface) -> String {
     let name = name.replace('_', r"\_").replace('ε', r"\varepsilon");
     let is_letter = name.chars().count() == 1 || name.starts_with('\\');
     match face {
-        Face::Italic if is_letter => name,
-        Face::Italic | Face::Upright => format!(r"\mathrm{{{name}}}"),
-        Face::Bold => format!(r"\mathbf{{{name}}}"),
+        Typeface::Italic if is_letter => name,
+        Typeface::Italic | Typeface::Upright => format!(r"\mathrm{{{name}}}"),
+        Typeface::Bold => format!(r"\mathbf{{{name}}}"),
     }
 }
 

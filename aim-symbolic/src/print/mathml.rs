@@ -1,6 +1,6 @@
 //! `MathML` output, restricted to the subset that browsers have in common.
 
-use super::formula::{Face, Formula, Sign};
+use super::formula::{Formula, Sign, Typeface};
 
 /// Returns the formula as the content of a `math` element.
 #[must_use]
@@ -55,14 +55,14 @@ fn write(out: &mut String, formula: &Formula) {
     }
 }
 
-fn symbol(out: &mut String, name: &str, face: Face) {
+fn symbol(out: &mut String, name: &str, face: Typeface) {
     let is_letter = name.chars().count() == 1;
     match face {
         // Words longer than a letter are upright by default.
-        Face::Italic => element(out, "mi", name),
-        Face::Upright if !is_letter => element(out, "mi", name),
-        Face::Upright => *out += &format!("<mi mathvariant=\"normal\">{}</mi>", escaped(name)),
-        Face::Bold => *out += &format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escaped(name)),
+        Typeface::Italic => element(out, "mi", name),
+        Typeface::Upright if !is_letter => element(out, "mi", name),
+        Typeface::Upright => *out += &format!("<mi mathvariant=\"normal\">{}</mi>", escaped(name)),
+        Typeface::Bold => *out += &format!("<mi mathvariant=\"normal\" class=\"vector\">{}</mi>", escaped(name)),
     }
 }
 

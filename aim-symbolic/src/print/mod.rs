@@ -10,12 +10,14 @@ mod source;
 mod steps;
 mod text;
 
-pub use definitions::{Defined, defined, rewriting};
-pub use expression::{Notation, Told, condition, definition, node, program as told, rotation, scalar, vector};
-pub use formula::{Face, Formula, Sign};
+pub use definitions::{NamedParts, name_parts, rewriting};
+pub use expression::{
+    Notation, ProgramFormulas, condition, definition, node, program as program_formulas, rotation, scalar, vector,
+};
+pub use formula::{Formula, Sign, Typeface};
 pub use latex::formula as latex;
 pub use mathml::formula as mathml;
 pub use maxima::program as maxima;
 pub use source::{Dialect, steps};
-pub use steps::{Printer, Written};
+pub use steps::{Printer, ProgramWriter};
 pub use text::formula as text;

@@ -1,6 +1,6 @@
 //! Programs as infix source text, shared by all back ends that write strings.
 
-use super::steps::{Printer, Written};
+use super::steps::{Printer, ProgramWriter};
 use crate::{Function, Op, Program};
 
 /// The syntax in which languages differ.
@@ -37,7 +37,7 @@ pub trait Dialect {
 /// Returns the program's steps as `(name, expression)`, and its outputs.
 pub fn steps(program: &Program, dialect: &dyn Dialect) -> (Vec<(String, String)>, Vec<String>) {
     let source = Source(dialect);
-    let written = Written { program, printer: &source };
+    let written = ProgramWriter { program, printer: &source };
     (written.steps().map(|(number, text)| (source.step(number), text)).collect(), written.outputs())
 }
 

@@ -25,14 +25,14 @@ pub trait Printer {
 
 /// A program in a notation. Inputs, constants, negations and values that are used once are written in place.
 #[derive(Debug)]
-pub struct Written<'a, P> {
+pub struct ProgramWriter<'a, P> {
     /// The program.
     pub program: &'a Program,
     /// The notation.
     pub printer: &'a P,
 }
 
-impl<P: Printer> Written<'_, P> {
+impl<P: Printer> ProgramWriter<'_, P> {
     /// Returns the program's steps, each with its number.
     pub fn steps(&self) -> impl Iterator<Item = (usize, P::Text)> {
         self.program.steps().map(|(number, op)| (number, self.operation(op)))

@@ -1,11 +1,11 @@
 //! The record of a derivation: every rewrite, the derivative sweeps, the rules that lowered the operation count, and
 //! the meaning of each step of the program.
 
-use crate::diff::sweep::Swept;
+use crate::diff::sweep::SweepRecord;
 use crate::ir::evaluate::Evaluation;
 use crate::ir::node::Node;
 use crate::lower::Effort;
-use crate::program::derive::{Choices, Way, choose, distinct};
+use crate::program::derive::{Candidate, Choices, choose, distinct};
 use crate::rewrite::log::{Log, Rewrite};
 use crate::rewrite::rules::{ARITHMETIC, RESUBSTITUTE, Rule};
 use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Singular, Want};
@@ -55,7 +55,7 @@ pub struct Derivation {
     /// The stated expressions as rewritten before differentiation.
     pub values: Vec<Scalar>,
     /// The derivative sweeps.
-    pub sweeps: Vec<Swept>,
+    pub sweeps: Vec<SweepRecord>,
     /// The wanted expressions immediately after differentiation.
     pub derived: Vec<Scalar>,
     /// The wanted expressions after all rewriting, before they are lowered to components.
@@ -84,21 +84,21 @@ impl Derivation {
     #[must_use]
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
         let (program, choices) = choose(g, wanted, &[]);
-        let way = |log: Log, off: &[Rule]| Way::taken(g, wanted, choices.clone(), off, log, Effort::Polish);
-        let count = |rewrites: usize, off: &[Rule]| way(Log::limited(rewrites), off).program.count();
-        let Way { g: mut graph, outputs, log, .. } = way(Log::default(), &[]);
+        let derive_with = |log: Log, off: &[Rule]| Candidate::new(g, wanted, choices.clone(), off, log, Effort::Polish);
+        let count = |rewrites: usize, off: &[Rule]| derive_with(Log::limited(rewrites), off).program.count();
+        let Candidate { g: mut graph, outputs, log, .. } = derive_with(Log::default(), &[]);
         let least = program.count().total();
-        let mut book = Book { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
+        let mut recorder = StepRecorder { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
         // The last rule applies only to finished programs.
         for on in 1..ARITHMETIC.len() {
-            book.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
+            recorder.record(ARITHMETIC[on - 1], 0, count(0, &ARITHMETIC[on..]));
             // A rule without effect of its own is not part of the step that follows.
-            book.rules.clear();
+            recorder.rules.clear();
         }
         for (before, rewrite) in log.applied.iter().enumerate() {
-            book.record(rewrite.rule, before + 1, count(before + 1, &[]));
+            recorder.record(rewrite.rule, before + 1, count(before + 1, &[]));
         }
-        book.record(RESUBSTITUTE, log.applied.len(), program.count());
+        recorder.record(RESUBSTITUTE, log.applied.len(), program.count());
         let stated = distinct(wanted.iter().filter_map(|want| want.stated()));
         let variables = distinct(wanted.iter().filter_map(|want| match *want {
             Want::Derivative(_, x) | Want::Second(_, x, _) => Some(x),
@@ -114,7 +114,7 @@ impl Derivation {
             outputs,
             rewrites: log.applied,
             before_sweeps: log.before_sweeps,
-            steps: book.steps,
+            steps: recorder.steps,
             program,
             statement: g.clone(),
             wanted: wanted.to_vec(),
@@ -126,8 +126,8 @@ impl Derivation {
     #[must_use]
     pub fn stopped_after(&self, rewrites: usize) -> (Graph, Vec<Scalar>) {
         let log = Log::limited(rewrites);
-        let way = Way::taken(&self.statement, &self.wanted, self.choices.clone(), &[], log, Effort::Compare);
-        (way.g, way.outputs)
+        let candidate = Candidate::new(&self.statement, &self.wanted, self.choices.clone(), &[], log, Effort::Compare);
+        (candidate.g, candidate.outputs)
     }
 
     /// Returns for each of the program's [`steps`](Program::steps) the part of the [`outputs`](Self::outputs) that it
@@ -213,7 +213,7 @@ impl Program {
     }
 }
 
-struct Book {
+struct StepRecorder {
     steps: Vec<Step>,
     /// The rules applied since the last step.
     rules: Vec<(Rule, usize)>,
@@ -224,7 +224,7 @@ struct Book {
     least: usize,
 }
 
-impl Book {
+impl StepRecorder {
     fn record(&mut self, rule: Rule, rewrites: usize, after: Count) {
         match self.rules.iter_mut().find(|(known, _)| *known == rule) {
             Some((_, times)) => *times += 1,

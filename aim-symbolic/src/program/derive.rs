@@ -1,7 +1,7 @@
 //! Derives the smallest program of a statement: runs the passes in order and compares a bounded number of choices
 //! between them.
 
-use crate::diff::sweep::{Course, Swept};
+use crate::diff::sweep::{SweepDirection, SweepRecord};
 use crate::ir::node::Node;
 use crate::lower::Effort;
 use crate::rewrite::log::Log;
@@ -10,7 +10,7 @@ use crate::rewrite::rules::{
     DROP_RADIAL, EXPAND_ACROSS, FRAMES, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, PRODUCTS,
     RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
 };
-use crate::{Function, Graph, Op, Placement, Program, Rotation, Scalar, ScalarNode, Variable, VectorNode};
+use crate::{Function, Graph, Op, Program, ReciprocalPlacement, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
 /// An output of a program: a value, one of its derivatives, or a term of the normal equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +57,7 @@ impl Want {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sweep {
     /// From the values to the variables.
-    Reverse(Placement),
+    Reverse(ReciprocalPlacement),
     /// From the variables to the values.
     Forward,
 }
@@ -71,15 +71,15 @@ pub(crate) struct Choices {
     /// The rules that are switched off in favour of others.
     without: Vec<Rule>,
     /// Limit on the number of rotations that move to the other side of a dot product.
-    turned: Option<usize>,
+    max_other_side: Option<usize>,
     /// Rotations whose inner frame the calculation moves to, because fewer vectors are rotated there.
-    kept: Vec<Rotation>,
+    inner_frames: Vec<Rotation>,
 }
 
 impl Choices {
     fn first() -> Self {
-        let sweep = Sweep::Reverse(Placement::Late);
-        Self { sweep, forward: Vec::new(), without: OPTIONAL.to_vec(), turned: None, kept: Vec::new() }
+        let sweep = Sweep::Reverse(ReciprocalPlacement::Late);
+        Self { sweep, forward: Vec::new(), without: OPTIONAL.to_vec(), max_other_side: None, inner_frames: Vec::new() }
     }
 }
 
@@ -113,7 +113,7 @@ impl Program {
     /// Derives a program by the default choices, without a search. All rules but the optional ones apply; the program
     /// need not be the smallest.
     pub fn derive_at_once(g: &Graph, wanted: &[Want]) -> Self {
-        Way::taken(g, wanted, Choices::first(), &[], Log::default(), Effort::Compare).program.finished()
+        Candidate::new(g, wanted, Choices::first(), &[], Log::default(), Effort::Compare).program.finished()
     }
 
     /// Derives the smallest program without these rules, to see their effect.
@@ -134,24 +134,24 @@ pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, 
         let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
         let (mut plain, _) = smallest(g, wanted, &off, Some(cost(&best.program).0));
         plain.choices.without.extend(off);
-        best = best.or_better(plain);
+        best = best.better_of(plain);
     }
     (best.program.finished(), best.choices)
 }
 
 /// Returns the smallest program by the rules that apply, and whether any rule was applied. Polishes it unless it is too
 /// large to become smaller than a `rival` with this number of operations.
-fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> (Way, bool) {
-    let mut best = Way::taken(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
+fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> (Candidate, bool) {
+    let mut best = Candidate::new(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
     let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
     if best.is_small() {
         best.arrange(without, Effort::Finish);
-        best = best.improved_again(&changes, g, wanted, without);
+        best = best.improve_twice(&changes, g, wanted, without);
     } else {
-        best = best.improved(&changes, g, wanted, without, Effort::Compare);
+        best = best.improve(&changes, g, wanted, without, Effort::Compare);
     }
     if rival.is_none_or(|rival| best.is_near(rival, MOST_PLAIN)) {
-        best = best.polished(g, wanted, without, rival);
+        best = best.polish(g, wanted, without, rival);
     }
     (best, is_rewritten)
 }
@@ -160,9 +160,9 @@ fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) 
 fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
     let variables = variables(wanted);
     let values = distinct(wanted.iter().filter_map(|w| w.stated()));
-    let mut sweeps = vec![Sweep::Reverse(Placement::Late)];
+    let mut sweeps = vec![Sweep::Reverse(ReciprocalPlacement::Late)];
     if !variables.is_empty() {
-        sweeps.push(Sweep::Reverse(Placement::Early));
+        sweeps.push(Sweep::Reverse(ReciprocalPlacement::Early));
         if variables.len() <= 2 * values.len() {
             sweeps.push(Sweep::Forward);
         }
@@ -182,7 +182,7 @@ fn variables(wanted: &[Want]) -> Vec<Variable> {
 /// A combination of choices and its result. Each starts anew from the statement, so that a program does not depend on
 /// what else was tried.
 #[derive(Clone)]
-pub(crate) struct Way {
+pub(crate) struct Candidate {
     choices: Choices,
     pub(crate) g: Graph,
     pub(crate) outputs: Vec<Scalar>,
@@ -191,9 +191,9 @@ pub(crate) struct Way {
     pub(crate) log: Log,
 }
 
-impl Way {
+impl Candidate {
     /// Rewrites and compiles the statement by these choices, as far as the log's limit permits.
-    pub(crate) fn taken(
+    pub(crate) fn new(
         stated: &Graph,
         wanted: &[Want],
         choices: Choices,
@@ -222,51 +222,51 @@ impl Way {
     }
 
     /// Returns the better of the two, or the first if they are equal.
-    fn or_better(self, other: Self) -> Self {
+    fn better_of(self, other: Self) -> Self {
         if cost(&other.program) < cost(&self.program) { other } else { self }
     }
 
     /// Tries every rival in turn and returns the best.
-    fn improved(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
+    fn improve(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
         changes.iter().fold(self, |best, change| {
             let mut choices = best.choices.clone();
             change(&mut choices);
             if choices == best.choices {
                 return best;
             }
-            best.or_better(Self::taken(stated, wanted, choices, without, Log::default(), effort))
+            best.better_of(Self::new(stated, wanted, choices, without, Log::default(), effort))
         })
     }
 
     /// Tries every rival of a small program, and if that improves it, all of them once more.
-    fn improved_again(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
+    fn improve_twice(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
         let before = cost(&self.program);
-        let best = self.improved(changes, stated, wanted, without, Effort::Finish);
+        let best = self.improve(changes, stated, wanted, without, Effort::Finish);
         if cost(&best.program) == before {
             return best;
         }
-        best.improved(changes, stated, wanted, without, Effort::Finish)
+        best.improve(changes, stated, wanted, without, Effort::Finish)
     }
 
     /// Returns the program with the best arrangement, or a variant with more derivatives taken forward if that is
     /// smaller.
-    fn polished(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> Self {
+    fn polish(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> Self {
         if cfg!(aim_small) {
             self.arrange(without, Effort::Polish);
             return self;
         }
         let effort = if self.is_small() { Effort::Finish } else { Effort::Compare };
-        let mut other = self.clone().improved(&self.forward(wanted, true), stated, wanted, without, effort);
-        self.settle(without, rival);
+        let mut other = self.clone().improve(&self.forward_changes(wanted, true), stated, wanted, without, effort);
+        self.arrange_if_competitive(without, rival);
         if other.choices == self.choices {
             return self;
         }
-        other.settle(without, rival);
-        self.or_better(other)
+        other.arrange_if_competitive(without, rival);
+        self.better_of(other)
     }
 
     /// Arranges the program, unless it is too large to become smaller than a rival.
-    fn settle(&mut self, without: &[Rule], rival: Option<usize>) {
+    fn arrange_if_competitive(&mut self, without: &[Rule], rival: Option<usize>) {
         if let Some(rival) = rival {
             // The result must not depend on the trial.
             let mut trial = self.clone();
@@ -280,7 +280,7 @@ impl Way {
 
     /// Returns the rivals that take a derivative forward: by the variables on which the arguments of sines and cosines
     /// depend, since these are each other's derivatives, or with `others` by the remaining numbers.
-    fn forward(&self, wanted: &[Want], others: bool) -> Vec<Change> {
+    fn forward_changes(&self, wanted: &[Want], others: bool) -> Vec<Change> {
         let g = &self.g;
         let is_turn = |node: &Node| match *node {
             Node::Scalar(s) => match g.scalar_node(s) {
@@ -305,14 +305,14 @@ impl Way {
     }
 
     /// Returns the rival that uses matrices, if quaternions rotate several vectors.
-    fn by_matrices(&self) -> Option<Change> {
+    fn matrix_change(&self) -> Option<Change> {
         (!self.g.busy_quaternions(&self.g.order(&self.outputs)).is_empty()).then(|| optional(MATRIX))
     }
 
     /// Returns the rivals that gather products with a common vector, if there are several cross products: first cross
     /// products, also without [`DROP_RADIAL`], which would take the gathered sums apart; then dot products, and
     /// matrices again, which may pay only then.
-    fn gathered(&self) -> Vec<Change> {
+    fn gathering_changes(&self) -> Vec<Change> {
         let is_cross =
             |node: &Node| matches!(*node, Node::Vector(v) if matches!(self.g.vector_node(v), VectorNode::Cross(..)));
         if self.g.order(&self.outputs).iter().filter(|node| is_cross(node)).count() < 2 {
@@ -344,22 +344,22 @@ fn optional(rule: Rule) -> Change {
 }
 
 /// Returns the rivals worth trying, judged by the rules applied by the default choices.
-fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
-    let Way { g, outputs, log, .. } = first;
+fn rivals(first: &Candidate, wanted: &[Want]) -> Vec<Change> {
+    let Candidate { g, outputs, log, .. } = first;
     let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
     let mut rivals: Vec<Change> = Vec::new();
     for sweep in sweeps(wanted) {
         rivals.push(Box::new(move |c| c.sweep = sweep));
     }
     if cfg!(not(aim_small)) {
-        rivals.extend(first.forward(wanted, false));
+        rivals.extend(first.forward_changes(wanted, false));
     }
     // A rotation that cancelled beside several directions may cost more on the many other sides than it saved.
     let innermost = distinct(g.cancelled().iter().rev().copied());
     if g.cancelled().len() > innermost.len() {
-        for kept in (1..=innermost.len()).take(MOST_SIDES) {
-            let kept = innermost[..kept].to_vec();
-            rivals.push(Box::new(move |c| c.kept = kept.clone()));
+        for count in (1..=innermost.len()).take(MOST_SIDES) {
+            let frames = innermost[..count].to_vec();
+            rivals.push(Box::new(move |c| c.inner_frames = frames.clone()));
         }
     }
     if applied(&[EXPAND_ACROSS]) > 0 {
@@ -371,9 +371,9 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     if g.has_constant_direction(outputs) {
         rivals.push(optional(CONSTANT_SCALE));
     }
-    rivals.extend(first.by_matrices());
+    rivals.extend(first.matrix_change());
     if cfg!(not(aim_small)) {
-        rivals.extend(first.gathered());
+        rivals.extend(first.gathering_changes());
     }
     let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS].contains(rule) || first.is_small();
     for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
@@ -385,7 +385,7 @@ fn rivals(first: &Way, wanted: &[Want]) -> Vec<Change> {
     }
     if applied(&CANCELLING) == 0 {
         for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
-            rivals.push(Box::new(move |c| c.turned = Some(fewer)));
+            rivals.push(Box::new(move |c| c.max_other_side = Some(fewer)));
         }
     }
     rivals
@@ -408,16 +408,16 @@ pub(crate) fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
 
 fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[Rule], effort: Effort) -> Program {
     let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
-    Program::compile_with(g, outputs, &Rules { without: &off, turned: choices.turned }, effort)
+    Program::compile_with(g, outputs, &Rules { without: &off, max_other_side: choices.max_other_side }, effort)
 }
 
 /// Returns the wanted expressions, rewritten by these choices.
 fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule], log: &mut Log) -> Vec<Scalar> {
     let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
-    let rules = Rules { without: &off, turned: choices.turned };
+    let rules = Rules { without: &off, max_other_side: choices.max_other_side };
     let stated = distinct(wanted.iter().filter_map(|w| w.stated()));
-    g.keep(&choices.kept);
-    let limits = Rules { without, turned: None };
+    g.set_inner_frames(&choices.inner_frames);
+    let limits = Rules { without, max_other_side: None };
     let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
     let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
     if !RATIOS.rules.is_empty() {
@@ -445,23 +445,23 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let of_all = wanted.iter().flat_map(|want| want.of_all());
     let of_all = of_all.flat_map(|x| residuals.iter().map(move |&s| (s, x)));
     let pairs = distinct(wanted.iter().filter_map(by_variable).chain(of_all));
-    let goes_back = |x: &Variable| choices.sweep != Sweep::Forward && !choices.forward.contains(x);
+    let is_reverse = |x: &Variable| choices.sweep != Sweep::Forward && !choices.forward.contains(x);
     if let Sweep::Reverse(placement) = choices.sweep {
         for &s in &stated {
-            let of = pairs.iter().filter(|(of, x)| *of == s && goes_back(x));
+            let of = pairs.iter().filter(|(of, x)| *of == s && is_reverse(x));
             let variables: Vec<Variable> = of.map(|(_, x)| *x).collect();
             if !variables.is_empty() {
-                let (gradient, passages) = g.swept_back(value(s), &variables, placement);
-                log.sweeps.push(Swept { course: Course::Back(value(s)), passages });
+                let (gradient, visited) = g.sweep_backward(value(s), &variables, placement);
+                log.sweeps.push(SweepRecord { direction: SweepDirection::Backward(value(s)), visited });
                 firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
             }
         }
     }
-    for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !goes_back(x))) {
+    for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !is_reverse(x))) {
         let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
         let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
-        let (tangents, passages) = g.swept_forward(&values, x);
-        log.sweeps.push(Swept { course: Course::Forward(x), passages });
+        let (tangents, visited) = g.sweep_forward(&values, x);
+        log.sweeps.push(SweepRecord { direction: SweepDirection::Forward(x), visited });
         firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
     }
     let first = |s: Scalar, x: Variable| {
@@ -481,7 +481,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
         if cfg!(not(aim_small)) && !by.is_empty() {
             let slope = g.rewrite_with(&[first(s, x)], &LIMITS, &limits, log);
             let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
-            let gradient = g.gradient(slope, &by, Placement::Late);
+            let gradient = g.gradient(slope, &by, ReciprocalPlacement::Late);
             seconds.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
         }
     }
@@ -505,7 +505,7 @@ fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule]
     let outputs = g.at_rest(&outputs);
     log.derived.clone_from(&outputs);
     let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
-    if !choices.kept.is_empty() {
+    if !choices.inner_frames.is_empty() {
         outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);
     }
     let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);

@@ -10,7 +10,7 @@ pub(crate) mod singular;
 
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
-use crate::lower::{Effort, arranged, scaled};
+use crate::lower::{Effort, best_arrangements, scaled};
 use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
 use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
 
@@ -45,7 +45,7 @@ impl Program {
     pub(crate) fn compile_with(g: &mut Graph, outputs: &[Scalar], rules: &Rules<'_>, effort: Effort) -> Self {
         let mut lowering = Lowering::new(core::mem::take(g), rules);
         let lowered = lowering.outputs(outputs);
-        let mut arrangements = arranged(&mut lowering.fold, lowered, rules, effort);
+        let mut arrangements = best_arrangements(&mut lowering.fold, lowered, rules, effort);
         if rules.has(&MOVE_CONSTANTS) {
             let moved: Vec<_> = arrangements.iter().filter_map(|lowered| scaled(&mut lowering.fold, lowered)).collect();
             arrangements.extend(moved);
@@ -201,7 +201,7 @@ impl Program {
 
     /// Returns the program as it is written, with as few negations as possible.
     pub(crate) fn finished(mut self) -> Self {
-        self.settle_signs();
+        self.remove_negations();
         self.number();
         self
     }

@@ -18,16 +18,16 @@ const DEEPEST: usize = 2000;
 
 /// The value in the new program that stands for a value of the old one, and whether it is stored negated.
 #[derive(Clone, Copy, PartialEq)]
-struct Stored {
+struct SignedValue {
     value: Value,
     negated: bool,
 }
 
 /// A rewritten program.
-struct Written {
+struct RewrittenProgram {
     ops: Vec<Op>,
     outputs: Vec<Value>,
-    stored: Vec<Stored>,
+    stored: Vec<SignedValue>,
     /// The number of angles with a negated ordinate.
     angles: usize,
     negations: usize,
@@ -39,17 +39,22 @@ impl Program {
     /// For each negated ordinate of an angle and each negated output, the differences behind it are reversed, first
     /// through left operands, then through right ones. A trial is kept if it leaves fewer negated ordinates, or as many
     /// and fewer negations. The number of trials is bounded, and so is the work.
-    pub(crate) fn settle_signs(&mut self) {
-        let mut turned = vec![false; self.ops().len()];
-        let mut best = self.written(&turned);
+    pub(crate) fn remove_negations(&mut self) {
+        let mut reversed = vec![false; self.ops().len()];
+        let mut best = self.rewrite_with_reversed(&reversed);
         let mut trials = 0..MOST_TRIALS;
-        while let Some((trial, written)) = self.better(&turned, &best, &mut trials) {
-            (turned, best) = (trial, written);
+        while let Some((trial, written)) = self.better_trial(&reversed, &best, &mut trials) {
+            (reversed, best) = (trial, written);
         }
         self.replace(best.ops, best.outputs);
     }
 
-    fn better(&self, turned: &[bool], best: &Written, trials: &mut Range<usize>) -> Option<(Vec<bool>, Written)> {
+    fn better_trial(
+        &self,
+        reversed: &[bool],
+        best: &RewrittenProgram,
+        trials: &mut Range<usize>,
+    ) -> Option<(Vec<bool>, RewrittenProgram)> {
         let ordinates = self.ops().iter().filter_map(|op| match op {
             Op::Atan2(y, _) => Some(y),
             _ => None,
@@ -57,11 +62,16 @@ impl Program {
         let negated = ordinates.chain(self.outputs()).filter(|v| best.stored[v.index()].negated);
         negated.flat_map(|&value| [(value, false), (value, true)]).find_map(|(value, right_first)| {
             trials.next()?;
-            let mut trial = turned.to_vec();
-            let mut search =
-                Search { program: self, right_first, stored: &best.stored, steps: self.ops().len(), depth: DEEPEST };
-            search.turn(value, &mut trial)?;
-            let written = self.written(&trial);
+            let mut trial = reversed.to_vec();
+            let mut search = ReversalSearch {
+                program: self,
+                right_first,
+                stored: &best.stored,
+                steps: self.ops().len(),
+                depth: DEEPEST,
+            };
+            search.reverse(value, &mut trial)?;
+            let written = self.rewrite_with_reversed(&trial);
             ((written.angles, written.negations) < (best.angles, best.negations)).then_some((trial, written))
         })
     }
@@ -70,7 +80,7 @@ impl Program {
         self.ops()[value.index()] == Op::Constant(Constant::new(0.0))
     }
 
-    fn is_difference(&self, value: Value, stored: &[Stored]) -> bool {
+    fn is_difference(&self, value: Value, stored: &[SignedValue]) -> bool {
         let unlike = |a: Value, b: Value| stored[a.index()].negated != stored[b.index()].negated;
         match self.ops()[value.index()] {
             Op::Add(a, b) => unlike(a, b),
@@ -80,58 +90,59 @@ impl Program {
     }
 
     /// Rewrites the program with these differences reversed.
-    fn written(&self, turned: &[bool]) -> Written {
-        let mut new = Written { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), angles: 0, negations: 0 };
-        for (&op, &turned) in self.ops().iter().zip(turned) {
+    fn rewrite_with_reversed(&self, reversed: &[bool]) -> RewrittenProgram {
+        let mut new =
+            RewrittenProgram { ops: Vec::new(), outputs: Vec::new(), stored: Vec::new(), angles: 0, negations: 0 };
+        for (&op, &reversed) in self.ops().iter().zip(reversed) {
             let at = |v: Value| new.stored[v.index()];
             let stored = match op {
-                Op::Neg(a) => Stored { negated: !at(a).negated, ..at(a) },
-                Op::Add(a, b) => new.sum(at(a), at(b), turned),
+                Op::Neg(a) => SignedValue { negated: !at(a).negated, ..at(a) },
+                Op::Add(a, b) => new.sum(at(a), at(b), reversed),
                 Op::Sub(a, b) => {
                     let b = at(b);
-                    new.sum(at(a), Stored { negated: !b.negated, ..b }, turned)
+                    new.sum(at(a), SignedValue { negated: !b.negated, ..b }, reversed)
                 }
                 Op::Mul(a, b) => new.push(Op::Mul(at(a).value, at(b).value), at(a).negated != at(b).negated),
                 Op::Div(a, b) => new.push(Op::Div(at(a).value, at(b).value), at(a).negated != at(b).negated),
                 Op::SelectLess(a, b, then, otherwise) if self.is_zero(otherwise) => {
                     let (then, otherwise) = (at(then), at(otherwise));
-                    let [a, b] = [a, b].map(|v| new.plain(new.stored[v.index()]));
+                    let [a, b] = [a, b].map(|v| new.without_sign(new.stored[v.index()]));
                     new.push(Op::SelectLess(a, b, then.value, otherwise.value), then.negated)
                 }
                 op => {
                     new.angles += usize::from(matches!(op, Op::Atan2(y, _) if at(y).negated));
-                    let op = op.map(|v| new.plain(new.stored[v.index()]));
+                    let op = op.map(|v| new.without_sign(new.stored[v.index()]));
                     new.push(op, false)
                 }
             };
             new.stored.push(stored);
         }
-        new.outputs = self.outputs().iter().map(|v| new.plain(new.stored[v.index()])).collect();
+        new.outputs = self.outputs().iter().map(|v| new.without_sign(new.stored[v.index()])).collect();
         new
     }
 }
 
 /// A search for differences to reverse, bounded in steps and depth.
-struct Search<'a> {
+struct ReversalSearch<'a> {
     program: &'a Program,
     right_first: bool,
-    stored: &'a [Stored],
+    stored: &'a [SignedValue],
     steps: usize,
     /// The remaining depth.
     depth: usize,
 }
 
-impl Search<'_> {
+impl ReversalSearch<'_> {
     /// Chooses differences to reverse so that `value` is stored with the opposite sign; `None` if there are none.
-    fn turn(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
+    fn reverse(&mut self, value: Value, reversed: &mut [bool]) -> Option<()> {
         self.steps = self.steps.checked_sub(1)?;
         self.depth = self.depth.checked_sub(1)?;
-        let found = self.turn_operands(value, turned);
+        let found = self.reverse_operands(value, reversed);
         self.depth += 1;
         found
     }
 
-    fn turn_operands(&mut self, value: Value, turned: &mut [bool]) -> Option<()> {
+    fn reverse_operands(&mut self, value: Value, reversed: &mut [bool]) -> Option<()> {
         match self.program.ops()[value.index()] {
             Op::Input(_) | Op::Constant(_) | Op::Tiny | Op::Sqrt(_) | Op::Call(..) | Op::Atan2(..) | Op::Pow(..) => {
                 None
@@ -140,53 +151,53 @@ impl Search<'_> {
                 if !self.program.is_difference(value, self.stored) {
                     // Reverse all operands rather than one, so that they stay alike: a compiler then finds the same
                     // work in each.
-                    let mut both = turned.to_vec();
-                    if self.turn(a, &mut both).is_some() && self.turn(b, &mut both).is_some() {
-                        turned.copy_from_slice(&both);
+                    let mut both = reversed.to_vec();
+                    if self.reverse(a, &mut both).is_some() && self.reverse(b, &mut both).is_some() {
+                        reversed.copy_from_slice(&both);
                         return Some(());
                     }
                     // With one operand negated the sum becomes a difference.
-                    self.either(a, b, turned)?;
+                    self.either(a, b, reversed)?;
                 }
-                turned[value.index()] ^= true;
+                reversed[value.index()] ^= true;
                 Some(())
             }
-            Op::Mul(a, b) if a != b => self.either(a, b, turned),
+            Op::Mul(a, b) if a != b => self.either(a, b, reversed),
             Op::Mul(..) => None,
             // A divisor is a length, which its guard compares, so its sign must not change.
-            Op::Div(a, _) | Op::Neg(a) => self.turn(a, turned),
-            Op::SelectLess(_, _, then, otherwise) if self.program.is_zero(otherwise) => self.turn(then, turned),
+            Op::Div(a, _) | Op::Neg(a) => self.reverse(a, reversed),
+            Op::SelectLess(_, _, then, otherwise) if self.program.is_zero(otherwise) => self.reverse(then, reversed),
             Op::SelectLess(..) => None,
         }
     }
 
-    fn either(&mut self, a: Value, b: Value, turned: &mut [bool]) -> Option<()> {
+    fn either(&mut self, a: Value, b: Value, reversed: &mut [bool]) -> Option<()> {
         let (first, second) = if self.right_first { (b, a) } else { (a, b) };
-        self.turn(first, turned).or_else(|| self.turn(second, turned))
+        self.reverse(first, reversed).or_else(|| self.reverse(second, reversed))
     }
 }
 
-impl Written {
-    fn push(&mut self, op: Op, negated: bool) -> Stored {
+impl RewrittenProgram {
+    fn push(&mut self, op: Op, negated: bool) -> SignedValue {
         self.ops.push(op);
-        Stored { value: Value::at(self.ops.len() - 1), negated }
+        SignedValue { value: Value::at(self.ops.len() - 1), negated }
     }
 
-    /// Adds stored values. If the result is a difference, `turned` chooses its sign.
-    fn sum(&mut self, a: Stored, b: Stored, turned: bool) -> Stored {
+    /// Adds stored values. If the result is a difference, `reversed` chooses its sign.
+    fn sum(&mut self, a: SignedValue, b: SignedValue, reversed: bool) -> SignedValue {
         match (a.negated, b.negated) {
             (false, false) => self.push(Op::Add(a.value, b.value), false),
             (true, true) => self.push(Op::Add(a.value, b.value), true),
             (a_negated, _) => {
                 let (plus, minus) = if a_negated { (b, a) } else { (a, b) };
-                let (from, what) = if turned { (minus, plus) } else { (plus, minus) };
-                self.push(Op::Sub(from.value, what.value), turned)
+                let (from, what) = if reversed { (minus, plus) } else { (plus, minus) };
+                self.push(Op::Sub(from.value, what.value), reversed)
             }
         }
     }
 
     /// Returns the value itself, adding a negation if it is stored negated.
-    fn plain(&mut self, stored: Stored) -> Value {
+    fn without_sign(&mut self, stored: SignedValue) -> Value {
         if !stored.negated {
             return stored.value;
         }

@@ -12,7 +12,7 @@ use crate::{Graph, Plane, Rotation, RotationNode, Scalar, ScalarNode, Vector, Ve
 fn turned(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
     let (back, inner) = leading(g, v)?;
     let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return None };
-    g.is_kept(rotation).then_some((back, inner))
+    g.is_inner_frame(rotation).then_some((back, inner))
 }
 
 /// `Rᵀ a + b = Rᵀ (a + R b)`

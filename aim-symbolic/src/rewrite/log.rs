@@ -1,7 +1,7 @@
 //! The record of applied rules and of derivative sweeps.
 
 use crate::Scalar;
-use crate::diff::sweep::Swept;
+use crate::diff::sweep::SweepRecord;
 use crate::ir::node::Node;
 use crate::rewrite::rules::Rule;
 
@@ -23,7 +23,7 @@ pub(crate) struct Log {
     /// Limit on the total number of applications; `None` for no limit.
     pub(crate) limit: Option<usize>,
     /// The derivative sweeps.
-    pub(crate) sweeps: Vec<Swept>,
+    pub(crate) sweeps: Vec<SweepRecord>,
     /// The expressions that were differentiated.
     pub(crate) values: Vec<Scalar>,
     /// All requested expressions as they were immediately after differentiation.

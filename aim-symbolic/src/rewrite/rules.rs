@@ -81,7 +81,7 @@ pub struct Rules<'a> {
     pub without: &'a [Rule],
     /// Limit on how often a rotation may move to the other side of a dot product or norm without cancelling there;
     /// `None` for no limit.
-    pub turned: Option<usize>,
+    pub max_other_side: Option<usize>,
 }
 
 impl Rules<'_> {

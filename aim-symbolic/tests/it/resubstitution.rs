@@ -24,7 +24,7 @@ fn sum_of_products(g: &mut Graph, [a, b]: [Scalar; 2], [c, d]: [Scalar; 2]) -> S
 }
 
 #[test]
-fn a_multiple_is_made_of_what_it_is_a_multiple_of() {
+fn a_multiple_is_computed_from_its_base() {
     let program = program(|g| {
         let [a, b, c, d, k] = inputs(g);
         let multiples = [a, b].map(|x| g.mul(k, x));
@@ -37,7 +37,7 @@ fn a_multiple_is_made_of_what_it_is_a_multiple_of() {
 }
 
 #[test]
-fn what_two_numbers_could_share_is_added() {
+fn a_product_that_two_values_could_share_is_added() {
     // a c occurs in none of the products as written: (a b) c, (d a) c, (e a) c.
     let program = program(|g| {
         let [a, b, c, d, e] = inputs(g);
@@ -48,7 +48,7 @@ fn what_two_numbers_could_share_is_added() {
 }
 
 #[test]
-fn what_is_nothing_is_left_out() {
+fn a_value_that_is_always_zero_is_removed() {
     let program = program(|g| {
         let [a, b] = inputs(g);
         let sum = g.add(a, b);
@@ -60,7 +60,7 @@ fn what_is_nothing_is_left_out() {
 }
 
 #[test]
-fn no_divisor_comes_in() {
+fn no_new_divisor_is_introduced() {
     // x a b … g equals (x / y) (y a b … g), except at y = 0.
     let program = program(|g| {
         let [x, y, rest @ ..]: [Scalar; 9] = inputs(g);
@@ -73,7 +73,7 @@ fn no_divisor_comes_in() {
 }
 
 #[test]
-fn no_digits_are_lost() {
+fn no_cancellation_is_introduced() {
     // (x − y)(x + y) equals x² − y², but the difference of squares may cancel catastrophically.
     let program = program(|g| {
         let [x, y] = inputs(g);
@@ -84,7 +84,7 @@ fn no_digits_are_lost() {
 }
 
 #[test]
-fn what_is_rounded_on_purpose_is_kept() {
+fn intentional_rounding_is_preserved() {
     let program = program(|g| {
         let [x] = inputs(g);
         let much = g.constant(1e20);
@@ -95,7 +95,7 @@ fn what_is_rounded_on_purpose_is_kept() {
 }
 
 #[test]
-fn a_high_power_may_be_divided_by() {
+fn one_over_a_high_power_is_derived() {
     let program = program(|g| {
         let [x] = inputs(g);
         let (power, one) = ((0..40).fold(x, |power, _| g.mul(power, power)), g.constant(1.0));

@@ -3,7 +3,7 @@
 use aim_symbolic::{Function, Graph, Program, Variable, rules};
 
 #[test]
-fn every_rule_says_why() {
+fn every_rule_has_an_explanation() {
     for rule in rules::all() {
         assert!(rule.why.ends_with('.') && rule.why.len() > 40, "{rule}: {}", rule.why);
     }
@@ -11,7 +11,7 @@ fn every_rule_says_why() {
 
 /// The length |v| cancels from the angle of (|v| / e^s, |v| t); 1 / e^s stays, since e^s is positive but not a length.
 #[test]
-fn a_reciprocal_stays_below() {
+fn a_positive_factor_that_is_no_length_does_not_cancel() {
     let mut g = Graph::new();
     let (v, [s, t]) = (g.vector_input("v"), ["s", "t"].map(|name| g.input(name)));
     let (length, size) = (g.norm(v), g.call(Function::Exp, s));

@@ -78,7 +78,7 @@ fn where_positive(g: &mut Graph, c: Scalar, x: Scalar) -> Scalar {
 }
 
 #[test]
-fn a_part_of_several_branches_adds_where_any_of_them_is_taken() {
+fn a_part_shared_by_branches_contributes_in_each_taken_branch() {
     let mut g = Graph::new();
     let [x, y, z] = ["x", "y", "z"].map(|name| g.input(name));
     let variables = [x, y].map(Variable::from);
@@ -109,7 +109,7 @@ fn a_part_of_several_branches_adds_where_any_of_them_is_taken() {
 }
 
 #[test]
-fn what_overflows_in_the_branch_not_taken_stays_there() {
+fn overflow_in_an_untaken_branch_does_not_affect_the_derivative() {
     // Layers of ln(1 + exp x), written so that nothing overflows.
     let soft = |count: usize| {
         let mut g = Graph::new();
@@ -138,7 +138,7 @@ fn what_overflows_in_the_branch_not_taken_stays_there() {
 
 /// A branch not taken may divide by something that has no value, without affecting the result.
 #[test]
-fn what_has_no_value_in_the_branch_not_taken_stays_there() {
+fn nan_in_an_untaken_branch_does_not_affect_the_derivative() {
     type Divisor = fn(&mut Graph, Scalar) -> Scalar;
     let divisors: [Divisor; 3] = [
         |g, x| g.sqrt(x),
@@ -168,7 +168,7 @@ fn what_has_no_value_in_the_branch_not_taken_stays_there() {
 }
 
 #[test]
-fn two_guards_keep_out_what_has_no_value() {
+fn nested_guards_exclude_undefined_values() {
     let mut g = Graph::new();
     let [a, b] = ["a", "b"].map(|name| g.input(name));
     let (zero, tenth, three, minus) = (g.constant(0.0), g.constant(0.1), g.constant(3.0), g.constant(-1.0));
@@ -195,7 +195,7 @@ fn two_guards_keep_out_what_has_no_value() {
 }
 
 #[test]
-fn a_branch_has_its_limit_as_far_as_it_is_taken() {
+fn limits_apply_only_where_their_branch_is_taken() {
     for edge in [-0.3, -1e-3, 0.3] {
         let mut g = Graph::new();
         let (x, end) = (g.input("x"), g.constant(edge));

@@ -2,6 +2,7 @@ use aim::differentiate;
 use aim::glam::Vec3;
 
 const UP: Vec3 = Vec3::Y;
+const SHARES: [f32; 3] = [0.5, 0.3, 0.2];
 const COUNT: usize = size_of::<f32>();
 const DEBUG: bool = cfg!(debug_assertions);
 
@@ -13,6 +14,20 @@ fn part(x: f32) -> f32 {
 #[differentiate(wrt(x))]
 fn argument(x: f32, v: Vec3) -> f32 {
     x * v.dot(UP)
+}
+
+#[differentiate(wrt(x))]
+fn element(x: f32) -> f32 {
+    x * SHARES[0]
+}
+
+#[differentiate(wrt(x))]
+fn elements(x: f32) -> f32 {
+    let mut sum = x;
+    for share in SHARES {
+        sum += share;
+    }
+    sum * SHARES.iter().sum::<f32>()
 }
 
 #[differentiate(wrt(x))]

@@ -5,9 +5,9 @@ use super::keys::AXES_KEYS;
 use super::read;
 use super::settings::{Level, Setting, Settings};
 use crate::Frame;
-use crate::declare::place::Place;
 use crate::declare::report::Report;
 use crate::declare::report::messages::{self, Owner};
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Kind, Notation};
 
 /// Largest accepted deviation of a vector's length from 1.
@@ -19,7 +19,7 @@ struct Direction<'t> {
     key: &'static str,
     /// Direction of the key as written, unit length.
     vector: Vector,
-    place: &'t Place,
+    place: &'t SourcePlace,
 }
 
 impl Direction<'_> {
@@ -38,7 +38,7 @@ pub(super) struct Axes<'t> {
     /// Up, forward and left, each declared by either of its two names.
     directions: [Option<Direction<'t>>; 3],
     /// Place of the declaration.
-    pub(super) place: &'t Place,
+    pub(super) place: &'t SourcePlace,
 }
 
 impl Axes<'_> {

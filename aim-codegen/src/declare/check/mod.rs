@@ -96,7 +96,7 @@ fn check_rig(rig: &Rig, report: &mut Report) -> Option<Checked> {
 
 /// Returns the place for a report of missing axes: the first attribute, or the struct's name; in TOML the start of the
 /// file.
-fn missing_axes_place(rig: &Rig) -> &super::place::Place {
+fn missing_axes_place(rig: &Rig) -> &super::source_place::SourcePlace {
     rig.section.attributes.first().map_or(&rig.section.place, |attribute| &attribute.place)
 }
 

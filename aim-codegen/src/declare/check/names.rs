@@ -3,9 +3,9 @@
 use super::read;
 use super::settings::{Setting, Settings};
 use crate::declare::parse::literal::is_word;
-use crate::declare::place::Place;
 use crate::declare::report::expected::Expected;
 use crate::declare::report::{Report, messages};
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Joint, Kind, Notation, Rig, Value};
 use crate::names::{is_rust_keyword, keyword_of, snake_case};
 
@@ -15,7 +15,7 @@ pub(super) fn check(rig: &Rig, report: &mut Report) {
         Some(name) => _ = check_name(name, report),
         None => report.error(&rig.section.place, messages::no_name("rig")),
     }
-    let mut seen: Vec<(&str, String, &Place)> = Vec::new();
+    let mut seen: Vec<(&str, String, &SourcePlace)> = Vec::new();
     for joint in &rig.joints {
         let Some(value) = &joint.name else {
             report.error(&joint.section.place, messages::no_name("joint"));
@@ -65,7 +65,7 @@ fn check_name<'t>(value: &'t Value, report: &mut Report) -> Option<&'t str> {
 /// Reports bones that are named twice, among all joints (with their alternatives and other eyes) and held bones.
 pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report) {
     let turned = check_turned(joints, report);
-    let mut held: Vec<(&str, &Place)> = Vec::new();
+    let mut held: Vec<(&str, &SourcePlace)> = Vec::new();
     let named = joints.iter().filter_map(|(_, settings)| settings.get("hold"));
     for (bone, place) in named.flat_map(|setting| texts(setting.value)) {
         if let Some((_, first, by_name)) = turned.iter().find(|(first, ..)| *first == bone) {
@@ -81,10 +81,13 @@ pub(super) fn check_bones(joints: &[(&Joint, Settings<'_>)], report: &mut Report
 
 /// Reports bones of joints and of other eyes that are named twice. Returns each bone with its place and `true` if the
 /// joint's own name is also the bone's name.
-fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -> Vec<(&'t str, &'t Place, bool)> {
-    let mut seen: Vec<(&str, &Place, bool)> = Vec::new();
+fn check_turned<'t>(
+    joints: &[(&'t Joint, Settings<'t>)],
+    report: &mut Report,
+) -> Vec<(&'t str, &'t SourcePlace, bool)> {
+    let mut seen: Vec<(&str, &SourcePlace, bool)> = Vec::new();
     for (joint, settings) in joints {
-        let mut own: Vec<(&str, &Place, bool)> = Vec::new();
+        let mut own: Vec<(&str, &SourcePlace, bool)> = Vec::new();
         let name = joint.name.as_ref().filter(|_| settings.get("bone").is_none());
         own.extend(name.and_then(|name| Some((name.text()?, &name.place, true))));
         for setting in [settings.get("bone"), settings.get("other_eye")].into_iter().flatten() {
@@ -112,7 +115,7 @@ fn check_turned<'t>(joints: &[(&'t Joint, Settings<'t>)], report: &mut Report) -
 }
 
 /// Returns the strings of a value, single or in a list. Values that are not strings have already been reported.
-fn texts(value: &Value) -> impl Iterator<Item = (&str, &Place)> {
+fn texts(value: &Value) -> impl Iterator<Item = (&str, &SourcePlace)> {
     let values = match &value.kind {
         Kind::List(values) => values.as_slice(),
         _ => core::slice::from_ref(value),

@@ -5,10 +5,10 @@ use aim_model::{BoneName, Role};
 use super::frame;
 use super::settings::Setting;
 use crate::declare::parse::literal;
-use crate::declare::place::Place;
 use crate::declare::report::expected::{Expected, Form};
 use crate::declare::report::text::Text;
 use crate::declare::report::{Report, messages, text};
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Entry, Item, Kind, Notation, Number, Value};
 use crate::names;
 
@@ -169,11 +169,11 @@ pub(super) fn any_nodes(report: &mut Report, setting: Setting<'_>) -> Option<Vec
     }
 }
 
-/// Reads bare words, `key(a, b)` or `key = ["a", "b"]`, each at most once. `things` is the messages' word for what they
+/// Reads bare words, `key(a, b)` or `key = ["a", "b"]`, each at most once. `plural` is the messages' word for what they
 /// name.
-pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str) -> Vec<(&'t str, &'t Place)> {
+pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, plural: &str) -> Vec<(&'t str, &'t SourcePlace)> {
     let mut words = Vec::new();
-    add_words(report, setting, (things, None), &mut words);
+    add_words(report, setting, (plural, None), &mut words);
     words.into_iter().map(|word| (word.text, word.place)).collect()
 }
 
@@ -181,18 +181,18 @@ pub(crate) fn words<'t>(report: &mut Report, setting: Setting<'t>, things: &str)
 pub(crate) fn wrapped_words<'t>(
     report: &mut Report,
     setting: Setting<'t>,
-    things: &str,
+    plural: &str,
     wrapper: &str,
-) -> Vec<FoundWord<'t>> {
+) -> Vec<ListedWord<'t>> {
     let mut words = Vec::new();
-    add_words(report, setting, (things, Some(wrapper)), &mut words);
+    add_words(report, setting, (plural, Some(wrapper)), &mut words);
     words
 }
 
 /// A bare word that was read from a list.
-pub(crate) struct FoundWord<'t> {
+pub(crate) struct ListedWord<'t> {
     pub(crate) text: &'t str,
-    pub(crate) place: &'t Place,
+    pub(crate) place: &'t SourcePlace,
     /// `true` if the word stands in a wrapper.
     pub(crate) wrapped: bool,
 }
@@ -200,12 +200,12 @@ pub(crate) struct FoundWord<'t> {
 fn add_words<'t>(
     report: &mut Report,
     setting: Setting<'t>,
-    (things, wrapper): (&str, Option<&str>),
-    words: &mut Vec<FoundWord<'t>>,
+    (plural, wrapper): (&str, Option<&str>),
+    words: &mut Vec<ListedWord<'t>>,
 ) {
     let key = setting.key;
     let wrapped = wrapper.is_some_and(|wrapper| wrapper == key);
-    let add = |report: &mut Report, words: &mut Vec<FoundWord<'t>>, text: &'t str, place: &'t Place| match words
+    let add = |report: &mut Report, words: &mut Vec<ListedWord<'t>>, text: &'t str, place: &'t SourcePlace| match words
         .iter()
         .find(|other| other.text == text)
     {
@@ -213,7 +213,7 @@ fn add_words<'t>(
             let note = messages::first_use(text);
             report.error_with_note(place, messages::duplicate_word(text), note, first.place);
         }
-        None => words.push(FoundWord { text, place, wrapped }),
+        None => words.push(ListedWord { text, place, wrapped }),
     };
     let wrong = |report: &mut Report, value: &Value| mismatch::<()>(report, Setting { value, ..setting });
     match &setting.value.kind {
@@ -234,7 +234,7 @@ fn add_words<'t>(
                     Entry::Item(Item { key, value: value @ Value { kind: Kind::Table(_), .. } })
                         if !wrapped && wrapper.is_some_and(|wrapper| wrapper == key.text) =>
                     {
-                        add_words(report, Setting { key: &key.text, value, ..setting }, (things, wrapper), words);
+                        add_words(report, Setting { key: &key.text, value, ..setting }, (plural, wrapper), words);
                     }
                     Entry::Item(Item { value, .. }) => _ = wrong(report, value),
                     Entry::Stray(word) => {
@@ -242,7 +242,7 @@ fn add_words<'t>(
                         let text = messages::expected(key, setting.expected, &found, report.notation);
                         report.error(&word.place, text);
                     }
-                    Entry::NoComma(word) => report.error(&word.place, text::no_comma(&word.text, things)),
+                    Entry::NoComma(word) => report.error(&word.place, text::no_comma(&word.text, plural)),
                     #[cfg(feature = "toml")]
                     Entry::Repeated { key, .. } => report.error(&key.place, messages::duplicate_key(&key.text)),
                 }

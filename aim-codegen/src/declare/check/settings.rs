@@ -1,10 +1,10 @@
 //! [`Settings`]: entries by key. Reports unknown, repeated and misplaced keys, each once.
 
 use super::keys::{JOINT_KEYS, Key, RIG_KEYS};
-use crate::declare::place::Place;
 use crate::declare::report::Report;
 use crate::declare::report::expected::{Expected, Form};
 use crate::declare::report::{messages, text};
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Entry, Item, Kind, Value};
 use crate::names;
 
@@ -32,7 +32,7 @@ impl<'t> Setting<'t> {
         Self { expected, value, ..self }
     }
 
-    pub(crate) fn place(self) -> &'t Place {
+    pub(crate) fn place(self) -> &'t SourcePlace {
         &self.value.place
     }
 }
@@ -81,8 +81,8 @@ impl<'t> Settings<'t> {
                 }
                 Entry::Stray(word) => report.error(&word.place, messages::stray(&word.text)),
                 Entry::NoComma(word) => {
-                    let things = if level == Level::Options { "options" } else { "settings" };
-                    report.error(&word.place, text::no_comma(&word.text, things));
+                    let plural = if level == Level::Options { "options" } else { "settings" };
+                    report.error(&word.place, text::no_comma(&word.text, plural));
                 }
                 #[cfg(feature = "toml")]
                 Entry::Repeated { key, first } => repeated(report, &key.text, &key.place, first.as_ref()),
@@ -151,7 +151,7 @@ impl<'t> Settings<'t> {
     }
 }
 
-fn repeated(report: &mut Report, key: &str, place: &Place, first: Option<&Place>) {
+fn repeated(report: &mut Report, key: &str, place: &SourcePlace, first: Option<&SourcePlace>) {
     let text = messages::duplicate_key(key);
     match first {
         Some(first) => report.error_with_note(place, text, messages::first_use(key), first),

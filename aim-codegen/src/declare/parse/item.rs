@@ -5,7 +5,7 @@ use quote::ToTokens;
 use syn::{Data, DeriveInput, Fields, Meta};
 
 use super::tokens::{entries, word_of};
-use crate::declare::place::Place;
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Attribute, Entry, ItemFacts, Joint, Kind, Notation, Rig, Section, Value, Word};
 
 /// Reads the whole input.
@@ -22,16 +22,16 @@ pub(crate) fn read(input: &DeriveInput) -> Rig {
     };
     let generics = &input.generics;
     if !generics.params.is_empty() {
-        item.generics = Some(Place::of(&generics.params));
+        item.generics = Some(SourcePlace::of(&generics.params));
     } else if let Some(clause) = &generics.where_clause {
-        item.generics = Some(Place::of(clause));
+        item.generics = Some(SourcePlace::of(clause));
     } else if let (Some(less), Some(_)) = (&generics.lt_token, &generics.gt_token) {
         // `struct Thug<>` is harmless, but there is no reason to write it.
-        item.generics = Some(Place::of(less));
+        item.generics = Some(SourcePlace::of(less));
     }
     for attribute in &input.attrs {
         if attribute.path().is_ident("joint") {
-            item.misplaced.push(Word { text: "joint".into(), place: Place::of(attribute.path()) });
+            item.misplaced.push(Word { text: "joint".into(), place: SourcePlace::of(attribute.path()) });
         }
     }
     Rig {
@@ -56,13 +56,13 @@ pub(crate) fn crate_override(input: &DeriveInput) -> Option<TokenStream> {
 }
 
 fn wrong_shape(item: &mut ItemFacts, what: &'static str, tokens: &impl ToTokens) -> Vec<Joint> {
-    item.wrong_shape = Some((what, Place::of(tokens)));
+    item.wrong_shape = Some((what, SourcePlace::of(tokens)));
     Vec::new()
 }
 
 fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
     for attribute in field.attrs.iter().filter(|attribute| attribute.path().is_ident("aim")) {
-        item.misplaced.push(Word { text: "aim".into(), place: Place::of(attribute.path()) });
+        item.misplaced.push(Word { text: "aim".into(), place: SourcePlace::of(attribute.path()) });
     }
     let name = field.ident.as_ref();
     // Fields of a struct with named fields always have a name; the call-site span is an unreachable fallback.
@@ -73,7 +73,7 @@ fn read_joint(field: &syn::Field, item: &mut ItemFacts) -> Joint {
             let text = [("& ", "&"), (" < ", "<"), (" >", ">"), (" :: ", "::")]
                 .iter()
                 .fold(text, |text, (spaced, usual)| text.replace(spaced, usual));
-            item.foreign.push((name.to_string(), Word { text, place: Place::of(&field.ty) }));
+            item.foreign.push((name.to_string(), Word { text, place: SourcePlace::of(&field.ty) }));
         }
     }
     Joint { name: name.map(name_of), section }
@@ -99,9 +99,9 @@ fn may_be_joint(found: &syn::Type) -> bool {
 
 fn read_section(attributes: &[syn::Attribute], name: &str, owner: Span) -> Section {
     let ours = attributes.iter().filter(|attribute| attribute.path().is_ident(name));
-    let mut section = Section { place: Place::span(owner), attributes: Vec::new(), entries: Vec::new() };
+    let mut section = Section { place: SourcePlace::span(owner), attributes: Vec::new(), entries: Vec::new() };
     for attribute in ours {
-        let place = Place::of(attribute.path());
+        let place = SourcePlace::of(attribute.path());
         let list = match &attribute.meta {
             Meta::List(list) => Some(list.tokens.clone()),
             Meta::Path(_) | Meta::NameValue(_) => None,

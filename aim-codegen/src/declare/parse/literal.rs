@@ -1,6 +1,6 @@
 //! Parses literals from their text: numbers with a unit, and the words in TOML strings.
 
-use crate::declare::place::Place;
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Kind, Number, Value};
 
 /// Parses a number with an optional sign before it and an optional unit after it; `None` if the text does not start
@@ -54,7 +54,7 @@ fn digits_end(text: &str) -> Option<usize> {
 }
 
 /// Parses a TOML string that is not a name: a number, an axis, a range or a word.
-pub(crate) fn word(text: &str, place: &Place) -> Kind {
+pub(crate) fn word(text: &str, place: &SourcePlace) -> Kind {
     let trimmed = text.trim();
     if let Some((low, high)) = trimmed.split_once("..") {
         let end = |part: &str| {
@@ -109,8 +109,8 @@ mod tests {
     }
 
     #[test]
-    fn words_are_told_apart() {
-        let place = Place::Text(0..0);
+    fn words_are_classified() {
+        let place = SourcePlace::Text(0..0);
         assert!(matches!(word("+X", &place), Kind::Axis { negative: false, .. }));
         assert!(matches!(word("-Zed", &place), Kind::Axis { negative: true, .. }));
         assert!(matches!(word("free", &place), Kind::Word(_)));

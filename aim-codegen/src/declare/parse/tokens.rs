@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 
 use super::literal;
-use crate::declare::place::Place;
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Entry, Item, Kind, Value, Word};
 
 /// Returns the entries of `#[attribute(…)]`'s tokens.
@@ -15,10 +15,10 @@ pub(crate) fn entries(tokens: TokenStream) -> Vec<Entry> {
         let end = chunk_end(rest);
         let chunk = &rest[..end];
         match chunk {
-            [] => entries.push(Entry::Stray(Word { text: ",".into(), place: Place::span(rest[0].span()) })),
+            [] => entries.push(Entry::Stray(Word { text: ",".into(), place: SourcePlace::span(rest[0].span()) })),
             [TokenTree::Ident(key), after @ ..] => read_item(key, after, &mut entries),
             [other, ..] => {
-                let place = Place::tokens(chunk, other.span());
+                let place = SourcePlace::tokens(chunk, other.span());
                 entries.push(Entry::Stray(Word { text: shorten(chunk), place }));
             }
         }
@@ -54,10 +54,10 @@ fn chunk_end(tokens: &[TokenTree]) -> usize {
 fn read_item(key: &Ident, after: &[TokenTree], entries: &mut Vec<Entry>) {
     let mut extra: &[TokenTree] = &[];
     let value = match after {
-        [] => Value { kind: Kind::Absent, place: Place::span(key.span()) },
+        [] => Value { kind: Kind::Absent, place: SourcePlace::span(key.span()) },
         [equals, value @ ..] if is_punct(equals, '=') => {
             if value.is_empty() {
-                Value { kind: Kind::Absent, place: Place::tokens(after, key.span()) }
+                Value { kind: Kind::Absent, place: SourcePlace::tokens(after, key.span()) }
             } else if key == "crate" {
                 crate_path(value)
             } else {
@@ -66,13 +66,13 @@ fn read_item(key: &Ident, after: &[TokenTree], entries: &mut Vec<Entry>) {
         }
         [TokenTree::Group(group), rest @ ..] if group.delimiter() == Delimiter::Parenthesis => {
             extra = rest;
-            Value { kind: Kind::Table(self::entries(group.stream())), place: Place::span(group.span()) }
+            Value { kind: Kind::Table(self::entries(group.stream())), place: SourcePlace::span(group.span()) }
         }
-        _ => Value { kind: Kind::Unassigned, place: Place::tokens(after, key.span()) },
+        _ => Value { kind: Kind::Unassigned, place: SourcePlace::tokens(after, key.span()) },
     };
     entries.push(Entry::Item(Item { key: word_of(key), value }));
     if let Some(first) = extra.first() {
-        let place = Place::tokens(extra, first.span());
+        let place = SourcePlace::tokens(extra, first.span());
         entries.push(Entry::Stray(Word { text: shorten(extra), place }));
     }
 }
@@ -80,7 +80,7 @@ fn read_item(key: &Ident, after: &[TokenTree], entries: &mut Vec<Entry>) {
 /// Reads a path, bare or, as in serde, in a string; anything else goes through the ordinary reader.
 fn crate_path(tokens: &[TokenTree]) -> Value {
     let span = tokens.first().map_or_else(Span::call_site, TokenTree::span);
-    let place = Place::tokens(tokens, span);
+    let place = SourcePlace::tokens(tokens, span);
     let stream = match tokens {
         [TokenTree::Literal(literal)] => {
             let text = syn::parse2::<syn::LitStr>(TokenTree::from(literal.clone()).into());
@@ -101,7 +101,7 @@ fn is_module_path(tokens: &TokenStream) -> bool {
 }
 
 fn read_value(tokens: &[TokenTree], before: Span) -> Value {
-    let place = Place::tokens(tokens, before);
+    let place = SourcePlace::tokens(tokens, before);
     let kind = range(tokens).unwrap_or_else(|| single(tokens));
     Value { kind, place }
 }
@@ -202,7 +202,7 @@ fn is_punct(token: &TokenTree, punct: char) -> bool {
 pub(crate) fn word_of(ident: &Ident) -> Word {
     let text = ident.to_string();
     let text = text.strip_prefix("r#").map_or(text.clone(), str::to_owned);
-    Word { text, place: Place::span(ident.span()) }
+    Word { text, place: SourcePlace::span(ident.span()) }
 }
 
 /// Returns the tokens as text, cut after 24 characters.

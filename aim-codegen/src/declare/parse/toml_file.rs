@@ -6,9 +6,9 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::literal;
-use crate::declare::place::Place;
 use crate::declare::report::diagnostics::Diagnostic;
 use crate::declare::report::messages;
+use crate::declare::source_place::SourcePlace;
 use crate::declare::tree::{Entry, Item, ItemFacts, Joint, Kind, Notation, Number, Rig, Section, Value, Word};
 
 /// Parses the text; the diagnostics are syntax errors.
@@ -28,11 +28,11 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
             ("duplicate key", Some(key)) => {
                 let key = key.trim_matches(['"', '\'']).to_owned();
                 let first = nearest_before(&table, &key, span.start);
-                table.push(Entry::Repeated { key: Word { text: key, place: Place::Text(span) }, first });
+                table.push(Entry::Repeated { key: Word { text: key, place: SourcePlace::Text(span) }, first });
             }
             (message, part) => {
                 let message = messages::syntax(message, part.unwrap_or_default());
-                syntax.push(Diagnostic::new(message, Place::Text(span)));
+                syntax.push(Diagnostic::new(message, SourcePlace::Text(span)));
             }
         }
     }
@@ -40,7 +40,7 @@ pub(crate) fn read(text: &str) -> (Rig, Vec<Diagnostic>) {
         // All other errors in such a file follow from this one.
         syntax = vec![Diagnostic::new(messages::single_joint(), place)];
     }
-    let start = Place::Text(0..0);
+    let start = SourcePlace::Text(0..0);
     let joints = joints(&mut table);
     let rig = Rig {
         notation: Notation::Toml,
@@ -85,11 +85,11 @@ fn entries(table: &DeTable<'_>) -> Vec<Entry> {
 }
 
 fn word(key: &Spanned<DeString<'_>>) -> Word {
-    Word { text: key.get_ref().to_string(), place: Place::Text(key.span()) }
+    Word { text: key.get_ref().to_string(), place: SourcePlace::Text(key.span()) }
 }
 
 fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
-    let place = Place::Text(value.span());
+    let place = SourcePlace::Text(value.span());
     let number = |text: &str| {
         // Infinities and NaN have no digits.
         let special = || text.parse().ok().map(|value| Number::plain(text, value));
@@ -111,8 +111,8 @@ fn read_value(key: &str, value: &Spanned<DeValue<'_>>) -> Value {
 
 /// Returns the place of the key's previous occurrence: the nearest one above `before`, because the parser does not say
 /// which table the repeated key fell into.
-fn nearest_before(entries: &[Entry], key: &str, before: usize) -> Option<Place> {
-    let mut nearest: Option<Place> = None;
+fn nearest_before(entries: &[Entry], key: &str, before: usize) -> Option<SourcePlace> {
+    let mut nearest: Option<SourcePlace> = None;
     let mut open: Vec<&Entry> = entries.iter().collect();
     while let Some(entry) = open.pop() {
         let Entry::Item(item) = entry else { continue };

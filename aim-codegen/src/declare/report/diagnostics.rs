@@ -3,23 +3,23 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use crate::declare::place::Place;
 use crate::declare::report::text::Text;
+use crate::declare::source_place::SourcePlace;
 
 /// One error in a declaration.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     text: Text,
-    place: Place,
-    note: Option<(String, Place)>,
+    place: SourcePlace,
+    note: Option<(String, SourcePlace)>,
 }
 
 impl Diagnostic {
-    pub(crate) fn new(text: Text, place: Place) -> Self {
+    pub(crate) fn new(text: Text, place: SourcePlace) -> Self {
         Self { text, place, note: None }
     }
 
-    pub(crate) fn with_note(mut self, note: impl Into<String>, place: Place) -> Self {
+    pub(crate) fn with_note(mut self, note: impl Into<String>, place: SourcePlace) -> Self {
         self.note = Some((note.into(), place));
         self
     }
@@ -44,13 +44,13 @@ impl Diagnostic {
 
     /// Returns the place of the error.
     #[must_use]
-    pub fn place(&self) -> &Place {
+    pub fn place(&self) -> &SourcePlace {
         &self.place
     }
 
     /// Returns the second place concerned, such as a key's first use, with a description of it.
     #[must_use]
-    pub fn note(&self) -> Option<(&str, &Place)> {
+    pub fn note(&self) -> Option<(&str, &SourcePlace)> {
         self.note.as_ref().map(|(note, place)| (note.as_str(), place))
     }
 }
@@ -106,10 +106,10 @@ impl<'a> IntoIterator for &'a Diagnostics {
 
 /// Emits one `compile_error!`. Rustc underlines from the macro's path to its arguments, so the path carries the first
 /// span and the arguments the last.
-fn compile_error(message: &str, place: &Place) -> TokenStream {
+fn compile_error(message: &str, place: &SourcePlace) -> TokenStream {
     let (first, last) = match place {
-        Place::Tokens { first, last } => (*first, *last),
-        Place::Text(_) => (Span::call_site(), Span::call_site()),
+        SourcePlace::Tokens { first, last } => (*first, *last),
+        SourcePlace::Text(_) => (Span::call_site(), Span::call_site()),
     };
     let core = Ident::new("core", first);
     let path = quote_spanned!(first=> ::#core::compile_error!);

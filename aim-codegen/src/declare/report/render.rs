@@ -4,7 +4,7 @@ use core::fmt::{self, Write};
 use core::ops::Range;
 
 use super::diagnostics::{Diagnostics, Source};
-use crate::declare::place::Place;
+use crate::declare::source_place::SourcePlace;
 
 /// Maximum number of characters shown before a place, and from it on.
 const LONGEST: usize = 200;
@@ -23,12 +23,12 @@ impl Diagnostics {
             // Writing to a string cannot fail.
             let _ = writeln!(out, "error: {}", diagnostic.message());
             let gutter = match (source, diagnostic.place()) {
-                (Some(source), Place::Text(range)) => snippet(&mut out, source, range),
+                (Some(source), SourcePlace::Text(range)) => snippet(&mut out, source, range),
                 _ => 1,
             };
             let help = diagnostic.help().replace('\n', &format!("\n{:gutter$}           ", ""));
             let _ = writeln!(out, "{:gutter$} = help: {help}", "");
-            if let (Some((note, Place::Text(range))), Some(source)) = (diagnostic.note(), source) {
+            if let (Some((note, SourcePlace::Text(range))), Some(source)) = (diagnostic.note(), source) {
                 let _ = writeln!(out, "note: {note}");
                 snippet(&mut out, source, range);
             }

@@ -35,7 +35,7 @@ macro_rules! messages {
 pub(crate) use messages;
 
 messages! {
-    no_comma(key: &str, things: &str) => "expected `,` before `{key}`", "put a comma between two {things}";
+    no_comma(key: &str, plural: &str) => "expected `,` before `{key}`", "put a comma between two {plural}";
 }
 
 /// Formats names in backquotes, separated by commas.

@@ -216,7 +216,7 @@ fn wrong_kinds() {
 }
 
 #[test]
-fn what_a_joint_needs() {
+fn required_settings_of_a_joint() {
     joint("rate = 450deg", "rate = \"450deg\"", &[["`eye` has neither heading nor pitch", "eye", "\"eye\""]]);
     joint("pitch = -1deg..=1deg", "pitch = [\"-1deg\", \"1deg\"]", &[["`eye` has no rate", "eye", "\"eye\""]]);
     joint(
@@ -586,7 +586,7 @@ fn several_mistakes_are_all_reported() {
 }
 
 #[test]
-fn the_second_place_is_the_first_use() {
+fn a_repeated_setting_notes_its_first_use() {
     let item = "#[aim(axes(up = +X, forward = +Y))] struct Thug { #[joint(heading = free, rate = 1rad, rate = 2rad)] eye: Joint }";
     let found = errors_of(item);
     let (note, place) = found.iter().next().and_then(|error| error.note()).expect("a note");

@@ -10,7 +10,7 @@ mod toml_only;
 
 use syn::DeriveInput;
 
-use super::{Diagnostics, Place, from_derive_input};
+use super::{Diagnostics, SourcePlace, from_derive_input};
 
 /// Parses an item; the test's own text is always valid Rust.
 fn parse(item: &str) -> DeriveInput {
@@ -26,10 +26,10 @@ fn errors_of(item: &str) -> Diagnostics {
 }
 
 /// Returns the text at a place.
-fn excerpt(text: &str, place: &Place) -> String {
+fn excerpt(text: &str, place: &SourcePlace) -> String {
     let range = match place {
-        Place::Tokens { first, last } => first.byte_range().start..last.byte_range().end,
-        Place::Text(range) => range.clone(),
+        SourcePlace::Tokens { first, last } => first.byte_range().start..last.byte_range().end,
+        SourcePlace::Text(range) => range.clone(),
     };
     text[range].to_owned()
 }

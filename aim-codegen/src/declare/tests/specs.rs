@@ -24,7 +24,7 @@ fn frame(rig: &str) -> Frame {
 }
 
 #[test]
-fn everything_at_once() {
+fn all_settings_are_read_together() {
     let found = declared(
         "#[aim(axes(up = +X, forward = +Y, left = +Z), crate = some::path, effector(origin = (0.0, 0.1, -2)),
             natural(eyes_only = 10deg, head_share = 1, engage = 3.141593rad, delay = 0.25))]
@@ -117,7 +117,7 @@ fn all_48_conventions_are_accepted_and_their_mirrors_refused() {
 }
 
 #[test]
-fn slightly_skewed_vectors_are_squared_with_forward_kept() {
+fn slightly_skewed_vectors_are_made_perpendicular_to_forward() {
     let found = frame("axes(up = (0.0, 1.0003, 0.008), forward = (0.0, 0.0, 1.0))");
     assert_eq!((found.up, found.forward, found.left), ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]));
 }
@@ -146,7 +146,7 @@ fn the_nearest_frame_of_a_message_passes_the_checks() {
 }
 
 #[test]
-fn the_effector_keeps_its_forward_and_squares_up_to_it() {
+fn the_effector_keeps_its_forward_and_makes_up_perpendicular() {
     let effector = |forward: &str| {
         let item = format!(
             "#[aim(axes(up = +X, forward = +Y), effector(forward = {forward}))] struct Thug {{ #[joint(heading = free, rate = 1rad)] eye: Joint }}"
@@ -206,7 +206,7 @@ fn hide(tokens: TokenStream) -> TokenStream {
 }
 
 #[test]
-fn invisible_groups_are_seen_through() {
+fn invisible_groups_are_ignored() {
     let item = "#[aim(axes(up = (0.0, 1.0, 0.0), forward = +Z), effector(origin = (0.0, -1.0, 2)))]
         struct Thug { #[joint(heading = -35deg..=35deg, rate = 450deg, bone = [\"a\", \"b\"])] eye: Joint }";
     let mut input: DeriveInput = parse(item);

@@ -66,7 +66,7 @@ error: unknown setting `stifness`
 }
 
 #[test]
-fn keys_of_earlier_versions_tell_what_to_write() {
+fn keys_of_earlier_versions_are_reported_with_their_replacement() {
     let old = THUG.replace("axes = { up = \"+X", "bones = { up = \"+X").replace("stiffness", "comfort");
     let old = old.replace("limits_from = \"bind_pose\"", "range = \"absolute\"").replace("upright = 1", "level = 1");
     let old = old.replace("rate = \"450deg\"", "rate = \"450deg\"\npitch_taper = 0.5\nother_eye = \"R_eye\"");
@@ -102,7 +102,7 @@ fn an_unknown_role_names_the_known_ones() {
 }
 
 #[test]
-fn a_second_place_is_shown_below() {
+fn the_location_of_a_note_is_shown_below_the_error() {
     let text = THUG.replace("\"neck\"", "\"left_eye\"");
     let found = from_toml("rigs/thug.toml", &text).expect_err("a duplicate name");
     assert_eq!(
@@ -144,7 +144,7 @@ fn syntax_errors_have_the_same_shape() {
 }
 
 #[test]
-fn what_toml_wants_in_quotes_is_told_in_quotes() {
+fn the_help_for_toml_shows_values_in_quotes() {
     for (wrong, right, help) in [
         ("right", "\"right\"", "words, names and axes need quotes: `\"right\"`"),
         ("\"Right\"", "\"right\"", "write `handedness = \"right\"`"),

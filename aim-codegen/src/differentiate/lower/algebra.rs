@@ -3,7 +3,7 @@
 use core::ops::{Deref, DerefMut};
 use std::collections::HashMap;
 
-use super::outside::{KeptLoop, Outside};
+use super::extra_inputs::{ExtraInput, KeptLoop};
 use aim_symbolic::rules::{NEGATIONS, ORDER, Rules};
 use aim_symbolic::{
     Bindings, Fold, Function, Graph, Node, Op, Plane, Rotation, Scalar, ScalarNode, Variable, Vector, VectorNode,
@@ -17,13 +17,11 @@ pub(crate) struct Algebra {
     /// Smallest and largest value of each input that is a whole number.
     extents: HashMap<Scalar, (f64, f64)>,
     /// Inputs that are not numbers of arguments, in the order of declaration.
-    pub(crate) outside: Vec<(Outside, Scalar)>,
+    pub(crate) extra_inputs: Vec<(ExtraInput, Scalar)>,
     /// Kept loops.
     pub(crate) loops: Vec<KeptLoop>,
     /// Constants that companions read, by their paths.
     pub(crate) constants: Vec<syn::Path>,
-    /// Names that are assumed to be mathematical constants, imported from elsewhere.
-    pub(crate) taken_for_known: Vec<String>,
 }
 
 impl Deref for Algebra {
@@ -46,15 +44,14 @@ const ABOUT: [Plane; 3] = [Plane::YZ, Plane { from: 2, towards: 0 }, Plane::XY];
 impl Algebra {
     /// Creates an empty graph. Signs and operand order stay as written; lowering normalises them.
     pub(crate) fn new() -> Self {
-        let rules = Rules { without: &[NEGATIONS, ORDER], turned: None };
+        let rules = Rules { without: &[NEGATIONS, ORDER], max_other_side: None };
         Self {
             fold: Fold::new(Graph::new(), &rules),
             variables: Vec::new(),
             extents: HashMap::new(),
-            outside: Vec::new(),
+            extra_inputs: Vec::new(),
             loops: Vec::new(),
             constants: Vec::new(),
-            taken_for_known: Vec::new(),
         }
     }
 
@@ -64,14 +61,14 @@ impl Algebra {
     }
 
     /// Returns the input with this source, declaring it on first use.
-    pub(crate) fn outside(&mut self, which: Outside) -> Scalar {
-        if let Some((_, input)) = self.outside.iter().find(|(known, _)| *known == which) {
+    pub(crate) fn extra_input(&mut self, which: ExtraInput) -> Scalar {
+        if let Some((_, input)) = self.extra_inputs.iter().find(|(known, _)| *known == which) {
             return *input;
         }
-        let name = format!("outside_{}", self.outside.len());
+        let name = format!("outside_{}", self.extra_inputs.len());
         let input = self.g.input(&name);
-        self.outside.push((which, input));
-        if matches!(which, Outside::Round(_)) {
+        self.extra_inputs.push((which, input));
+        if matches!(which, ExtraInput::Iteration(_)) {
             self.set_extent(input, 0.0, f64::INFINITY);
         }
         input
@@ -79,16 +76,16 @@ impl Algebra {
 
     /// Returns the constants that companions read as numbers, and their inputs.
     pub(crate) fn constants(&self) -> impl Iterator<Item = (syn::Path, Scalar)> {
-        self.outside.iter().filter_map(|&(which, input)| match which {
-            Outside::Constant(index) => Some((self.constants[index].clone(), input)),
+        self.extra_inputs.iter().filter_map(|&(which, input)| match which {
+            ExtraInput::Constant(index) => Some((self.constants[index].clone(), input)),
             _ => None,
         })
     }
 
     /// Returns `x` after a cast to its own type: a constant that the companion reads is then of any type.
     pub(crate) fn cast_constant(&mut self, x: Scalar) -> Scalar {
-        match self.outside.iter().find(|(_, input)| *input == x) {
-            Some(&(Outside::Constant(index), _)) => self.outside(Outside::Cast(index)),
+        match self.extra_inputs.iter().find(|(_, input)| *input == x) {
+            Some(&(ExtraInput::Constant(index), _)) => self.extra_input(ExtraInput::CastConstant(index)),
             _ => x,
         }
     }

@@ -43,7 +43,7 @@ impl Translation<'_> {
         expected: &Expected,
     ) -> Option<Value> {
         let errors = self.report.count();
-        if let Some(value) = self.rounds_method(receiver, call, expected) {
+        if let Some(value) = self.loop_sequence_method(receiver, call, expected) {
             return Some(value);
         }
         if self.report.count() > errors {
@@ -97,7 +97,7 @@ impl Translation<'_> {
                 if matches!(is_some, Condition::Known(false)) {
                     return Some(Value::none());
                 }
-                match receiver.chosen(self.algebra, index) {
+                match receiver.select_element(self.algebra, index) {
                     Some(item) => Value::some_if(is_some, item),
                     None => self.refuse(*place, messages::no_such_choice(&receiver.describe())),
                 }
@@ -163,7 +163,7 @@ impl Translation<'_> {
             // In a partitioned array, the partition point is the number of elements that satisfy the predicate.
             ("partition_point", [function]) => {
                 let items: Vec<Element> = values.iter().cloned().map(Element::new).collect();
-                let items = self.kept(call, function, &items)?;
+                let items = self.filtered(call, function, &items)?;
                 self.counted(&items)?
             }
             _ => return None,

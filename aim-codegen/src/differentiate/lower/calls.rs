@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
 use syn::token::Comma;
 use syn::{Expr, ExprCall, ExprMethodCall, ExprStruct, Ident};
 
@@ -11,7 +12,7 @@ use super::algebra::Algebra;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::map::Quaternion;
-use super::methods::{self, Fault, Function};
+use super::methods::{self, CallError, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, Scope, Struct, Value};
 use super::{Translation, iterators, square, strip};
@@ -226,7 +227,7 @@ impl Translation<'_> {
             }
             None => match self.items.meaning(&self.frame.scope, &segments(&path.path)) {
                 Meaning::Own(own) => self.call_of_item(call, path, &own),
-                Meaning::Outside(outside) => self.call_of_outside(call, path, &outside, expected),
+                Meaning::External(outside) => self.call_of_external(call, path, &outside, expected),
             },
         }
     }
@@ -313,7 +314,7 @@ impl Translation<'_> {
         }
         let name = self.items.resolved(&Scope::default(), &own.split("::").map(str::to_owned).collect::<Vec<_>>());
         let Some(structure) = self.items.structure(&name) else {
-            let text = self.unseen(own, messages::unknown_function(&path_text(path)));
+            let text = self.not_found_message(own, messages::unknown_function(&path_text(path)));
             return self.refuse(&path.path, text);
         };
         let types: Vec<_> = structure.fields.iter().map(|(_, ty)| ty).collect();
@@ -327,7 +328,7 @@ impl Translation<'_> {
     }
 
     /// Evaluates a call of a free function outside the module.
-    fn call_of_outside(
+    fn call_of_external(
         &mut self,
         call: &ExprCall,
         path: &syn::ExprPath,
@@ -338,9 +339,9 @@ impl Translation<'_> {
             path.path.segments.last().map_or_else(|| path.path.to_token_stream(), |last| last.ident.to_token_stream());
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let text = outside.last().cloned().unwrap_or_default();
-        let is_of = |module: &str| outside.len() < 2 || outside[outside.len() - 2] == module;
+        let is_in_std = |this: &Self, module: &str| this.is_in_std(outside, module, path.span());
         match (text.as_str(), arguments.as_slice(), expected) {
-            ("from_fn", [function], _) if is_of("array") => {
+            ("from_fn", [function], _) if is_in_std(self, "array") => {
                 let (element, length) = match expected {
                     Expected::Array(element, length) => ((**element).clone(), *length),
                     _ => (Expected::Any, None),
@@ -353,19 +354,19 @@ impl Translation<'_> {
             // The error's value is not tracked.
             ("Err", [error], _) => return self.without_error_effect(error, Value::none()),
             ("Some" | "Ok", [value], _) => {
-                let value = self.moved(value, &Expected::Any);
+                let value = self.moved_value(value, &Expected::Any);
                 return Value::some(value);
             }
-            ("replace", [place, value], _) if is_of("mem") => {
+            ("replace", [place, value], _) if is_in_std(self, "mem") => {
                 return self.replaced(&call.func, place, value);
             }
-            ("swap", [one, other], _) if is_of("mem") => return self.exchanged(&call.func, one, other),
-            ("zip", [one, other], _) if is_of("iter") => {
+            ("swap", [one, other], _) if is_in_std(self, "mem") => return self.exchanged(&call.func, one, other),
+            ("zip", [one, other], _) if is_in_std(self, "iter") => {
                 let zipped = self.iterated(one).and_then(|items| self.zipped(items, other));
                 return zipped.unwrap_or(Value::Unknown);
             }
-            ("once", [value], _) if is_of("iter") => return Value::iterator([self.expression(value)]),
-            ("repeat_n", [value, count], _) if is_of("iter") => {
+            ("once", [value], _) if is_in_std(self, "iter") => return Value::iterator([self.expression(value)]),
+            ("repeat_n", [value, count], _) if is_in_std(self, "iter") => {
                 let (value, count) = (self.expression(value), self.known_count(count));
                 return count.map_or(Value::Unknown, |count| Value::iterator(vec![value; count]));
             }
@@ -379,7 +380,7 @@ impl Translation<'_> {
                 self.call_of_glam(call, path, &last.ident, (ty, (*function).to_owned()))
             }
             _ => {
-                let text = self.unseen(&text, messages::unknown_function(&outside.join("::")));
+                let text = self.not_found_message(&text, messages::unknown_function(&outside.join("::")));
                 self.refuse(&name, text)
             }
         }
@@ -405,7 +406,7 @@ impl Translation<'_> {
     ) -> Value {
         let Some((shape, _)) = types::named(ty).filter(|_| !self.items.defines(ty)) else {
             let text = path_text(path);
-            let text = self.unseen(&text, messages::unknown_function(&text));
+            let text = self.not_found_message(&text, messages::unknown_function(&text));
             return self.refuse(&path.path, text);
         };
         if function == "from_euler" {
@@ -441,7 +442,7 @@ impl Translation<'_> {
         let Some(function) = self.function_argument(function, 1) else { return Value::Unknown };
         let values: Vec<Value> = (0..length)
             .map(|index| {
-                let index = self.algebra.whole(index);
+                let index = self.algebra.count_value(index);
                 self.inline_as(&call.func, &function, vec![index], element)
             })
             .collect();
@@ -455,7 +456,7 @@ impl Translation<'_> {
             let fields = of.fields.iter().map(|field| {
                 let name = name_of(&field.member);
                 let expected = known.iter().find(|(known, _)| *known == name).map(|(_, expected)| expected);
-                (name, self.moved(&field.expr, expected.unwrap_or(&Expected::Any)))
+                (name, self.moved_value(&field.expr, expected.unwrap_or(&Expected::Any)))
             });
             let fields = fields.collect();
             return self.of_variant(&ty, tag, fields);
@@ -468,7 +469,7 @@ impl Translation<'_> {
             let ty = declared.iter().find(|(member, _)| *member == field.member).map(|(_, ty)| ty);
             let scope = structure.map(|structure| structure.scope.clone()).unwrap_or_default();
             let expected = self.within(scope, |this| this.expected_of(ty));
-            fields.push((name_of(&field.member), self.moved(&field.expr, &expected)));
+            fields.push((name_of(&field.member), self.moved_value(&field.expr, &expected)));
         }
         if let Some(rest) = &of.rest {
             match self.expression_as(rest, &Expected::Named(name.clone())) {
@@ -501,7 +502,7 @@ impl Translation<'_> {
             Some((Shape::Rigid, _)) => "from_mat3_translation",
             Some((Shape::Matrix, _)) => "from_cols",
             _ => {
-                let text = self.unseen(name, messages::outside_struct(name));
+                let text = self.not_found_message(name, messages::outside_struct(name));
                 return self.refuse(&of.path, text);
             }
         };
@@ -524,7 +525,8 @@ impl Translation<'_> {
         let unknown = || messages::unknown_method(function, kind, &known.clone().collect::<Vec<_>>());
         // Report an unknown function without evaluating its arguments, which may be valid for that function only.
         if known.clone().all(|known| known != function) && Value::without(&arguments).is_none() {
-            return self.refuse(*name, unknown());
+            let text = unknown();
+            return self.refuse_any(&arguments.iter().collect::<Vec<_>>(), *name, text);
         }
         arguments.extend(written.iter().map(|argument| self.expression(argument)));
         if let Some(without) = Value::without(&arguments) {
@@ -532,9 +534,9 @@ impl Translation<'_> {
         }
         let text = match methods::call(tables, function, self.algebra, &arguments) {
             Some(Ok(value)) => return value,
-            Some(Err((Fault::Text(text), _))) if !written.is_empty() => return self.refuse(written, text),
-            Some(Err((Fault::Text(text) | Fault::Refused(text), _))) => text,
-            Some(Err((Fault::Arguments, function))) => {
+            Some(Err((CallError::Message(text), _))) if !written.is_empty() => return self.refuse(written, text),
+            Some(Err((CallError::Message(text) | CallError::Refused(text), _))) => text,
+            Some(Err((CallError::Arguments, function))) => {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
                 let text = messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "));
                 return self.refuse_any(&arguments.iter().collect::<Vec<_>>(), *name, text);

@@ -4,6 +4,7 @@ use aim_symbolic::{Op, Scalar, ScalarNode};
 use quote::ToTokens;
 
 use super::condition::Condition;
+use super::expected::Expected;
 use super::extents::Extents;
 use super::value::Value;
 use super::{NEAR, Translation, methods};
@@ -53,6 +54,16 @@ impl Translation<'_> {
         let extent = Extents::new(self.algebra, self.frame.facts()).of(x);
         let (least, most) = types::ends(ty);
         extent.least >= least && extent.most <= most
+    }
+
+    /// Rounds a known number to its declared type, if that is `f32` in a function of `f64`.
+    pub(super) fn rounded_to(&mut self, declared: &Expected, value: Value) -> Value {
+        let is_wider = self.precision == Some(Precision::Double) && declared.name() == Some("f32");
+        let Value::Scalar(x) = &value else { return value };
+        match self.algebra.known(*x).filter(|_| is_wider) {
+            Some(known) => Value::Scalar(self.algebra.number(single(known))),
+            None => value,
+        }
     }
 
     /// Evaluates `value as type`.
@@ -112,6 +123,12 @@ const LARGEST_WHOLE: f64 = (1_u64 << 53) as f64;
 
 /// 2⁶⁴, which a cast to an unsigned 64-bit type adds to a negative number.
 const WRAPPED: f64 = 18_446_744_073_709_551_616.0;
+
+/// Rounds a number to `f32`.
+#[expect(clippy::cast_possible_truncation, reason = "as `as` does")]
+pub(super) fn single(number: f64) -> f64 {
+    f64::from(number as f32)
+}
 
 /// Rounds a whole number to `f32`.
 #[expect(clippy::cast_precision_loss, reason = "as `as` does")]

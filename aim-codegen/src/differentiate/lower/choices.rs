@@ -19,11 +19,11 @@ impl Translation<'_> {
             condition,
             |this| this.block_as(&choice.then_branch, expected),
             |this| {
-                this.frame.hide(depth);
+                this.frame.hide_names(depth);
                 otherwise.map_or(Value::nothing(), |otherwise| this.expression_as(otherwise, expected))
             },
         );
-        self.frame.leave(depth);
+        self.frame.end_scope(depth);
         value
     }
 
@@ -52,9 +52,9 @@ impl Translation<'_> {
             condition,
             |_| Value::nothing(),
             |this| {
-                let names = this.frame.hide(depth);
+                let names = this.frame.hide_names(depth);
                 let value = this.expression(otherwise);
-                this.frame.show(depth, names);
+                this.frame.restore_names(depth, names);
                 value
             },
         )
@@ -65,7 +65,7 @@ impl Translation<'_> {
         match expression {
             Expr::Paren(paren) => self.condition(&paren.expr),
             Expr::Let(e) => {
-                let value = self.moved(&e.expr, &Expected::Any);
+                let value = self.moved_value(&e.expr, &Expected::Any);
                 self.pattern(&e.pat, &value)
             }
             Expr::Binary(both) if matches!(both.op, BinOp::And(_)) && has_let(expression) => {
@@ -73,7 +73,7 @@ impl Translation<'_> {
                 match self.condition(&both.left)? {
                     Condition::Known(false) => Some(Condition::Known(false)),
                     left => {
-                        let right = self.under(&both.op, &left, |this| this.condition(&both.right));
+                        let right = self.run_under(&both.op, &left, |this| this.condition(&both.right));
                         right.map(|right| left.and(right))
                     }
                 }
@@ -94,12 +94,12 @@ impl Translation<'_> {
         let made = act(self);
         let assigned = self.frame.end_branch();
         let assigns = !assigned.is_empty();
-        self.frame.take(assigned);
+        self.frame.assign_all(assigned);
         (made, assigns)
     }
 
     /// Runs `act` under a condition: its assignments take effect only where the condition holds.
-    pub(super) fn under<T>(
+    pub(super) fn run_under<T>(
         &mut self,
         place: &impl ToTokens,
         condition: &Condition,
@@ -144,11 +144,11 @@ impl Translation<'_> {
             _ if !known => return Value::Unknown,
             (true, true) => return Value::Never,
             (true, false) => {
-                self.frame.take(otherwise_assigned);
+                self.frame.assign_all(otherwise_assigned);
                 self.frame.assume(condition.clone().not());
             }
             (false, true) => {
-                self.frame.take(then_assigned);
+                self.frame.assign_all(then_assigned);
                 self.frame.assume(condition.clone());
             }
             (false, false) => {
@@ -164,7 +164,7 @@ impl Translation<'_> {
     }
 
     pub(super) fn match_arms(&mut self, choice: &ExprMatch, expected: &Expected) -> Value {
-        let value = self.moved(&choice.expr, &Expected::Any);
+        let value = self.moved_value(&choice.expr, &Expected::Any);
         if value.is_unknown() {
             return value;
         }
@@ -179,20 +179,20 @@ impl Translation<'_> {
         // has constructed a value for it.
         if rest.is_empty() && condition.is_some() {
             if matches!(condition, Some(Condition::Known(false))) {
-                return self.left(&choice.match_token, depth, Value::Never);
+                return self.leave_scope(&choice.match_token, depth, Value::Never);
             }
             condition = Some(Condition::Known(true));
         }
         let found = self.branch(
             &choice.match_token,
             condition,
-            |this| this.moved(&arm.body, expected),
+            |this| this.moved_value(&arm.body, expected),
             |this| {
-                this.frame.hide(depth);
+                this.frame.hide_names(depth);
                 this.arms((choice, expected), value, rest)
             },
         );
-        self.left(&choice.match_token, depth, found)
+        self.leave_scope(&choice.match_token, depth, found)
     }
 }
 

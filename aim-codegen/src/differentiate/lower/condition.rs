@@ -17,20 +17,20 @@ pub(crate) enum Condition {
     /// a < b.
     Less(Scalar, Scalar),
     Not(Rc<Self>),
-    And(Rc<Both>),
-    Or(Rc<Both>),
+    And(Rc<Operands>),
+    Or(Rc<Operands>),
 }
 
 /// The operands of a combination.
 #[derive(Debug)]
-pub(crate) struct Both {
+pub(crate) struct Operands {
     one: Condition,
     other: Condition,
     /// Cached number: 1 where the combination holds, else 0.
     flag: Cell<Option<Scalar>>,
 }
 
-impl Both {
+impl Operands {
     fn new(one: Condition, other: Condition) -> Rc<Self> {
         Rc::new(Self { one, other, flag: Cell::new(None) })
     }
@@ -64,7 +64,7 @@ impl Condition {
         match (self, other) {
             (Self::Known(true), condition) | (condition, Self::Known(true)) => condition,
             (Self::Known(false), _) | (_, Self::Known(false)) => Self::Known(false),
-            (one, other) => Self::And(Both::new(one, other)),
+            (one, other) => Self::And(Operands::new(one, other)),
         }
     }
 
@@ -72,7 +72,7 @@ impl Condition {
         match (self, other) {
             (Self::Known(false), condition) | (condition, Self::Known(false)) => condition,
             (Self::Known(true), _) | (_, Self::Known(true)) => Self::Known(true),
-            (one, other) => Self::Or(Both::new(one, other)),
+            (one, other) => Self::Or(Operands::new(one, other)),
         }
     }
 
@@ -97,7 +97,7 @@ impl Condition {
     /// Returns the operands of a combination.
     pub(super) fn parts(&self) -> Option<(Self, Self)> {
         match self {
-            Self::And(both) | Self::Or(both) => Some((both.one.clone(), both.other.clone())),
+            Self::And(operands) | Self::Or(operands) => Some((operands.one.clone(), operands.other.clone())),
             _ => None,
         }
     }
@@ -137,16 +137,16 @@ impl Condition {
     /// Returns 1 where the condition holds, else 0. A combination is evaluated once, however often it is used.
     fn flag(&self, a: &mut Algebra) -> Scalar {
         let (zero, one) = (a.number(0.0), a.number(1.0));
-        let (Self::And(both) | Self::Or(both)) = self else { return self.select(a, one, zero) };
-        if let Some(known) = both.flag.get() {
+        let (Self::And(operands) | Self::Or(operands)) = self else { return self.select(a, one, zero) };
+        if let Some(known) = operands.flag.get() {
             return known;
         }
-        let other = both.other.flag(a);
+        let other = operands.other.flag(a);
         let flag = match self {
-            Self::And(_) => both.one.select(a, other, zero),
-            _ => both.one.select(a, one, other),
+            Self::And(_) => operands.one.select(a, other, zero),
+            _ => operands.one.select(a, one, other),
         };
-        both.flag.set(Some(flag));
+        operands.flag.set(Some(flag));
         flag
     }
 

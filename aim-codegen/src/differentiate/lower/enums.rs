@@ -46,7 +46,7 @@ impl Translation<'_> {
         if fields.iter().any(|(_, value)| value.is_unknown()) {
             return Value::Unknown;
         }
-        let mut all = vec![(TAG.to_owned(), self.algebra.whole(tag))];
+        let mut all = vec![(TAG.to_owned(), self.algebra.count_value(tag))];
         for (place, variant) in variants.iter().enumerate() {
             all.extend(variant.fields.iter().map(|(member, _)| {
                 let own = fields.iter().position(|(name, _)| place == tag && *name == name_of(member));
@@ -73,7 +73,7 @@ impl Translation<'_> {
             numbers.push(self.algebra.integer(next));
             next += 1;
         }
-        Value::Array(numbers).chosen(self.algebra, *tag).unwrap_or(Value::Unknown)
+        Value::Array(numbers).select_element(self.algebra, *tag).unwrap_or(Value::Unknown)
     }
 
     /// Returns the types of a variant's fields, as far as they are known.
@@ -236,7 +236,7 @@ impl Translation<'_> {
         }
         let depth = self.frame.depth();
         let matched = self.guarded(&pattern, guard.as_ref(), &value);
-        self.frame.leave(depth);
+        self.frame.end_scope(depth);
         matched.map_or(Value::Unknown, Value::Truth)
     }
 }

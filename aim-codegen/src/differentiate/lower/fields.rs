@@ -85,7 +85,7 @@ impl Value {
 
     /// Returns the element at a computed index; `None` if there are no elements, or elements of several kinds. If the
     /// index is out of bounds, where the function panics, returns the first or the last element.
-    pub(super) fn chosen(&self, a: &mut Algebra, place: Scalar) -> Option<Self> {
+    pub(super) fn select_element(&self, a: &mut Algebra, place: Scalar) -> Option<Self> {
         if let Self::List(items) = self {
             return lists::ranked(a, items, place);
         }
@@ -156,14 +156,14 @@ impl Translation<'_> {
         let Some(known) = self.algebra.known_index(&place) else {
             return match place {
                 Value::Integer(place) => {
-                    let chosen = base.chosen(self.algebra, place);
+                    let chosen = base.select_element(self.algebra, place);
                     chosen.unwrap_or_else(|| self.refuse(&index.index, messages::no_such_choice(&base.describe())))
                 }
                 _ => self.refuse(&index.index, messages::index_unknown()),
             };
         };
         let value = base.element(self.algebra, known);
-        value.unwrap_or_else(|| self.refuse(&index.index, messages::index_outside(&base.describe())))
+        value.unwrap_or_else(|| self.refuse_known(&base, &index.index, messages::index_outside(&base.describe())))
     }
 
     /// Evaluates `array[start..end]`. If the range is out of bounds, where the function panics, returns the existing
@@ -196,7 +196,7 @@ impl Translation<'_> {
                 true => Condition::at_most(a, rank, end),
                 false => Condition::less(a, rank, end),
             });
-            item.where_too(is_behind.and(is_before))
+            item.and_where(is_behind.and(is_before))
         }))
     }
 }

@@ -23,7 +23,7 @@ pub(super) enum Target {
     /// The end of the loop, or of the labelled block, at this depth, from 0.
     Loop(usize),
     /// The end of the body of the loop at this depth.
-    Round(usize),
+    Iteration(usize),
 }
 
 impl Target {
@@ -32,7 +32,7 @@ impl Target {
         match self {
             Self::Function => 0,
             Self::Loop(depth) => 1 + 2 * depth,
-            Self::Round(depth) => 2 + 2 * depth,
+            Self::Iteration(depth) => 2 + 2 * depth,
         }
     }
 }
@@ -74,7 +74,7 @@ pub(super) struct Frame {
     /// For each open branch and region, its assigned variables with their values before.
     journals: Vec<Assigned>,
     /// Conditions of the exits that were taken before the function was called.
-    gone: Vec<Condition>,
+    earlier_exits: Vec<Condition>,
     /// Conditions of the open branches.
     path: Vec<Condition>,
     /// Further conditions that hold here, each with the numbers of open branches and regions when it became known.
@@ -100,10 +100,11 @@ impl Frame {
     }
 
     /// Creates the frame of a function that is called at this point.
-    pub(super) fn called(&self, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
+    pub(super) fn frame_of_call(&self, variables: Vec<(String, Value)>, scope: Rc<Scope>) -> Self {
         let facts = self.facts().map(|condition| (0, 0, condition.clone())).collect();
-        let gone = self.gone.iter().cloned().chain(self.exits.iter().map(|exit| exit.condition.clone())).collect();
-        Self { assumed: facts, gone, ..Self::new(variables, scope) }
+        let earlier_exits =
+            self.earlier_exits.iter().cloned().chain(self.exits.iter().map(|exit| exit.condition.clone())).collect();
+        Self { assumed: facts, earlier_exits, ..Self::new(variables, scope) }
     }
 
     // Variables.
@@ -134,13 +135,13 @@ impl Frame {
         self.changeable.contains(&place) || self.is_lent(place)
     }
 
-    /// Returns the number of variables; see [`leave`](Self::leave).
+    /// Returns the number of variables; see [`end_scope`](Self::end_scope).
     pub(super) fn depth(&self) -> usize {
         self.variables.len()
     }
 
     /// Forgets the variables of a scope; `depth` is the number of variables when it was entered.
-    pub(super) fn leave(&mut self, depth: usize) {
+    pub(super) fn end_scope(&mut self, depth: usize) {
         self.variables.truncate(depth);
         self.changeable.retain(|&place| place < depth);
         self.constants.retain(|&place| place < depth);
@@ -150,12 +151,12 @@ impl Frame {
     }
 
     /// Hides the names of the variables from `depth` on, and returns them.
-    pub(super) fn hide(&mut self, depth: usize) -> Vec<String> {
+    pub(super) fn hide_names(&mut self, depth: usize) -> Vec<String> {
         self.variables[depth..].iter_mut().map(|(name, _)| core::mem::take(name)).collect()
     }
 
     /// Restores the names of the variables from `depth` on.
-    pub(super) fn show(&mut self, depth: usize, names: Vec<String>) {
+    pub(super) fn restore_names(&mut self, depth: usize, names: Vec<String>) {
         self.variables[depth..].iter_mut().zip(names).for_each(|((hidden, _), name)| *hidden = name);
     }
 
@@ -222,10 +223,10 @@ impl Frame {
     }
 
     /// Returns the condition under which control reaches this point: all facts hold, and no exit was taken.
-    pub(super) fn reached(&self, a: &mut Algebra) -> Condition {
-        let gone = self.gone.iter().chain(self.exits.iter().map(|exit| &exit.condition));
+    pub(super) fn reach_condition(&self, a: &mut Algebra) -> Condition {
+        let exits = self.earlier_exits.iter().chain(self.exits.iter().map(|exit| &exit.condition));
         let mut known = Vec::new();
-        let conditions = self.facts().cloned().chain(gone.map(|condition| condition.clone().not()));
+        let conditions = self.facts().cloned().chain(exits.map(|condition| condition.clone().not()));
         conditions.fold(Condition::Known(true), |reached, condition| {
             let number = a.number_of(&condition);
             if known.contains(&number) {
@@ -263,7 +264,7 @@ impl Frame {
     }
 
     /// Assigns the variables as the only branch that continues has done.
-    pub(super) fn take(&mut self, assigned: Assigned) {
+    pub(super) fn assign_all(&mut self, assigned: Assigned) {
         for (place, value) in assigned {
             self.assign(place, value);
         }
@@ -294,7 +295,7 @@ impl Frame {
     // Exits.
 
     /// Begins a loop, or one of its iterations.
-    pub(super) fn begin(&mut self, target: Target, label: Option<String>) {
+    pub(super) fn begin_region(&mut self, target: Target, label: Option<String>) {
         let Self { variables, path, journals, .. } = self;
         let (variables, path, journals) = (variables.len(), path.len(), journals.len());
         self.regions.push(Region { target, label, is_block: false, variables, path, journals });
@@ -303,8 +304,8 @@ impl Frame {
 
     /// Begins a labelled block and returns its target.
     pub(super) fn begin_block(&mut self, label: String) -> Target {
-        let whole = Target::Loop(self.loops());
-        self.begin(whole, Some(label));
+        let whole = Target::Loop(self.loop_depth());
+        self.begin_region(whole, Some(label));
         if let Some(region) = self.regions.last_mut() {
             region.is_block = true;
         }
@@ -312,7 +313,7 @@ impl Frame {
     }
 
     /// Returns the number of open loops and labelled blocks.
-    pub(super) fn loops(&self) -> usize {
+    pub(super) fn loop_depth(&self) -> usize {
         self.regions.iter().filter(|region| matches!(region.target, Target::Loop(_))).count()
     }
 
@@ -349,7 +350,7 @@ impl Frame {
     }
 
     /// Returns the number of exits so far.
-    pub(super) fn exits(&self) -> usize {
+    pub(super) fn exit_count(&self) -> usize {
         self.exits.len()
     }
 
@@ -360,13 +361,14 @@ impl Frame {
     }
 
     /// Takes the value that exits bring to this target; `None` if there are two kinds of values.
-    pub(super) fn take_brought(&mut self, a: &mut Algebra, target: Target) -> Option<Value> {
+    pub(super) fn take_break_value(&mut self, a: &mut Algebra, target: Target) -> Option<Value> {
         let exits = self.exits.iter_mut().filter(|exit| exit.target == target);
-        let brought = exits.map(|exit| (exit.condition.clone(), core::mem::replace(&mut exit.value, Value::nothing())));
+        let break_value =
+            exits.map(|exit| (exit.condition.clone(), core::mem::replace(&mut exit.value, Value::nothing())));
         // The earliest exit has precedence.
-        let brought: Vec<(Condition, Value)> = brought.collect();
+        let break_value: Vec<(Condition, Value)> = break_value.collect();
         let last = Value::Never;
-        brought.into_iter().rev().try_fold(last, |other, (condition, value)| value.select(a, &condition, &other))
+        break_value.into_iter().rev().try_fold(last, |other, (condition, value)| value.select(a, &condition, &other))
     }
 
     /// Removes and returns the exits after the first `count`; `None` if one of them may return while variables are
@@ -395,13 +397,13 @@ impl Frame {
     /// Ends a loop or an iteration. Variables get their values at the exits, and their present values if no exit was
     /// taken (possible only if `ends`). Returns the value that a `break` brings; `None` if that or a variable has two
     /// kinds of values.
-    pub(super) fn end(&mut self, a: &mut Algebra, ends: bool) -> Option<Value> {
+    pub(super) fn end_region(&mut self, a: &mut Algebra, ends: bool) -> Option<Value> {
         let Some(region) = self.regions.pop() else { return Some(Value::nothing()) };
         self.assumed.retain(|(_, regions, _)| *regions <= self.regions.len());
         let journal = self.journals.pop().unwrap_or_default();
         let exits = self.take_exits(region.target);
-        let mut goes_on = ends;
-        let mut brought = if ends { Value::nothing() } else { Value::Never };
+        let mut continues = ends;
+        let mut break_value = if ends { Value::nothing() } else { Value::Never };
         // The journal does not contain the assignments of a branch that ends in an exit.
         let mut now = Assigned::new();
         for &(place, _) in journal.iter().chain(exits.iter().flat_map(|exit| &exit.assigned)) {
@@ -413,17 +415,17 @@ impl Frame {
             for (place, value) in &mut now {
                 let there = assigned_to(&exit.assigned, *place).or_else(|| assigned_to(&journal, *place));
                 let there = there.unwrap_or_else(|| self.value(*place));
-                *value = if goes_on { there.select(a, &exit.condition, value)? } else { there.clone() };
+                *value = if continues { there.select(a, &exit.condition, value)? } else { there.clone() };
             }
-            brought = exit.value.select(a, &exit.condition, &brought)?;
-            goes_on = true;
+            break_value = exit.value.select(a, &exit.condition, &break_value)?;
+            continues = true;
         }
         // The enclosing journal needs the values before.
         for (place, before) in journal.into_iter().filter(|(place, _)| *place < region.variables) {
             self.variables[place].1 = before;
         }
-        self.take(now);
-        Some(brought)
+        self.assign_all(now);
+        Some(break_value)
     }
 
     fn take_exits(&mut self, target: Target) -> Vec<Exit> {

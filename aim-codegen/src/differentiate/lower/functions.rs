@@ -10,8 +10,8 @@ use syn::{Expr, ExprClosure, ItemFn, Pat};
 
 use super::expected::Expected;
 use super::frame::Frame;
-use super::translation::MOST_ROUNDS;
-use super::value::{Callable, Home, Place, Value};
+use super::translation::MAX_ITERATIONS;
+use super::value::{Callable, ClosureOrigin, Place, Value};
 use super::{Translation, strip};
 use crate::differentiate::{items, messages};
 
@@ -46,7 +46,7 @@ impl Translation<'_> {
             changed: closure.inputs.iter().map(is_lent).collect(),
             body: (*closure.body).clone(),
             captured: self.frame.variables().to_vec(),
-            home: closure.capture.is_none().then(|| self.home(closure)),
+            origin: closure.capture.is_none().then(|| self.origin(closure)),
             result: match &closure.output {
                 syn::ReturnType::Type(_, ty) => Some((**ty).clone()),
                 syn::ReturnType::Default => None,
@@ -57,7 +57,7 @@ impl Translation<'_> {
     }
 
     /// Returns the frame in which a closure is created that captures by reference.
-    fn home(&self, closure: &ExprClosure) -> Home {
+    fn origin(&self, closure: &ExprClosure) -> ClosureOrigin {
         let mut named = Vec::new();
         each_word(closure.body.to_token_stream(), &mut |word| {
             let place = self.frame.find(&word.to_string());
@@ -65,7 +65,7 @@ impl Translation<'_> {
         });
         let names: Vec<&str> = named.iter().map(|&place| self.frame.variables()[place].0.as_str()).collect();
         let changes = assigns(closure.body.to_token_stream(), &names);
-        Home { frame: self.frame.id.clone(), named, changes }
+        ClosureOrigin { frame: self.frame.id.clone(), named, changes }
     }
 
     /// Runs a function's body with its parameters bound to the arguments.
@@ -76,19 +76,20 @@ impl Translation<'_> {
         arguments: Vec<Value>,
         expected: &Expected,
     ) -> Value {
-        let mut frame = self.frame.called(function.captured.clone(), function.scope.clone());
+        let mut frame = self.frame.frame_of_call(function.captured.clone(), function.scope.clone());
         // In the frame where it was created, a closure sees the variables' present values and may change them.
-        if function.home.as_ref().is_some_and(|home| home.frame != self.frame.id && home.changes) {
+        if function.origin.as_ref().is_some_and(|origin| origin.frame != self.frame.id && origin.changes) {
             return self.refuse(place, messages::captured());
         }
-        let home = function.home.as_ref().filter(|home| home.frame == self.frame.id);
+        let origin = function.origin.as_ref().filter(|origin| origin.frame == self.frame.id);
         // Variables that are out of scope keep their captured values.
         let is_there = |variable: &usize| {
             let [then, now] =
                 [&function.captured, self.frame.variables()].map(|all| all.get(*variable).map(|(name, _)| name));
             now.is_some() && then == now
         };
-        let named: Vec<usize> = home.map_or(&[][..], |home| &home.named).iter().copied().filter(is_there).collect();
+        let named: Vec<usize> =
+            origin.map_or(&[][..], |origin| &origin.named).iter().copied().filter(is_there).collect();
         for &variable in &named {
             frame.assign(variable, self.frame.value(variable).clone());
             frame.lend(variable);
@@ -109,7 +110,7 @@ impl Translation<'_> {
             }
             let value = self.referenced(argument);
             // A reference inside it would point to a variable of another function.
-            if home.is_none() && value.with_references(&|_| None).is_none() {
+            if origin.is_none() && value.with_references(&|_| None).is_none() {
                 return self.refuse(place, messages::mutable_borrow());
             }
             values.push((value, changed));
@@ -156,7 +157,7 @@ impl Translation<'_> {
                     if let Some(index) = parameters.iter().position(|&variable| variable == inside.variable) {
                         return Some(lent.get(index)?.lent_along(&inside.steps));
                     }
-                    let is_own = home.is_some() && inside.variable < function.captured.len();
+                    let is_own = origin.is_some() && inside.variable < function.captured.len();
                     is_own.then(|| Value::Reference(inside.clone()))
                 };
                 value.with_references(&lender).unwrap_or_else(|| self.refuse(place, messages::mutable_borrow()))
@@ -237,8 +238,8 @@ impl Translation<'_> {
             Rc::ptr_eq(known, function) || function.name.is_some() && known.name == function.name
         };
         let around = self.calls.iter().filter(is_it).count();
-        self.rounds_run += usize::from(around > 0);
-        if around == DEEPEST || self.rounds_run > MOST_ROUNDS {
+        self.iterations_run += usize::from(around > 0);
+        if around == DEEPEST || self.iterations_run > MAX_ITERATIONS {
             let name = function.name.as_deref().unwrap_or("a closure");
             return self.refuse(place, messages::recursion(name));
         }

@@ -10,12 +10,12 @@ use super::enums::field_of;
 use super::expected::Expected;
 use super::fields::name_of;
 use super::value::{Callable, Scope, Struct, Value};
-use crate::differentiate::given;
+use crate::differentiate::generic_arguments;
 use crate::differentiate::items::{Enumeration, Structure};
 use crate::differentiate::names::{self, Meaning, segments};
 
 /// Generic parameters with their values: a length, a type, or a value of the type.
-type Found = Vec<(String, Value)>;
+type GenericValues = Vec<(String, Value)>;
 
 impl Translation<'_> {
     /// Returns the name of the type that a generic parameter stands for.
@@ -38,7 +38,7 @@ impl Translation<'_> {
         self.declare_generics(found);
     }
 
-    fn declare_generics(&mut self, found: Found) {
+    fn declare_generics(&mut self, found: GenericValues) {
         for (name, value) in found {
             let value = match value {
                 Value::Type(_) => Some(value),
@@ -52,7 +52,14 @@ impl Translation<'_> {
     }
 
     /// Finds these parameters in a written type, by a value of that type.
-    fn match_generics(&mut self, names: &[&String], scope: &Scope, ty: &Type, value: &Value, found: &mut Found) {
+    fn match_generics(
+        &mut self,
+        names: &[&String],
+        scope: &Scope,
+        ty: &Type,
+        value: &Value,
+        found: &mut GenericValues,
+    ) {
         match (ty, value) {
             (Type::Reference(reference), _) => self.match_generics(names, scope, &reference.elem, value, found),
             (Type::Group(group), _) => self.match_generics(names, scope, &group.elem, value, found),
@@ -62,7 +69,7 @@ impl Translation<'_> {
                     && let Some(name) =
                         path.path.get_ident().and_then(|name| names.iter().find(|known| name == **known))
                 {
-                    found.push(((*name).clone(), self.algebra.whole(values.len())));
+                    found.push(((*name).clone(), self.algebra.count_value(values.len())));
                 }
                 if let Some(first) = values.first() {
                     self.match_generics(names, scope, &array.elem, first, found);
@@ -87,7 +94,8 @@ impl Translation<'_> {
             (Type::Path(path), value) => {
                 if let Meaning::Own(name) = self.items.meaning(scope, &segments(&path.path))
                     && let Some(alias) = self.items.alias(&name)
-                    && let Some(ty) = given::written_out(&alias.ty, &alias.parameters, &path.path, scope, self.items)
+                    && let Some(ty) =
+                        generic_arguments::substituted(&alias.ty, &alias.parameters, &path.path, scope, self.items)
                 {
                     self.match_generics(names, scope, &ty, value, found);
                 } else if let Some(name) =
@@ -137,7 +145,7 @@ impl Translation<'_> {
         scope: &Scope,
         written: &[&GenericArgument],
         known: &[Value],
-        found: &mut Found,
+        found: &mut GenericValues,
     ) {
         for (argument, value) in written.iter().zip(known).filter(|(_, value)| !value.is_unknown()) {
             match argument {
@@ -156,7 +164,7 @@ impl Translation<'_> {
         if let Meaning::Own(name) = self.items.meaning(&scope, &segments(path))
             && let Some(alias) = self.items.alias(&name)
         {
-            let ty = given::written_out(&alias.ty, &alias.parameters, path, &scope, self.items);
+            let ty = generic_arguments::substituted(&alias.ty, &alias.parameters, path, &scope, self.items);
             return ty.map_or(Expected::Any, |ty| self.within(alias.scope.clone(), |this| this.expected(&ty)));
         }
         let name = self.resolved(&segments(path));
@@ -186,7 +194,7 @@ impl Translation<'_> {
 
     fn length_of(&mut self, length: &Expr) -> Value {
         match self.known_length(length) {
-            Some(length) => self.algebra.whole(length),
+            Some(length) => self.algebra.count_value(length),
             None => Value::Unknown,
         }
     }

@@ -35,7 +35,7 @@ impl Translation<'_> {
                 let ranks = ranks(self.algebra, &items);
                 Some(Value::iterator_of(items.into_iter().zip(ranks).map(|(Element { is_there, .. }, rank)| Element {
                     is_there,
-                    value: target.lent(Step::Chosen(rank)),
+                    value: target.lent(Step::Computed(rank)),
                 })))
             }
             _ => None,
@@ -56,10 +56,10 @@ impl Translation<'_> {
             ("last_mut", []) => some(last.map(|last| array.lent(Step::Index(last)))),
             ("get_mut", [index]) => match self.step(index)? {
                 Step::Index(index) => some((index < count).then(|| array.lent(Step::Index(index)))),
-                Step::Chosen(index) => {
+                Step::Computed(index) => {
                     let count = self.algebra.count(count);
                     let is_some = Condition::is_index(self.algebra, index, count);
-                    Value::some_if(is_some, array.lent(Step::Chosen(index)))
+                    Value::some_if(is_some, array.lent(Step::Computed(index)))
                 }
                 _ => return None,
             },
@@ -103,7 +103,7 @@ impl Translation<'_> {
             _ => return None,
         };
         let is_some = Condition::is_index(self.algebra, index, count);
-        Some(Value::some_if(is_some, list.lent(Step::Chosen(index))))
+        Some(Value::some_if(is_some, list.lent(Step::Computed(index))))
     }
 
     /// Returns the value that a pattern takes apart; for a `&mut`, a value made of references to its parts.

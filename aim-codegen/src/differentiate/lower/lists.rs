@@ -157,7 +157,7 @@ impl Translation<'_> {
                 return self.sorted(call, &compare, items);
             }
             ("retain", [function]) => {
-                *items = self.kept(call, function, items)?;
+                *items = self.filtered(call, function, items)?;
             }
             ("truncate", [length]) => {
                 let Value::Integer(length) = self.expression(length) else { return None };
@@ -193,7 +193,7 @@ impl Translation<'_> {
                 let ranks = ranks(self.algebra, items);
                 let left = items.drain(..).zip(ranks);
                 *items = left
-                    .map(|(item, rank)| item.where_too(Condition::equal(self.algebra, rank, index).not()))
+                    .map(|(item, rank)| item.and_where(Condition::equal(self.algebra, rank, index).not()))
                     .collect();
                 return Some(removed);
             }

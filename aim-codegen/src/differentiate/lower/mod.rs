@@ -13,27 +13,27 @@ mod defaults;
 mod enums;
 mod expected;
 mod extents;
+mod extra_inputs;
 mod fields;
 mod frame;
 mod functions;
 mod generics;
 mod iterators;
-mod kept;
+mod kept_loops;
 mod lending;
 mod lists;
+mod loop_sequences;
 mod loops;
 mod map;
 mod methods;
 mod numbers;
 mod operators;
 mod optional;
-mod outside;
 mod overloads;
 mod paths;
 mod patterns;
 mod place_types;
 mod places;
-mod rounds;
 mod select;
 mod slices;
 mod square;
@@ -46,6 +46,7 @@ mod tests;
 
 use std::rc::Rc;
 
+use proc_macro2::Span;
 use quote::ToTokens;
 use syn::{Expr, Ident, UnOp};
 
@@ -53,16 +54,16 @@ pub(super) use self::algebra::Algebra;
 pub(super) use self::condition::Condition;
 pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
+pub(super) use self::extra_inputs::{ElementIndex, ExtraInput, KeptLoop, State};
 use self::frame::Frame;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::names_at;
-pub(super) use self::outside::{At, KeptLoop, Outside, State};
 pub(super) use self::square::columns;
 pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Slice, Struct, Value};
 use super::messages;
-use super::names::{Meaning, segments};
-use crate::differentiate::constants::Constant;
+use super::names::{Meaning, is_of_std, segments};
+use crate::differentiate::constants::{Assumption, Constant};
 use crate::emit::Precision;
 
 impl Translation<'_> {
@@ -140,11 +141,11 @@ impl Translation<'_> {
             },
             Expr::Tuple(tuple) => {
                 let parts = tuple.elems.iter().enumerate();
-                Value::Tuple(parts.map(|(index, part)| self.moved(part, expected.part(index))).collect())
+                Value::Tuple(parts.map(|(index, part)| self.moved_value(part, expected.part(index))).collect())
             }
             Expr::Array(array) => {
                 let elements = array.elems.iter().enumerate();
-                Value::Array(elements.map(|(index, part)| self.moved(part, expected.part(index))).collect())
+                Value::Array(elements.map(|(index, part)| self.moved_value(part, expected.part(index))).collect())
             }
             Expr::Repeat(repeat) => {
                 let value = self.expression_as(&repeat.expr, expected.part(0));
@@ -161,8 +162,10 @@ impl Translation<'_> {
 
     fn literal(&mut self, literal: &syn::Lit) -> Value {
         let number = match literal {
-            syn::Lit::Float(number) => number.base10_parse::<f64>().ok(),
-            syn::Lit::Int(number) if number.suffix().starts_with('f') => number.base10_parse::<f64>().ok(),
+            syn::Lit::Float(number) => number.base10_parse::<f64>().ok().map(|value| (value, number.suffix())),
+            syn::Lit::Int(number) if number.suffix().starts_with('f') => {
+                number.base10_parse::<f64>().ok().map(|value| (value, number.suffix()))
+            }
             syn::Lit::Int(number) => {
                 return match number.base10_parse::<i64>() {
                     Ok(number) => self.algebra.integer(number),
@@ -173,7 +176,10 @@ impl Translation<'_> {
             _ => None,
         };
         match number {
-            Some(number) if number.is_finite() => Value::Scalar(self.algebra.number(number)),
+            Some((number, suffix)) if number.is_finite() => {
+                let value = Value::Scalar(self.algebra.number(number));
+                self.rounded_to(&Expected::Named(suffix.to_owned()), value)
+            }
             _ => self.unsupported(literal, "this literal", "only numbers, `true` and `false` are supported"),
         }
     }
@@ -205,11 +211,11 @@ impl Translation<'_> {
             let text = match path.path.get_ident() {
                 Some(name) => {
                     let name = name.to_string();
-                    self.unseen(&name, messages::outside_name(&name, &self.frame.names()))
+                    self.not_found_message(&name, messages::outside_name(&name, &self.frame.names()))
                 }
                 None => {
                     let text = paths::path_text(path);
-                    self.unseen(&text, messages::outside_constant(&text))
+                    self.not_found_message(&text, messages::outside_constant(&text))
                 }
             };
             self.refuse(&path.path, text)
@@ -218,19 +224,43 @@ impl Translation<'_> {
 
     /// Returns an integer or a boolean that stands in the same file, outside of the known items.
     fn constant_of_file(&mut self, path: &syn::Path) -> Option<Value> {
-        let (name, items, said) = (segments(path).pop()?, self.items, self.said());
-        let constant = items.file.get(&name)?;
-        let value = items.file.within(|| self.constant(&name, constant));
-        if self.report.count() > said.errors {
-            self.unsay(said);
+        let (name, items, before) = (segments(path).pop()?, self.items, self.report_counts());
+        let constant = items.surroundings.constant(&name).filter(|_| path.leading_colon.is_none())?;
+        let value = items.surroundings.within(|| self.constant(&name, constant));
+        if self.report.count() > before.errors {
+            self.forget_reports_since(before);
             return None;
         }
         let number = match &value {
             Value::Truth(Condition::Known(holds)) => i64::from(*holds),
             value => self.algebra.known_integer(value)?,
         };
-        items.file.assume(path, number);
+        let idents = path.segments.iter().map(|segment| segment.ident.clone());
+        self.assume(Assumption::Integer(idents.collect(), number));
         Some(value)
+    }
+
+    /// Records what a path outside of the known items is assumed to mean, for the compiler to confirm in the companion.
+    /// Returns `false` if it cannot: in another module, or after a glob import in the function, the path may mean
+    /// something else there.
+    pub(super) fn assume(&self, assumption: Assumption) -> bool {
+        let is_as_in_companion = self.frame.scope.module.is_empty() && !self.frame.scope.has_foreign_glob;
+        if is_as_in_companion {
+            self.items.surroundings.assume(assumption);
+        }
+        is_as_in_companion
+    }
+
+    /// Returns `true` if `path`, written at `span`, is that of an item of a module of the standard library, or is assumed
+    /// to be.
+    pub(super) fn is_in_std(&self, path: &[String], module: &str, span: Span) -> bool {
+        match path {
+            [.., before, _] if before != module => false,
+            _ if is_of_std(path) => true,
+            [name] => self.assume(Assumption::Item(Ident::new(name, span), Some(module.to_owned()))),
+            [before, _] => self.assume(Assumption::Item(Ident::new(before, span), None)),
+            _ => false,
+        }
     }
 
     /// Returns a constant that the macro cannot see, beside the function or imported there, as an input that the companion
@@ -244,7 +274,7 @@ impl Translation<'_> {
             self.algebra.constants.push(path);
             self.algebra.constants.len() - 1
         });
-        Some(Value::Scalar(self.algebra.outside(Outside::Constant(index))))
+        Some(Value::Scalar(self.algebra.extra_input(ExtraInput::Constant(index))))
     }
 
     /// Returns the path of a constant outside of the known items, as it is written where the companion stands; `None` for
@@ -255,10 +285,10 @@ impl Translation<'_> {
         };
         let is_module = |name: &String| name.starts_with(char::is_lowercase);
         let scope = &self.frame.scope;
-        if path.qself.is_some() || !scope.module.is_empty() {
+        if path.qself.is_some() || !scope.module.is_empty() || scope.has_foreign_glob {
             return None;
         }
-        let Meaning::Outside(path_in_module) = self.items.meaning(scope, &segments(&path.path)) else { return None };
+        let Meaning::External(path_in_module) = self.items.meaning(scope, &segments(&path.path)) else { return None };
         let (name, modules) = path_in_module.split_last()?;
         let is_hidden = scope.lengths.contains(name) || self.items.is_conditional(name);
         if is_hidden || !is_constant(name) || !modules.iter().all(is_module) {
@@ -307,30 +337,30 @@ impl Translation<'_> {
                 let constant = self.items.constant(None, &name)?;
                 Some(self.constant(&name, constant))
             }
-            Meaning::Outside(path) => {
+            Meaning::External(path) => {
                 if path == ["None"] {
                     return Some(Value::none());
                 }
-                // The name may be imported outside the code that the attribute sees.
-                if let [name] = path.as_slice()
-                    && self.frame.scope.module.is_empty()
+                let (name, modules) = path.split_last()?;
+                if modules.last().map_or(self.frame.scope.module.is_empty(), |last| last == "Ordering")
+                    && let Some(ordering) = Value::ordering(name)
                 {
-                    let Some(value) = numbers::mathematical(name).filter(|_| name.len() > 1) else {
-                        return Value::ordering(name);
-                    };
-                    // The companion asserts its value.
-                    if !self.algebra.taken_for_known.contains(name) {
-                        self.algebra.taken_for_known.push(name.clone());
+                    return Some(ordering);
+                }
+                let is_known = match modules {
+                    // The name may be imported outside the code that the attribute sees. If the file defines it, it is read.
+                    [] => name.len() > 1 && self.items.surroundings.constant(name).is_none(),
+                    [before @ .., module] => {
+                        module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64")
                     }
-                    return Some(Value::Scalar(self.algebra.number(value)));
+                };
+                let value = numbers::mathematical(name).filter(|_| is_known)?;
+                if !is_of_std(&path) && !self.assume(Assumption::Number(path.clone())) {
+                    return None;
                 }
-                let [before @ .., module, name] = path.as_slice() else { return None };
-                if module == "Ordering" {
-                    return Value::ordering(name);
-                }
-                let is_known = module == "consts" && before.last().is_none_or(|last| last == "f32" || last == "f64");
-                let value = if is_known { numbers::mathematical(name) } else { None };
-                value.map(|value| Value::Scalar(self.algebra.number(value)))
+                let is_single = modules.iter().any(|module| module == "f32");
+                let value = Value::Scalar(self.algebra.number(value));
+                Some(if is_single { self.rounded_to(&Expected::Named("f32".into()), value) } else { value })
             }
         }
     }
@@ -343,7 +373,8 @@ impl Translation<'_> {
         self.constants.push(name.to_owned());
         let value = self.within(constant.scope.clone(), |this| {
             let expected = this.expected_of(constant.ty.as_ref());
-            this.expression_as(&constant.value, &expected)
+            let value = this.expression_as(&constant.value, &expected);
+            this.rounded_to(&expected, value)
         });
         self.constants.pop();
         value
@@ -364,7 +395,7 @@ impl Translation<'_> {
             // The meaning of these depends on the type of the place.
             Expr::Call(_) | Expr::MethodCall(_) => {
                 // Evaluate the place for its type only: its side effects happen when it is assigned.
-                let (exits, errors) = (self.frame.exits(), self.report.count());
+                let (exits, errors) = (self.frame.exit_count(), self.report.count());
                 self.frame.begin_branch(Condition::Known(true));
                 let expected = self.type_of_place(&assign.left);
                 self.frame.end_branch();
@@ -506,14 +537,14 @@ impl Translation<'_> {
                 return self.refuse_known(&other, &binary.left, messages::not_a_condition(&other.describe()));
             }
         };
-        let goes_on = if is_and { left.clone() } else { left.clone().not() };
-        if matches!(goes_on, Condition::Known(false)) {
+        let right_runs = if is_and { left.clone() } else { left.clone().not() };
+        if matches!(right_runs, Condition::Known(false)) {
             return Value::Truth(left);
         }
-        match self.under(&binary.op, &goes_on, |this| this.expression(&binary.right)) {
+        match self.run_under(&binary.op, &right_runs, |this| this.expression(&binary.right)) {
             Value::Truth(right) => Value::Truth(if is_and { left.and(right) } else { left.or(right) }),
             // If the right side diverges, control flow continues only where the left side decides.
-            Value::Never if matches!(goes_on, Condition::Known(true)) => Value::Never,
+            Value::Never if matches!(right_runs, Condition::Known(true)) => Value::Never,
             Value::Never => Value::Truth(left),
             other => self.refuse_known(&other, &binary.right, messages::not_a_condition(&other.describe())),
         }

@@ -107,7 +107,7 @@ impl Translation<'_> {
                     self.expression(next)
                 } else {
                     let function = self.function_argument(next, 0)?;
-                    self.under(call, &equal, |this| this.inline(&call.method, &function, Vec::new()))
+                    self.run_under(call, &equal, |this| this.inline(&call.method, &function, Vec::new()))
                 };
                 let Value::Ordering(next) = &next else {
                     let text = messages::not_an_ordering(&next.describe());
@@ -146,7 +146,7 @@ impl Translation<'_> {
                 if matches!(holds, Condition::Known(false)) {
                     return Some(Value::none());
                 }
-                let value = self.under(call, holds, |this| this.inline(&call.method, &function, Vec::new()));
+                let value = self.run_under(call, holds, |this| this.inline(&call.method, &function, Vec::new()));
                 return Some(Value::some_if(holds.clone(), value));
             }
             (Value::Optional(optional), _) => optional,
@@ -177,14 +177,14 @@ impl Translation<'_> {
                     return Some(value.clone());
                 }
                 let is_none = is_some.clone().not();
-                let otherwise = self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
+                let otherwise = self.run_under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
                 self.either_value(call, is_some, value, &otherwise)
             }
             ("map", [_]) if nothing => receiver.clone(),
             ("map", [function]) => {
                 let function = self.function_argument(function, 1)?;
                 let mapped =
-                    self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
+                    self.run_under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
                 Value::some_if(is_some.clone(), mapped)
             }
             ("map_or" | "map_or_else", [otherwise, function]) => {
@@ -193,20 +193,21 @@ impl Translation<'_> {
                 } else {
                     let otherwise = self.function_argument(&of_nothing(otherwise), 0)?;
                     let is_none = is_some.clone().not();
-                    self.under(call, &is_none, |this| this.inline(&call.method, &otherwise, Vec::new()))
+                    self.run_under(call, &is_none, |this| this.inline(&call.method, &otherwise, Vec::new()))
                 };
                 let function = self.function_argument(function, 1)?;
                 let mapped = if nothing {
                     Value::Never
                 } else {
-                    self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]))
+                    self.run_under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]))
                 };
                 self.either_value(call, is_some, &mapped, &otherwise)
             }
             ("and_then", [_]) if nothing => receiver.clone(),
             ("and_then", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                let next = self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
+                let next =
+                    self.run_under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()]));
                 self.either_value(call, is_some, &next, &Value::none())
             }
             ("is_some_and", [_]) | ("filter", [_]) if nothing => match name.as_str() {
@@ -216,7 +217,7 @@ impl Translation<'_> {
             ("is_none_or", [_]) if nothing => Value::Truth(Condition::Known(true)),
             ("is_some_and" | "is_none_or" | "filter", [function]) => {
                 let function = self.function_argument(function, 1)?;
-                match self.under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()])) {
+                match self.run_under(call, is_some, |this| this.inline(&call.method, &function, vec![value.clone()])) {
                     Value::Truth(holds) if name == "filter" => {
                         Value::some_if(is_some.clone().and(holds), value.clone())
                     }
@@ -249,7 +250,7 @@ impl Translation<'_> {
             ("or_else", [function]) => {
                 let function = self.function_argument(&of_nothing(function), 0)?;
                 let is_none = is_some.clone().not();
-                let other = self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
+                let other = self.run_under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
                 self.either_value(call, is_some, receiver, &other)
             }
             _ => self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), METHODS)),

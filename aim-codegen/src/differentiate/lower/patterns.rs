@@ -20,9 +20,9 @@ impl Translation<'_> {
     pub(super) fn pattern(&mut self, pattern: &Pat, value: &Value) -> Option<Condition> {
         if value.is_unknown() {
             // Declare its names without further errors.
-            let said = self.said();
+            let before = self.report_counts();
             self.bind(pattern, Value::Unknown);
-            self.unsay(said);
+            self.forget_reports_since(before);
             return None;
         }
         if let Value::Reference(place) = value {
@@ -205,7 +205,7 @@ impl Translation<'_> {
         match (matched, guard) {
             (matched @ Condition::Known(false), _) | (matched, None) => Some(matched),
             (matched, Some(guard)) => {
-                let guard = self.under(guard, &matched, |this| this.condition(guard))?;
+                let guard = self.run_under(guard, &matched, |this| this.condition(guard))?;
                 Some(matched.and(guard))
             }
         }
@@ -234,7 +234,7 @@ impl Translation<'_> {
             if !matches!(matched, Condition::Known(false)) {
                 cases.push((matched, self.frame.variables()[depth..].to_vec()));
             }
-            self.frame.leave(depth);
+            self.frame.end_scope(depth);
         }
         let Some((_, names)) = cases.last().cloned() else { return Some(Condition::Known(false)) };
         for (name, value) in names {
@@ -323,8 +323,8 @@ impl Translation<'_> {
         let is_taken_for_known = self.frame.scope.module.is_empty() && name.len() > 1 && numbers::is_known(&name);
         match self.items.meaning(&self.frame.scope, &[name]) {
             Meaning::Own(name) if self.items.constant(None, &name).is_some() => Named::Constant,
-            Meaning::Outside(path) if is_taken_for_known || is_capital && path.len() > 1 => Named::Constant,
-            Meaning::Outside(_) if is_capital => Named::Unknown,
+            Meaning::External(path) if is_taken_for_known || is_capital && path.len() > 1 => Named::Constant,
+            Meaning::External(_) if is_capital => Named::Unknown,
             _ => Named::New,
         }
     }

@@ -121,9 +121,9 @@ impl Translation<'_> {
 
     /// Returns the length of an array, if it is known; reports no errors.
     pub(super) fn known_length(&mut self, length: &Expr) -> Option<usize> {
-        let said = self.said();
+        let before = self.report_counts();
         let value = self.expression(length);
-        self.unsay(said);
+        self.forget_reports_since(before);
         self.algebra.known_index(&value)
     }
 }

@@ -65,10 +65,10 @@ impl Translation<'_> {
         target: &Expr,
         find: impl FnOnce(&mut Self, &Expr) -> Option<Place>,
     ) -> Result<Place, Value> {
-        let (errors, exits) = (self.report.count(), self.frame.exits());
+        let (errors, exits) = (self.report.count(), self.frame.exit_count());
         find(self, target).ok_or_else(|| {
             // Control flow leaves while the place is evaluated.
-            let leaves = self.report.count() == errors && self.frame.exits() > exits;
+            let leaves = self.report.count() == errors && self.frame.exit_count() > exits;
             if leaves { Value::Never } else { Value::Unknown }
         })
     }
@@ -109,7 +109,7 @@ impl Translation<'_> {
     }
 
     /// Evaluates an expression that is moved: a variable that is a `&mut` stays a reference.
-    pub(super) fn moved(&mut self, expression: &Expr, expected: &Expected) -> Value {
+    pub(super) fn moved_value(&mut self, expression: &Expr, expected: &Expected) -> Value {
         if self.is_reference(expression) {
             self.reference(expression)
         } else {
@@ -119,8 +119,8 @@ impl Translation<'_> {
 
     /// Leaves a scope with a value; `depth` is the number of variables when it was entered. Reports a reference to a
     /// variable of the scope.
-    pub(super) fn left(&mut self, scope: &impl ToTokens, depth: usize, value: Value) -> Value {
-        self.frame.leave(depth);
+    pub(super) fn leave_scope(&mut self, scope: &impl ToTokens, depth: usize, value: Value) -> Value {
+        self.frame.end_scope(depth);
         let stays = |place: &Rc<Place>| (place.variable < depth).then(|| Value::Reference(place.clone()));
         value.with_references(&stays).unwrap_or_else(|| self.refuse(scope, messages::mutable_borrow()))
     }
@@ -224,7 +224,7 @@ impl Translation<'_> {
             Some(function) if name == "get_or_insert_with" => {
                 let function = self.function_argument(function, 0)?;
                 let is_none = is_some.clone().not();
-                self.under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()))
+                self.run_under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()))
             }
             Some(value) => self.expression(value),
         };
@@ -286,7 +286,7 @@ impl Translation<'_> {
         let value = self.expression(index);
         match (self.algebra.known_index(&value), &value) {
             (Some(known), _) => Some(Step::Index(known)),
-            (None, Value::Integer(chosen)) => Some(Step::Chosen(*chosen)),
+            (None, Value::Integer(chosen)) => Some(Step::Computed(*chosen)),
             _ => {
                 self.refuse_known(&value, index, messages::index_unknown());
                 None
@@ -388,7 +388,7 @@ fn part_of(a: &mut Algebra, whole: &Value, step: &Step) -> Option<Value> {
             _ => None,
         },
         Step::Index(index) => whole.element(a, *index),
-        Step::Chosen(index) => whole.chosen(a, *index),
+        Step::Computed(index) => whole.select_element(a, *index),
         Step::Part { first, len } => match whole {
             Value::Array(values) => values.get(*first..first + len).map(|part| Value::Array(part.to_vec())),
             _ => None,
@@ -401,12 +401,12 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
     if let Value::List(items) = whole {
         let index = match step {
             Step::Index(index) => a.count(*index),
-            Step::Chosen(index) => *index,
+            Step::Computed(index) => *index,
             Step::Field(_) | Step::Inside | Step::Part { .. } => return None,
         };
         return lists::with_ranked(a, items, index, &part);
     }
-    if let Step::Chosen(chosen) = step {
+    if let Step::Computed(chosen) = step {
         let mut changed = whole.clone();
         for index in 0..whole.elements(a).len() {
             let number = a.count(index);
@@ -423,7 +423,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
     };
     let place = |letters: &str| match step {
         Step::Index(index) => Some(*index),
-        Step::Chosen(_) | Step::Inside | Step::Part { .. } => None,
+        Step::Computed(_) | Step::Inside | Step::Part { .. } => None,
         Step::Field(_) if name.len() == 1 => letters.find(&name),
         Step::Field(_) => None,
     };

@@ -9,15 +9,15 @@ use super::Translation;
 use super::algebra::Algebra;
 use super::bounds::Linear;
 use super::condition::Condition;
-use super::outside::{At, Outside};
-use super::value::{Items, Rounds, Slice, Value};
+use super::extra_inputs::{ElementIndex, ExtraInput};
+use super::value::{LoopSequence, SequenceItems, Slice, Value};
 
 impl Slice {
     pub(super) fn element(&self, this: &mut Translation<'_>, index: Scalar) -> Value {
         let index = this.algebra.add(self.first, index);
-        let at = this.place_of(index);
-        let of = |number| Outside::Element { slice: self.place, at, number };
-        let inputs = (0..self.components).map(|number| this.algebra.outside(of(number))).collect();
+        let index = this.element_index(index);
+        let of = |number| ExtraInput::Element { slice: self.place, index, number };
+        let inputs = (0..self.components).map(|number| this.algebra.extra_input(of(number))).collect();
         (self.make)(this.algebra, inputs)
     }
 
@@ -29,19 +29,19 @@ impl Slice {
 
 impl Translation<'_> {
     /// Classifies the index of an element.
-    fn place_of(&mut self, index: Scalar) -> At {
+    fn element_index(&mut self, index: Scalar) -> ElementIndex {
         let a = &*self.algebra;
-        let round = |x: Scalar| {
-            let source = a.outside.iter().find(|(_, input)| *input == x)?;
-            if let Outside::Round(number) = source.0 { Some(number) } else { None }
+        let iteration = |x: Scalar| {
+            let source = a.extra_inputs.iter().find(|(_, input)| *input == x)?;
+            if let ExtraInput::Iteration(number) = source.0 { Some(number) } else { None }
         };
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it was made of whole numbers")]
         match Linear::of(a, index) {
-            Linear { x: None, c, .. } if c >= 0.0 => At::Known(c as usize),
+            Linear { x: None, c, .. } if c >= 0.0 => ElementIndex::Constant(c as usize),
             Linear { x: Some(x), k: 1.0, c } => {
-                round(x).map_or(At::Chosen(index), |number| At::Round(number, c as i64))
+                iteration(x).map_or(ElementIndex::Computed(index), |number| ElementIndex::Iteration(number, c as i64))
             }
-            _ => At::Chosen(index),
+            _ => ElementIndex::Computed(index),
         }
     }
 
@@ -101,7 +101,10 @@ impl Translation<'_> {
                     }
                     _ => (size, self.parts(slice.len, size, 0)),
                 };
-                Value::Rounds(Rc::new(Rounds::of(count, Items::Parts { slice: slice.clone(), size, step })))
+                Value::LoopSequence(Rc::new(LoopSequence::of(
+                    count,
+                    SequenceItems::Parts { slice: slice.clone(), size, step },
+                )))
             }),
             ("chunks", [size]) => self.count(size).map(|size| {
                 let a = &mut *self.algebra;
@@ -109,7 +112,10 @@ impl Translation<'_> {
                 let count = a.add(slice.len, less);
                 let count = a.div(count, size);
                 let count = a.call(Function::Floor, count);
-                Value::Rounds(Rc::new(Rounds::of(count, Items::Chunks { slice: slice.clone(), size })))
+                Value::LoopSequence(Rc::new(LoopSequence::of(
+                    count,
+                    SequenceItems::Chunks { slice: slice.clone(), size },
+                )))
             }),
             _ => return None,
         })

@@ -13,7 +13,7 @@ use super::frame::Target;
 use super::value::{Place, Value};
 use super::{Translation, functions, numbers};
 use crate::differentiate::messages;
-use crate::differentiate::names::{self, Meaning};
+use crate::differentiate::names::{self, Meaning, is_of_std};
 
 impl Translation<'_> {
     /// Evaluates a block.
@@ -39,7 +39,7 @@ impl Translation<'_> {
                 break;
             }
         }
-        value = self.left(block, depth, value);
+        value = self.leave_scope(block, depth, value);
         self.frame.scope = scope;
         // A faulty statement may have been meant as the value.
         if faulty { Value::Unknown } else { value }
@@ -56,6 +56,7 @@ impl Translation<'_> {
             };
             let expected = self.expected(ty);
             let value = self.expression_as(value, &expected);
+            let value = self.rounded_to(&expected, value);
             self.frame.declare(name.to_string(), value);
             self.frame.make_constant();
         }
@@ -81,7 +82,10 @@ impl Translation<'_> {
         for (_, path) in all {
             let there: Vec<String> = match self.items.meaning(&scope, &path) {
                 Meaning::Own(module) => self.items.names_in(&module).map(str::to_owned).collect(),
-                Meaning::Outside(path) => numbers::names_at(&path).map(str::to_owned).collect(),
+                Meaning::External(path) => {
+                    scope.has_foreign_glob |= !is_of_std(&path) && !path.iter().any(|segment| segment == "glam");
+                    numbers::names_at(&path).map(str::to_owned).collect()
+                }
             };
             let of_name = |name: String| (name.clone(), [path.as_slice(), &[name]].concat());
             scope.imports.extend(there.into_iter().map(of_name));
@@ -98,11 +102,11 @@ impl Translation<'_> {
             Stmt::Item(Item::Static(item)) if is_unchanged(item) => Value::nothing(),
             Stmt::Item(item) => self.refuse(item, messages::inner_item()),
             Stmt::Macro(statement) => self.macro_call(&statement.mac),
-            Stmt::Expr(expression, None) => self.moved(expression, expected),
+            Stmt::Expr(expression, None) => self.moved_value(expression, expected),
             Stmt::Expr(expression, Some(semicolon)) => {
-                let exits = self.frame.exits();
+                let exits = self.frame.exit_count();
                 let (value, assigns) = self.tracked(|this| this.expression(expression));
-                let has_effect = assigns || self.frame.exits() > exits;
+                let has_effect = assigns || self.frame.exit_count() > exits;
                 match &value {
                     Value::Tuple(parts) if parts.is_empty() => value,
                     Value::Never => value,
@@ -120,10 +124,11 @@ impl Translation<'_> {
             _ => otherwise.clone(),
         };
         // The compiler ensures that it is assigned before it is read.
-        let value = local.init.as_ref().map_or(Value::Never, |init| self.moved(&init.expr, &expected));
+        let value = local.init.as_ref().map_or(Value::Never, |init| self.moved_value(&init.expr, &expected));
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
         }
+        let value = self.rounded_to(&expected, value);
         let never = local.init.is_some() && value.is_never();
         self.bind(&local.pat, value);
         if never { Value::Never } else { Value::nothing() }
@@ -151,30 +156,30 @@ impl Translation<'_> {
 
     /// Returns `value` in place of an error. The error's expression is evaluated only to reject changes of variables.
     pub(super) fn without_error_effect(&mut self, error: &Expr, value: Value) -> Value {
-        let said = self.said();
+        let before = self.report_counts();
         let (_, has_effect) = self.tracked(|this| this.expression(error));
-        self.unsay(said);
+        self.forget_reports_since(before);
         if has_effect { self.refuse(error, messages::effect_of_error()) } else { value }
     }
 
     /// Assumes the condition of an assertion from here on, as far as it is supported.
     fn assume_asserted(&mut self, call: &syn::Macro) {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
-        let said = self.said();
+        let before = self.report_counts();
         if let Some(asserted) = written.first().and_then(|asserted| self.condition(asserted)) {
             self.frame.assume(asserted);
         }
-        self.unsay(said);
+        self.forget_reports_since(before);
     }
 
     /// Returns `true` if the arguments of a macro change a variable; unsupported parts are ignored.
     fn has_effect(&mut self, call: &syn::Macro) -> bool {
         let written = call.parse_body_with(Punctuated::<Expr, Comma>::parse_terminated).unwrap_or_default();
-        let said = self.said();
+        let before = self.report_counts();
         self.frame.begin_branch(Condition::Known(true));
         written.iter().for_each(|part| _ = self.expression(part));
         let changed = self.frame.end_branch();
-        self.unsay(said);
+        self.forget_reports_since(before);
         !changed.is_empty()
     }
 
@@ -292,11 +297,11 @@ impl Translation<'_> {
             self.frame.exit(whole, value);
         }
         let is_left = self.frame.has_exits(whole);
-        match self.frame.end(self.algebra, false) {
+        match self.frame.end_region(self.algebra, false) {
             _ if is_unknown => Value::Unknown,
             None => self.refuse(label, messages::variable_of_two_kinds()),
             Some(_) if !is_left => Value::Never,
-            Some(brought) => brought,
+            Some(break_value) => break_value,
         }
     }
 
@@ -305,14 +310,14 @@ impl Translation<'_> {
         let (target, value) = match expression {
             Expr::Return(e) => {
                 let expected = self.frame.result_type.clone();
-                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved(value, &expected));
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved_value(value, &expected));
                 (Some(Target::Function), value)
             }
             Expr::Break(e) => {
-                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved(value, &Expected::Any));
+                let value = e.expr.as_ref().map_or(Value::nothing(), |value| self.moved_value(value, &Expected::Any));
                 (self.loop_of(e.label.as_ref()).map(Target::Loop), value)
             }
-            Expr::Continue(e) => (self.loop_of(e.label.as_ref()).map(Target::Round), Value::nothing()),
+            Expr::Continue(e) => (self.loop_of(e.label.as_ref()).map(Target::Iteration), Value::nothing()),
             _ => (None, Value::Unknown),
         };
         match target {

@@ -18,13 +18,13 @@ use crate::differentiate::names::segments;
 use crate::emit::Precision;
 
 /// Maximum number of loop iterations and recursive calls together.
-pub(super) const MOST_ROUNDS: usize = 10_000;
+pub(super) const MAX_ITERATIONS: usize = 10_000;
 
 /// Maximum number of unrolled iterations that may or may not be run, for a loop that cannot be kept.
-pub(super) const MOST_OPEN_ROUNDS: usize = 200;
+pub(super) const MAX_OPEN_ITERATIONS: usize = 200;
 /// Maximum number of unrolled iterations that may or may not be run, for a loop that can be kept: the code is then
 /// smaller, and ends where the loop is left.
-const MANY_OPEN_ROUNDS: usize = 16;
+const MAX_OPEN_ITERATIONS_IF_KEPT: usize = 16;
 
 /// The interpretation of one function.
 pub(in crate::differentiate) struct Translation<'a> {
@@ -42,13 +42,13 @@ pub(in crate::differentiate) struct Translation<'a> {
     /// `true` if companions can read constants of the module that they are written into.
     pub(super) reads_constants: bool,
     /// Number of loop iterations and recursive calls so far.
-    pub(super) rounds_run: usize,
+    pub(super) iterations_run: usize,
     /// `true` if the next iterator is consumed at once.
     pub(super) is_drained: bool,
     /// Indices of the kept loops that are being run, innermost last.
-    pub(super) kept: Vec<usize>,
+    pub(super) open_kept_loops: Vec<usize>,
     /// Maximum number of unrolled iterations that may or may not be run.
-    pub(super) most_open: usize,
+    pub(super) max_open_iterations: usize,
     /// `true` if the last loop had an unknown number of iterations.
     pub(super) is_open: bool,
     /// `true` if unrolling a loop was just abandoned, because no end was found.
@@ -56,20 +56,20 @@ pub(in crate::differentiate) struct Translation<'a> {
     /// Loops whose unrolling was abandoned, by their address in the syntax tree.
     pub(super) endless: Vec<*const ()>,
     /// Number of graph nodes that are abandoned, or that existed before.
-    pub(super) given_up: usize,
+    pub(super) abandoned_nodes: usize,
 }
 
 /// State of progress before a part that may be run again.
 #[derive(Clone, Copy)]
-pub(super) struct Mark {
-    rounds: usize,
+pub(super) struct Progress {
+    iterations: usize,
     nodes: usize,
     loops: usize,
 }
 
 /// Numbers of reported errors and of functions at fault.
 #[derive(Clone, Copy)]
-pub(super) struct Said {
+pub(super) struct ReportCounts {
     pub(super) errors: usize,
     faults: usize,
 }
@@ -84,7 +84,7 @@ impl<'a> Translation<'a> {
     ) -> Self {
         let frame = Frame::new(Vec::new(), Rc::default());
         // Do not count the nodes of other functions against this one.
-        let given_up = algebra.g.len();
+        let abandoned_nodes = algebra.g.len();
         Self {
             algebra,
             report,
@@ -94,14 +94,14 @@ impl<'a> Translation<'a> {
             calls: Vec::new(),
             constants: Vec::new(),
             reads_constants: false,
-            rounds_run: 0,
+            iterations_run: 0,
             is_drained: false,
-            kept: Vec::new(),
-            most_open: MOST_OPEN_ROUNDS,
+            open_kept_loops: Vec::new(),
+            max_open_iterations: MAX_OPEN_ITERATIONS,
             is_open: false,
             is_endless: false,
             endless: Vec::new(),
-            given_up,
+            abandoned_nodes,
         }
     }
 
@@ -112,7 +112,7 @@ impl<'a> Translation<'a> {
 
     /// Keeps loops of many iterations that may end early.
     pub(in crate::differentiate) fn keeping_loops(self) -> Self {
-        Self { most_open: MANY_OPEN_ROUNDS, ..self }
+        Self { max_open_iterations: MAX_OPEN_ITERATIONS_IF_KEPT, ..self }
     }
 
     /// Runs `act` in another scope, without the variables of the current function.
@@ -124,26 +124,26 @@ impl<'a> Translation<'a> {
     }
 
     /// Returns the present numbers of reports.
-    pub(super) fn said(&self) -> Said {
-        Said { errors: self.report.count(), faults: self.items.faults() }
+    pub(super) fn report_counts(&self) -> ReportCounts {
+        ReportCounts { errors: self.report.count(), faults: self.items.faults() }
     }
 
     /// Forgets the reports since then, including functions at fault, so that they are run again when called again.
-    pub(super) fn unsay(&mut self, said: Said) {
-        self.report.forget(said.errors);
-        self.items.forget_faults(said.faults);
+    pub(super) fn forget_reports_since(&mut self, counts: ReportCounts) {
+        self.report.forget(counts.errors);
+        self.items.forget_faults(counts.faults);
     }
 
-    pub(super) fn mark(&self) -> Mark {
-        let nodes = self.algebra.g.len() - self.given_up;
-        Mark { rounds: self.rounds_run, nodes, loops: self.algebra.loops.len() }
+    pub(super) fn progress(&self) -> Progress {
+        let nodes = self.algebra.g.len() - self.abandoned_nodes;
+        Progress { iterations: self.iterations_run, nodes, loops: self.algebra.loops.len() }
     }
 
-    /// Abandons everything that was run since the mark.
-    pub(super) fn take_back(&mut self, mark: Mark) {
-        self.rounds_run = mark.rounds;
-        self.given_up = self.algebra.g.len() - mark.nodes;
-        self.algebra.loops.truncate(mark.loops);
+    /// Abandons everything that was run since then.
+    pub(super) fn roll_back(&mut self, progress: Progress) {
+        self.iterations_run = progress.iterations;
+        self.abandoned_nodes = self.algebra.g.len() - progress.nodes;
+        self.algebra.loops.truncate(progress.loops);
     }
 
     /// Reports an error and returns an unknown value.
@@ -182,10 +182,11 @@ impl<'a> Translation<'a> {
     }
 
     /// Returns the message about a name that was not found; `otherwise` unless there is a more specific one.
-    pub(super) fn unseen(&self, name: &str, otherwise: Text) -> Text {
+    pub(super) fn not_found_message(&self, name: &str, otherwise: Text) -> Text {
         match name {
             "Ok" | "Err" => messages::no_result_value(name),
             _ if self.items.is_conditional(name) => messages::conditional_item(name),
+            _ if self.frame.scope.has_foreign_glob && !name.contains("::") => messages::behind_glob(name),
             _ => otherwise,
         }
     }

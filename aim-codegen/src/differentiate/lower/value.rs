@@ -46,7 +46,7 @@ pub(crate) enum Value {
     /// A slice argument whose length is not known.
     Slice(Rc<Slice>),
     /// The sequence that a kept loop iterates over.
-    Rounds(Rc<Rounds>),
+    LoopSequence(Rc<LoopSequence>),
     /// The value of an expression that diverges.
     Never,
     /// The value of an expression that an error was reported for; it causes no further errors.
@@ -85,14 +85,14 @@ impl core::fmt::Debug for Slice {
 
 /// The sequence that a kept loop iterates over.
 #[derive(Clone)]
-pub(crate) struct Rounds {
+pub(crate) struct LoopSequence {
     /// Number of iterations, including those whose element is left out.
     pub(crate) count: Scalar,
-    pub(crate) items: Rc<Items>,
+    pub(crate) items: Rc<SequenceItems>,
 }
 
 /// The elements of a sequence by index, built when the loop is run.
-pub(crate) enum Items {
+pub(crate) enum SequenceItems {
     /// No element is used.
     Nothing,
     Numbers,
@@ -123,12 +123,12 @@ pub(crate) enum Items {
     },
     Numbered(Rc<Self>),
     /// Results of a method that calls a function for each element.
-    Made(Rc<Self>, ExprMethodCall, Rc<Callable>),
+    Adapted(Rc<Self>, ExprMethodCall, Rc<Callable>),
     /// Pairs of the elements of two sequences, as a method makes them.
     Paired([Rc<Self>; 2], ExprMethodCall),
 }
 
-impl Items {
+impl SequenceItems {
     /// Returns `true` if no element is left out.
     pub(crate) fn is_whole(&self) -> bool {
         self.are_all(&|name| name == "map" || name.ends_with("_while"))
@@ -146,17 +146,17 @@ impl Items {
             Self::Stepped { items, .. }
             | Self::Cycled { items, .. }
             | Self::Numbered(items)
-            | Self::Made(items, ..) => items.is_listed(),
+            | Self::Adapted(items, ..) => items.is_listed(),
             Self::Paired(both, _) => both.iter().all(|items| items.is_listed()),
             Self::Nothing | Self::Elements(_) | Self::Parts { .. } | Self::Chunks { .. } => false,
         }
     }
 
     /// Returns the method that calls a function for each element.
-    pub(crate) fn made_by(&self) -> Option<&ExprMethodCall> {
+    pub(crate) fn adapting_call(&self) -> Option<&ExprMethodCall> {
         match self {
-            Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.made_by(),
-            Self::Made(_, call, _) => Some(call),
+            Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.adapting_call(),
+            Self::Adapted(_, call, _) => Some(call),
             _ => None,
         }
     }
@@ -171,15 +171,15 @@ impl Items {
             | Self::Parts { .. }
             | Self::Chunks { .. } => true,
             Self::Stepped { items, .. } | Self::Cycled { items, .. } | Self::Numbered(items) => items.are_all(such),
-            Self::Made(items, call, _) => such(&call.method.to_string()) && items.are_all(such),
+            Self::Adapted(items, call, _) => such(&call.method.to_string()) && items.are_all(such),
             Self::Paired(both, _) => both.iter().all(|items| items.are_all(such)),
         }
     }
 }
 
-impl core::fmt::Debug for Rounds {
+impl core::fmt::Debug for LoopSequence {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_struct("Rounds").field("count", &self.count).finish_non_exhaustive()
+        f.debug_struct("LoopSequence").field("count", &self.count).finish_non_exhaustive()
     }
 }
 
@@ -230,6 +230,8 @@ pub(crate) struct Scope {
     pub(crate) lengths: Vec<String>,
     /// Imports of enclosing blocks: names and paths.
     pub(crate) imports: Vec<(String, Vec<String>)>,
+    /// `true` in a block with a glob import of a module that is not known, which may have any names.
+    pub(crate) has_foreign_glob: bool,
 }
 
 impl core::fmt::Debug for Scope {
@@ -250,7 +252,7 @@ impl PartialEq for FrameId {
 
 /// The place where a closure was created.
 #[derive(Clone)]
-pub(crate) struct Home {
+pub(crate) struct ClosureOrigin {
     pub(super) frame: FrameId,
     /// Variables of that frame that the closure names.
     pub(super) named: Vec<usize>,
@@ -274,7 +276,7 @@ pub(crate) struct Callable {
     /// Scope in which it is written.
     pub(crate) scope: Rc<Scope>,
     /// Place where a closure was created, whose variables it may change.
-    pub(crate) home: Option<Home>,
+    pub(crate) origin: Option<ClosureOrigin>,
     /// Trait that it is a function of.
     pub(crate) of_trait: Option<String>,
 }
@@ -294,7 +296,7 @@ pub(super) enum Step {
     Inside,
     Index(usize),
     /// An element at a computed index.
-    Chosen(Scalar),
+    Computed(Scalar),
     /// `len` elements from index `first` on.
     Part {
         first: usize,
@@ -358,7 +360,7 @@ impl Value {
             Self::Type(_) => "a type".into(),
             Self::Reference(_) => "a mutable reference".into(),
             Self::List(_) => "a list whose length depends on arguments".into(),
-            Self::Iterator(_) | Self::Rounds(_) => "an iterator".into(),
+            Self::Iterator(_) | Self::LoopSequence(_) => "an iterator".into(),
             Self::Slice(_) => "a slice".into(),
             Self::Never | Self::Unknown => "an expression".into(),
         }
@@ -398,7 +400,7 @@ impl Value {
 
     /// Returns `true` if a variable may have this value in one branch and another value in another.
     pub(super) fn is_selectable(&self) -> bool {
-        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_) | Self::Slice(_) | Self::Rounds(_))
+        !matches!(self, Self::Function(_) | Self::Reference(_) | Self::Type(_) | Self::Slice(_) | Self::LoopSequence(_))
     }
 
     /// Returns the result of an operation on these parts if one of them is unknown or diverges; `None` if all have
@@ -428,7 +430,7 @@ impl Algebra {
         Value::Integer(self.number(value as f64))
     }
 
-    pub(crate) fn whole(&mut self, value: usize) -> Value {
+    pub(crate) fn count_value(&mut self, value: usize) -> Value {
         Value::Integer(self.count(value))
     }
 

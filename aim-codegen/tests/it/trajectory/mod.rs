@@ -15,7 +15,7 @@ const HEADER: &str = "//! Derived from the statement in `aim-codegen/tests/it/tr
                       //! `AIM_BLESS=1 cargo test -p aim-codegen --test it trajectory`. A point beside the chord of its neighbours.\n\n";
 
 #[test]
-fn the_runtime_has_what_is_derived() {
+fn the_trajectory_code_of_the_runtime_is_up_to_date() {
     let tokens = emit::emit(&TrajectoryPrograms::derive());
     let file = syn::parse2(tokens).expect("what is emitted is Rust");
     let found = HEADER.to_owned() + &prettyplease::unparse(&file);

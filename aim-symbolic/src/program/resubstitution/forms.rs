@@ -11,13 +11,13 @@ const MOST_IN_PAIRS: usize = 150;
 
 /// An operation on two values.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum PairOp {
     Sum,
     Difference,
     Product,
 }
 
-impl Kind {
+impl PairOp {
     pub(super) fn op<V>(self, a: V, b: V) -> Op<V> {
         match self {
             Self::Sum => Op::Add(a, b),
@@ -27,15 +27,15 @@ impl Kind {
     }
 }
 
-pub(super) type Pair = (Kind, Value, Value);
+pub(super) type Pair = (PairOp, Value, Value);
 
 /// The existing values, and pairs of them, by their residues up to sign.
 #[derive(Default)]
-pub(super) struct Known {
+pub(super) struct ValuesByResidue {
     pub(super) values: FxHashMap<Residue, Value>,
     pub(super) pairs: Pairs,
     /// Residues of signed products, with the operation that adds the product and its two factors.
-    products: Vec<(Residue, Kind, Value, Value)>,
+    products: Vec<(Residue, PairOp, Value, Value)>,
 }
 
 /// A step that may be computed from others.
@@ -44,17 +44,17 @@ pub(super) struct Target<'s> {
     pub(super) place: Value,
     wanted: Residue,
     /// The number of operations that are dropped together with the step.
-    pub(super) goes: usize,
+    pub(super) dropped: usize,
     /// The value that a form must use.
-    added: Option<Value>,
+    required: Option<Value>,
     /// For each value, `true` if a replacement may use it: it does not depend on the step and needs no sources beyond
     /// the step's.
-    may: Vec<bool>,
+    is_usable: Vec<bool>,
 }
 
 impl<'s> Target<'s> {
     /// Returns `None` if the step cannot be replaced.
-    pub(super) fn of(search: &'s Search, place: Value, known: &Known) -> Option<Self> {
+    pub(super) fn of(search: &'s Search, place: Value, known: &ValuesByResidue) -> Option<Self> {
         if search.uses[place.index()] == 0
             || !search.is_counted(place)
             || !search.ops[place.index()].is_arithmetic()
@@ -62,53 +62,53 @@ impl<'s> Target<'s> {
         {
             return None;
         }
-        let (wanted, goes) = (search.facts[place.index()].residue, search.freed(place, core::iter::empty()));
+        let (wanted, dropped) = (search.facts[place.index()].residue, search.count_freed(place, core::iter::empty()));
         let is_known = known.values.get(&wanted.unsigned()).map_or(wanted == Residue::ZERO, |&v| v != place);
-        if goes < 2 && !is_known {
+        if dropped < 2 && !is_known {
             return None;
         }
         let sources = search.facts[place.index()].sources;
         let mut after = vec![false; search.ops.len()];
-        let mut may = vec![false; search.ops.len()];
+        let mut is_usable = vec![false; search.ops.len()];
         let mut is_past = false;
         for &v in &search.order {
             is_past |= v == place;
             after[v.index()] =
                 is_past && (v == place || search.ops[v.index()].operands().any(|part| after[part.index()]));
-            may[v.index()] = !after[v.index()] && search.facts[v.index()].sources.are_among(sources);
+            is_usable[v.index()] = !after[v.index()] && search.facts[v.index()].sources.are_among(sources);
         }
-        Some(Self { search, place, wanted, goes, added: None, may })
+        Some(Self { search, place, wanted, dropped, required: None, is_usable })
     }
 
     /// Requires forms to use this value; such a form need not save operations.
-    pub(super) fn with(self, added: Option<Value>) -> Self {
-        Self { added, ..self }
+    pub(super) fn requiring(self, required: Option<Value>) -> Self {
+        Self { required, ..self }
     }
 
-    fn value(&self, known: &Known, residue: Residue) -> Option<Value> {
-        known.values.get(&residue.unsigned()).copied().filter(|v| self.may[v.index()])
+    fn value(&self, known: &ValuesByResidue, residue: Residue) -> Option<Value> {
+        known.values.get(&residue.unsigned()).copied().filter(|v| self.is_usable[v.index()])
     }
 
-    fn pair(&self, known: &Known, residue: Residue) -> Option<Pair> {
-        known.pairs.get(residue.unsigned()).filter(|(_, a, b)| self.may[a.index()] && self.may[b.index()])
+    fn pair(&self, known: &ValuesByResidue, residue: Residue) -> Option<Pair> {
+        known.pairs.get(residue.unsigned()).filter(|(_, a, b)| self.is_usable[a.index()] && self.is_usable[b.index()])
     }
 
     /// For each usable value, the residue that combines with it to the target, the operation, and the value as second
     /// operand.
-    fn others(&self) -> impl Iterator<Item = (Residue, Kind, Value)> {
-        let at_hand = |v: &Value| self.may[v.index()] && self.added.is_none_or(|added| *v == added);
+    fn others(&self) -> impl Iterator<Item = (Residue, PairOp, Value)> {
+        let at_hand = |v: &Value| self.is_usable[v.index()] && self.required.is_none_or(|required| *v == required);
         self.search.usable().filter(at_hand).flat_map(move |v| {
             let r = self.search.facts[v.index()].residue;
             [
-                (self.wanted - r, Kind::Sum, v),
-                (self.wanted + r, Kind::Difference, v),
-                (self.wanted * self.search.facts[v.index()].inverse, Kind::Product, v),
+                (self.wanted - r, PairOp::Sum, v),
+                (self.wanted + r, PairOp::Difference, v),
+                (self.wanted * self.search.facts[v.index()].inverse, PairOp::Product, v),
             ]
         })
     }
 
     /// Returns the pairs that combine with one other value to the target.
-    pub(super) fn pairs(&self, known: &Known) -> Vec<Residue> {
+    pub(super) fn pairs(&self, known: &ValuesByResidue) -> Vec<Residue> {
         let mut pairs: Vec<Residue> =
             self.others().map(|(rest, ..)| rest.unsigned()).filter(|&rest| self.pair(known, rest).is_some()).collect();
         pairs.sort_unstable();
@@ -117,9 +117,9 @@ impl<'s> Target<'s> {
     }
 
     /// Returns the forms that may replace the target.
-    pub(super) fn forms(&self, known: &Known) -> Vec<Form> {
-        let Self { search, wanted, goes, .. } = *self;
-        let made = || Made { search, ops: Vec::new() };
+    pub(super) fn forms(&self, known: &ValuesByResidue) -> Vec<Form> {
+        let Self { search, wanted, dropped, .. } = *self;
+        let made = || FormBuilder { search, ops: Vec::new() };
         if wanted == Residue::ZERO {
             let mut zero = made();
             let result = zero.push(Op::Constant(Constant::new(0.0)));
@@ -135,7 +135,7 @@ impl<'s> Target<'s> {
             let mut made = made();
             let a = if let Some(a) = self.value(known, rest) {
                 made.signed(a, search.facts[a.index()].residue, rest)
-            } else if goes > 2
+            } else if dropped > 2
                 && let Some(pair) = self.pair(known, rest)
             {
                 made.pair(pair, rest)
@@ -145,10 +145,10 @@ impl<'s> Target<'s> {
             let result = made.push(kind.op(a, b));
             found.extend(made.form(self, result));
         }
-        if goes > 3 {
+        if dropped > 3 {
             for &(product, kind, x, y) in &known.products {
-                if self.may[x.index()]
-                    && self.may[y.index()]
+                if self.is_usable[x.index()]
+                    && self.is_usable[y.index()]
                     && let Some(pair) = self.pair(known, wanted - product)
                 {
                     let mut made = made();
@@ -163,7 +163,7 @@ impl<'s> Target<'s> {
     }
 }
 
-impl Known {
+impl ValuesByResidue {
     /// Returns only the values.
     pub(super) fn without_pairs(&self) -> Self {
         Self { values: self.values.clone(), ..Self::default() }
@@ -184,10 +184,13 @@ impl Known {
         for (place, &a) in usable.iter().enumerate() {
             for &b in &usable[place..] {
                 let (r, s) = (residue(a), residue(b));
-                known.products.push((r * s, Kind::Sum, a, b));
-                known.products.push((-(r * s), Kind::Difference, a, b));
-                let made =
-                    [(r + s, (Kind::Sum, a, b)), (r - s, (Kind::Difference, a, b)), (r * s, (Kind::Product, a, b))];
+                known.products.push((r * s, PairOp::Sum, a, b));
+                known.products.push((-(r * s), PairOp::Difference, a, b));
+                let made = [
+                    (r + s, (PairOp::Sum, a, b)),
+                    (r - s, (PairOp::Difference, a, b)),
+                    (r * s, (PairOp::Product, a, b)),
+                ];
                 for (made, pair) in made {
                     known.pairs.insert(made.unsigned(), pair);
                 }
@@ -243,12 +246,12 @@ impl Pairs {
 }
 
 /// The operations of a form under construction.
-struct Made<'s> {
+struct FormBuilder<'s> {
     search: &'s Search,
     ops: Vec<Op>,
 }
 
-impl Made<'_> {
+impl FormBuilder<'_> {
     fn push(&mut self, op: Op) -> Value {
         self.ops.push(op);
         Value::at(self.search.ops.len() + self.ops.len() - 1)
@@ -257,14 +260,14 @@ impl Made<'_> {
     /// Returns the form if it saves operations.
     fn form(self, target: &Target<'_>, result: Value) -> Option<Form> {
         let added = self.ops.iter().filter(|op| is_counted(op)).count();
-        if added >= target.goes + usize::from(target.added.is_some()) {
+        if added >= target.dropped + usize::from(target.required.is_some()) {
             return None;
         }
         let needed = || {
             self.ops.iter().flat_map(|op| op.operands()).chain([result]).filter(|v| v.index() < self.search.ops.len())
         };
-        let gain = self.search.freed(target.place, needed()).checked_sub(added)?;
-        if target.added.map_or(gain == 0, |added| needed().all(|v| v != added)) {
+        let gain = self.search.count_freed(target.place, needed()).checked_sub(added)?;
+        if target.required.map_or(gain == 0, |required| needed().all(|v| v != required)) {
             return None;
         }
         Some(Form { ops: self.ops, result, gain })

@@ -16,7 +16,7 @@ use core::cmp::Reverse;
 
 use rustc_hash::FxHashMap;
 
-use self::forms::{Known, Target};
+use self::forms::{Target, ValuesByResidue};
 use self::residue::Residue;
 use self::search::Search;
 use crate::{Program, Value};
@@ -48,9 +48,9 @@ impl Program {
             return self;
         }
         loop {
-            let known = search.improved();
+            let known = search.improve();
             let is_behind = rival.is_some_and(|rival| search.operations() > rival + FAR_BEHIND);
-            if is_behind || !search.shares(&known) {
+            if is_behind || !search.share_pair(&known) {
                 break;
             }
         }
@@ -73,12 +73,12 @@ impl Program {
 
 impl Search {
     /// Replaces steps until no replacement saves operations. Returns the values that are known then.
-    fn improved(&mut self) -> Known {
+    fn improve(&mut self) -> ValuesByResidue {
         loop {
-            let mut known = Known::of(self);
+            let mut known = ValuesByResidue::of(self);
             let mut improves = false;
             for target in self.order.clone() {
-                improves |= self.improves_at(target, &mut known, None);
+                improves |= self.replace_step(target, &mut known, None);
             }
             if !improves {
                 return known;
@@ -86,11 +86,11 @@ impl Search {
         }
     }
 
-    /// Replaces the step at `place` if that saves operations; with `added`, if the replacement uses that value and
+    /// Replaces the step at `place` if that saves operations; with `required`, if the replacement uses that value and
     /// costs no more. Returns `true` if the step was replaced.
-    fn improves_at(&mut self, place: Value, known: &mut Known, added: Option<Value>) -> bool {
+    fn replace_step(&mut self, place: Value, known: &mut ValuesByResidue, required: Option<Value>) -> bool {
         let Some(target) = Target::of(self, place, known) else { return false };
-        let mut forms = target.with(added).forms(known);
+        let mut forms = target.requiring(required).forms(known);
         forms.sort_by_key(|form| Reverse(form.gain));
         let made = forms.iter().find_map(|form| self.replace(place, form));
         if let Some(made) = made {
@@ -101,15 +101,16 @@ impl Search {
 
     /// Adds the pair that makes the most steps smaller, if it pays for several together. Returns `true` if the program
     /// became smaller.
-    fn shares(&mut self, known: &Known) -> bool {
+    fn share_pair(&mut self, known: &ValuesByResidue) -> bool {
         if known.pairs.is_empty() {
             return false;
         }
         let mut targets: FxHashMap<Residue, (usize, Vec<Value>)> = FxHashMap::default();
-        for target in self.order.iter().filter_map(|&v| Target::of(self, v, known)).filter(|target| target.goes > 1) {
+        for target in self.order.iter().filter_map(|&v| Target::of(self, v, known)).filter(|target| target.dropped > 1)
+        {
             for pair in target.pairs(known) {
                 let (gain, of) = targets.entry(pair).or_default();
-                *gain += target.goes - 1;
+                *gain += target.dropped - 1;
                 of.push(target.place);
             }
         }
@@ -122,17 +123,17 @@ impl Search {
             let pair = Value::at(self.ops.len() - 1);
             // Counts as an output while it is tried.
             self.outputs.push(pair);
-            self.put_in_order();
+            self.update_order();
             let mut known = known.without_pairs();
             known.values.insert(residue, pair);
             for target in targets {
-                self.improves_at(target, &mut known, Some(pair));
+                self.replace_step(target, &mut known, Some(pair));
             }
             self.outputs.pop();
-            self.put_in_order();
+            self.update_order();
             let is_smaller = self.operations() < before.0;
             if !is_smaller {
-                self.back_to(before.1, before.2);
+                self.restore(before.1, before.2);
             }
             is_smaller
         })

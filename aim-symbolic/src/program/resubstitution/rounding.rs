@@ -18,8 +18,8 @@ impl Rounded {
     }
 
     /// The result of an operation: the error propagated from its operands, plus its own rounding.
-    fn result(value: f64, brought: f64) -> Self {
-        Self { value, bound: brought + value.abs() }
+    fn result(value: f64, propagated: f64) -> Self {
+        Self { value, bound: propagated + value.abs() }
     }
 }
 
@@ -51,8 +51,8 @@ impl Mul for Rounded {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let brought = self.bound * other.value.abs() + other.bound * self.value.abs();
-        Self::result(self.value * other.value, brought)
+        let propagated = self.bound * other.value.abs() + other.bound * self.value.abs();
+        Self::result(self.value * other.value, propagated)
     }
 }
 
@@ -103,13 +103,13 @@ impl Number for Rounded {
 
     fn atan2(self, x: Self) -> Self {
         let (y, square) = (self, self.value * self.value + x.value * x.value);
-        let brought = (y.bound * x.value.abs() + x.bound * y.value.abs()) / square;
-        Self::result(y.value.atan2(x.value), brought)
+        let propagated = (y.bound * x.value.abs() + x.bound * y.value.abs()) / square;
+        Self::result(y.value.atan2(x.value), propagated)
     }
 
     fn pow(self, exponent: Self) -> Self {
         let value = self.value.powf(exponent.value);
-        let brought = (exponent.value / self.value).abs() * self.bound + self.value.ln().abs() * exponent.bound;
-        Self::result(value, value.abs() * brought)
+        let propagated = (exponent.value / self.value).abs() * self.bound + self.value.ln().abs() * exponent.bound;
+        Self::result(value, value.abs() * propagated)
     }
 }

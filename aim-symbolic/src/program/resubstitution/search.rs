@@ -46,7 +46,7 @@ impl Sources {
 }
 
 /// The properties of a value that do not depend on how it is computed.
-pub(super) struct Facts {
+pub(super) struct ValueFacts {
     pub(super) residue: Residue,
     /// The inverse of the residue.
     pub(super) inverse: Residue,
@@ -62,7 +62,7 @@ pub(super) struct Search {
     pub(super) ops: Vec<Op>,
     pub(super) outputs: Vec<Value>,
     /// The facts of each operation.
-    pub(super) facts: Vec<Facts>,
+    pub(super) facts: Vec<ValueFacts>,
     /// All sources; each has a bit in [`Sources`].
     pub(super) all_sources: Vec<Residue>,
     /// All values that are used, operands first.
@@ -91,7 +91,7 @@ impl Search {
         for (&op, counts) in program.ops().iter().zip(program.without_series()) {
             search.push(op, counts);
         }
-        search.put_in_order();
+        search.update_order();
         let at_random = |number| (0..program.inputs().len()).map(|input| at_random(number, input)).collect::<Vec<_>>();
         for number in 0..POINTS {
             search.add_point(at_random(number));
@@ -194,7 +194,7 @@ impl Search {
             })));
         }
         self.ops.push(op);
-        self.facts.push(Facts { residue, inverse: residue.inverse(), sources, counts });
+        self.facts.push(ValueFacts { residue, inverse: residue.inverse(), sources, counts });
     }
 
     /// Returns the factors of a product, without signs.
@@ -216,7 +216,7 @@ impl Search {
         found
     }
 
-    pub(super) fn put_in_order(&mut self) {
+    pub(super) fn update_order(&mut self) {
         self.order.clear();
         self.uses = vec![0; self.ops.len()];
         let mut open: Vec<(Value, bool)> = self.outputs.iter().rev().map(|&v| (v, false)).collect();
@@ -276,7 +276,7 @@ impl Search {
     }
 
     /// Returns the number of operations that are dropped with `target` if the `needed` values are kept.
-    pub(super) fn freed(&self, target: Value, needed: impl Iterator<Item = Value>) -> usize {
+    pub(super) fn count_freed(&self, target: Value, needed: impl Iterator<Item = Value>) -> usize {
         let mut uses = self.uses.clone();
         needed.for_each(|v| uses[v.index()] += 1);
         let (mut freed, mut open) = (0, vec![target]);
@@ -301,21 +301,21 @@ impl Search {
             self.ops[v.index()] = self.ops[v.index()].map(exchange);
         }
         self.outputs = self.outputs.iter().map(|&v| exchange(v)).collect();
-        self.put_in_order();
+        self.update_order();
         let is_within = |(inputs, most): &(Vec<Rounded>, Vec<f64>)| {
             self.rounding(inputs).iter().zip(most).all(|(bound, most)| bound <= most)
         };
         if self.points.iter().all(is_within) {
             return Some(form.result);
         }
-        self.back_to(before.0, before.1);
+        self.restore(before.0, before.1);
         None
     }
 
-    pub(super) fn back_to(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {
+    pub(super) fn restore(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {
         (self.ops, self.outputs) = (ops, outputs);
         self.facts.truncate(self.ops.len());
-        self.put_in_order();
+        self.update_order();
     }
 }
 

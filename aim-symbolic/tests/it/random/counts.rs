@@ -7,7 +7,7 @@ use aim_symbolic::{Program, Scalar, Want};
 
 use super::judge::{Verdict, for_each, single_rules, smallest_failure};
 use super::plain;
-use super::recipe::{Recipe, Stated};
+use super::recipe::{BuiltStatement, Recipe};
 
 /// Rules that only simplify or rephrase. Each other rule may raise a count when applied alone: it may take apart shared
 /// expressions, or rely on other rules to finish.
@@ -45,7 +45,7 @@ impl Change {
         self.most_lowered = self.most_lowered.max(before.saturating_sub(after));
     }
 
-    fn tell(&self, what: &str) {
+    fn print(&self, what: &str) {
         let Self { applied, raised, lowered, most_raised, most_lowered } = self;
         println!(
             "{what}: of {applied} raised {raised} (by up to {most_raised}), lowered {lowered} (by up to {most_lowered})"
@@ -59,7 +59,7 @@ fn texts(g: &aim_symbolic::Graph, all: &[Scalar]) -> String {
 }
 
 /// Applies each rule alone and reports those that change something: index, counts before and after, and the result.
-fn each_alone(recipe: &Recipe, mut tell: impl FnMut(usize, usize, usize, String)) {
+fn each_alone(recipe: &Recipe, mut print: impl FnMut(usize, usize, usize, String)) {
     let mut stated = recipe.build();
     let g = &mut stated.pools.g;
     let before = operations(&Program::compile(g, &stated.outputs));
@@ -68,13 +68,13 @@ fn each_alone(recipe: &Recipe, mut tell: impl FnMut(usize, usize, usize, String)
         if rewritten != stated.outputs {
             let after = operations(&Program::compile(g, &rewritten));
             let made = if after > before { texts(g, &rewritten) } else { String::new() };
-            tell(place, before, after, made);
+            print(place, before, after, made);
         }
     }
 }
 
 #[test]
-fn rules_that_take_away_never_raise_the_count() {
+fn removing_rules_never_raise_the_operation_count() {
     let rules = single_rules();
     for name in TAKE_AWAY {
         assert!(rules.iter().any(|(_, rule, _)| rule.name == name), "there is no rule “{name}”");
@@ -94,7 +94,7 @@ fn rules_that_take_away_never_raise_the_count() {
 /// Also prints how often each rule raises and lowers counts, with the smallest example that raises one.
 #[test]
 #[ignore = "some rules alone raise counts; the choices between them decide"]
-fn no_rule_alone_raises_the_count() {
+fn no_single_rule_raises_the_operation_count() {
     let rules = single_rules();
     let changes = RefCell::new(vec![Change::default(); rules.len()]);
     for_each(20_000, 8, |recipe| {
@@ -102,7 +102,7 @@ fn no_rule_alone_raises_the_count() {
         Ok(())
     });
     for ((set, rule, _), change) in rules.iter().zip(changes.borrow().iter()) {
-        change.tell(&format!("{set}: {rule}"));
+        change.print(&format!("{set}: {rule}"));
         let found = smallest_failure(if change.raised > 0 { 20_000 } else { 0 }, 8, |recipe| {
             let mut verdict = Ok(());
             each_alone(recipe, |place, before, after, made| {
@@ -136,14 +136,14 @@ impl Default for Comparison {
 impl Comparison {
     /// Checks that `program` needs no more operations than a derivation without rules. The rearrangement of the latter
     /// is bounded, so the check could fail in principle; it does for none of the tested statements.
-    pub(crate) fn is_no_larger(&self, stated: &Stated, wanted: &[Want], program: &Program) -> Verdict {
+    pub(crate) fn is_no_larger(&self, stated: &BuiltStatement, wanted: &[Want], program: &Program) -> Verdict {
         let plain = Program::derive_without(&stated.pools.g, wanted, &self.off);
         let (without, with) = (operations(&plain), operations(program));
         self.change.borrow_mut().add(without, with);
         if with > without { Err(format!("{with} operations instead of {without}")) } else { Ok(()) }
     }
 
-    pub(crate) fn tell(&self) {
-        self.change.borrow().tell("all rules");
+    pub(crate) fn print(&self) {
+        self.change.borrow().print("all rules");
     }
 }

@@ -12,13 +12,13 @@ use super::counts::Comparison;
 use super::dual::{Dual, Oracle};
 use super::evaluate::Evaluation;
 use super::field::Field;
-use super::judge::{Tally, Verdict, anywhere, for_each, regular, same, single_rules};
+use super::judge::{JudgedCount, Verdict, anywhere, for_each, regular, same, single_rules};
 use super::material::moving;
 use super::plain;
-use super::recipe::{Recipe, Stated};
+use super::recipe::{BuiltStatement, Recipe};
 
 /// Returns random wanted outputs: values, their derivatives by one to three variables, or second derivatives.
-pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
+pub(crate) fn wanted(stated: &BuiltStatement, random: &mut Rng) -> Vec<Want> {
     let mut variables = stated.pools.variables.clone();
     random.shuffle(&mut variables);
     // Most statements depend on angles.
@@ -43,7 +43,7 @@ pub(crate) fn wanted(stated: &Stated, random: &mut Rng) -> Vec<Want> {
 
 /// Returns the result by dual numbers; `None` for second derivatives through something that is treated as constant but
 /// is not.
-fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
+fn expected<T: Oracle>(stated: &BuiltStatement, inputs: &[T], want: Want) -> Option<T> {
     let g = &stated.pools.g;
     match want {
         Want::Value(s) => Some(Evaluation::new(inputs.to_vec()).scalar(g, s)),
@@ -69,7 +69,7 @@ fn expected<T: Oracle>(stated: &Stated, inputs: &[T], want: Want) -> Option<T> {
 }
 
 /// Checks that the program agrees with dual numbers.
-fn agree(stated: &Stated, inputs: &[Field], wanted: &[Want], program: &Program, what: &str) -> Verdict {
+fn agree(stated: &BuiltStatement, inputs: &[Field], wanted: &[Want], program: &Program, what: &str) -> Verdict {
     let mut results = vec![Field::ZERO; wanted.len()];
     program.run(inputs, &mut results);
     for (&want, result) in wanted.iter().zip(results) {
@@ -85,8 +85,8 @@ const COMPARED: u64 = 10_000;
 
 /// Derives each statement once and runs all checks on that program; the derivation dominates the cost.
 #[test]
-fn derived_programs_are_right_small_and_the_same_each_time() {
-    let (exact, rounded, comparison) = (Tally::default(), Tally::default(), Comparison::default());
+fn derived_programs_are_correct_small_and_deterministic() {
+    let (exact, rounded, comparison) = (JudgedCount::default(), JudgedCount::default(), Comparison::default());
     let compared = Cell::new(0);
     for_each(10_000, 8, |recipe| {
         let stated = recipe.build();
@@ -117,13 +117,13 @@ fn derived_programs_are_right_small_and_the_same_each_time() {
     });
     exact.assert_few_discards();
     rounded.assert_few_discards();
-    comparison.tell();
+    comparison.print();
 }
 
 #[test]
-fn programs_derived_without_some_rules_agree_too() {
+fn programs_derived_without_some_rules_are_correct() {
     let all: Vec<Rule> = single_rules().iter().map(|(_, rule, _)| *rule).chain(ARITHMETIC).collect();
-    let (tally, turn) = (Tally::default(), Cell::new(0));
+    let (tally, turn) = (JudgedCount::default(), Cell::new(0));
     for_each(4_000, 8, |recipe| {
         let stated = recipe.build();
         let Some(regular) = regular(&stated, recipe.seed) else { return tally.discard() };
@@ -158,10 +158,10 @@ fn bindings(g: &Graph, inputs: &[Bounded]) -> Bindings {
 
 fn agree_within_rounding(
     recipe: &Recipe,
-    stated: &Stated,
+    stated: &BuiltStatement,
     wanted: &[Want],
     program: &Program,
-    tally: &Tally,
+    tally: &JudgedCount,
 ) -> Verdict {
     let mut evaluation: Evaluation<Bounded> = anywhere(recipe.seed);
     let known = stated.outputs.iter().all(|&s| evaluation.scalar(&stated.pools.g, s).is_known());

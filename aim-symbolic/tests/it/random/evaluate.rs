@@ -14,9 +14,9 @@ use super::dual::Oracle;
 
 /// Hasher for keys that are a single number.
 #[derive(Default)]
-pub(crate) struct OneNumber(u64);
+pub(crate) struct NumberHasher(u64);
 
-impl Hasher for OneNumber {
+impl Hasher for NumberHasher {
     fn finish(&self) -> u64 {
         self.0
     }
@@ -32,16 +32,16 @@ impl Hasher for OneNumber {
     }
 }
 
-type Known<K, V> = HashMap<K, V, BuildHasherDefault<OneNumber>>;
+type Cache<K, V> = HashMap<K, V, BuildHasherDefault<NumberHasher>>;
 
 type Triple<T> = [T; 3];
 
 /// Cached values of a graph's expressions at one point.
 pub(crate) struct Evaluation<T> {
     inputs: Vec<T>,
-    scalars: Known<Scalar, T>,
-    vectors: Known<Vector, Triple<T>>,
-    rotations: Known<Rotation, Triple<Triple<T>>>,
+    scalars: Cache<Scalar, T>,
+    vectors: Cache<Vector, Triple<T>>,
+    rotations: Cache<Rotation, Triple<Triple<T>>>,
     /// `true` after a division by a zero length, the root of 0, or a function without a slope.
     pub(crate) singular: bool,
     /// `true` after a rotation about an axis of length 0, whose meaning is undefined.
@@ -52,7 +52,7 @@ pub(crate) struct Evaluation<T> {
     pub(crate) frozen: bool,
 }
 
-fn known<K: Hash + Eq, V: Copy>(map: &Known<K, V>, key: K) -> Option<V> {
+fn cached<K: Hash + Eq, V: Copy>(map: &Cache<K, V>, key: K) -> Option<V> {
     map.get(&key).copied()
 }
 
@@ -158,7 +158,7 @@ impl<T: Oracle> Evaluation<T> {
     }
 
     pub(crate) fn scalar(&mut self, g: &Graph, scalar: Scalar) -> T {
-        if let Some(value) = known(&self.scalars, scalar) {
+        if let Some(value) = cached(&self.scalars, scalar) {
             return value;
         }
         let value = match g.scalar_node(scalar) {
@@ -235,7 +235,7 @@ impl<T: Oracle> Evaluation<T> {
     }
 
     fn vector(&mut self, g: &Graph, vector: Vector) -> Triple<T> {
-        if let Some(value) = known(&self.vectors, vector) {
+        if let Some(value) = cached(&self.vectors, vector) {
             return value;
         }
         let value = match g.vector_node(vector) {
@@ -286,7 +286,7 @@ impl<T: Oracle> Evaluation<T> {
     }
 
     fn rotation(&mut self, g: &Graph, rotation: Rotation) -> Triple<Triple<T>> {
-        if let Some(value) = known(&self.rotations, rotation) {
+        if let Some(value) = cached(&self.rotations, rotation) {
             return value;
         }
         let value = match g.rotation_node(rotation) {

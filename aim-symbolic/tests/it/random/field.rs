@@ -3,7 +3,7 @@
 //!
 //! Two different rational expressions agree at a random point with a probability of their degree / 2⁶¹. Operations
 //! without a result in the field (division by 0, a root outside the field, a constant that is not a simple fraction)
-//! yield a *gone* value, which propagates.
+//! yield an *undefined* value, which propagates.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -11,13 +11,13 @@ use aim_symbolic::{Function, Number};
 
 const P: u64 = (1 << 61) - 1;
 /// Marks a value that is not an element: `re` is this, `im` holds the reason.
-const MARK: u64 = u64::MAX;
+const UNDEFINED: u64 = u64::MAX;
 
-/// Reason why a number is gone.
+/// Reason why a number is undefined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Gone {
+pub(crate) enum Undefined {
     /// Division by 0.
-    Divided = 1,
+    DividedByZero = 1,
     /// Root that does not exist in the field.
     Root = 2,
     /// Constant that is not a simple fraction.
@@ -131,23 +131,25 @@ impl Field {
         Self { re: reduced(re), im: 0 }
     }
 
-    const fn gone_by(why: Gone) -> Self {
-        Self { re: MARK, im: why as u64 }
+    const fn undefined_by(why: Undefined) -> Self {
+        Self { re: UNDEFINED, im: why as u64 }
     }
 
     /// Returns the reason if it is not an element.
-    pub(crate) fn gone(self) -> Option<Gone> {
-        if self.re != MARK {
+    pub(crate) fn undefined(self) -> Option<Undefined> {
+        if self.re != UNDEFINED {
             return None;
         }
-        [Gone::Divided, Gone::Root, Gone::Constant, Gone::Tiny].into_iter().find(|&why| why as u64 == self.im)
+        [Undefined::DividedByZero, Undefined::Root, Undefined::Constant, Undefined::Tiny]
+            .into_iter()
+            .find(|&why| why as u64 == self.im)
     }
 
-    /// Returns the first of both that is gone.
-    fn gone_of(self, other: Self) -> Option<Self> {
-        if self.re == MARK {
+    /// Returns the first of both that is undefined.
+    fn first_undefined(self, other: Self) -> Option<Self> {
+        if self.re == UNDEFINED {
             Some(self)
-        } else if other.re == MARK {
+        } else if other.re == UNDEFINED {
             Some(other)
         } else {
             None
@@ -209,7 +211,7 @@ impl Add for Field {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
-        self.gone_of(other).unwrap_or_else(|| Self { re: add(self.re, other.re), im: add(self.im, other.im) })
+        self.first_undefined(other).unwrap_or_else(|| Self { re: add(self.re, other.re), im: add(self.im, other.im) })
     }
 }
 
@@ -217,7 +219,7 @@ impl Sub for Field {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self.gone_of(other).unwrap_or_else(|| Self { re: sub(self.re, other.re), im: sub(self.im, other.im) })
+        self.first_undefined(other).unwrap_or_else(|| Self { re: sub(self.re, other.re), im: sub(self.im, other.im) })
     }
 }
 
@@ -225,8 +227,8 @@ impl Mul for Field {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        if let Some(gone) = self.gone_of(other) {
-            return gone;
+        if let Some(undefined) = self.first_undefined(other) {
+            return undefined;
         }
         if self.im | other.im == 0 {
             return Self { re: mul(self.re, other.re), im: 0 };
@@ -240,11 +242,11 @@ impl Div for Field {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
-        if let Some(gone) = self.gone_of(other) {
-            return gone;
+        if let Some(undefined) = self.first_undefined(other) {
+            return undefined;
         }
         if other == Self::ZERO {
-            return Self::gone_by(Gone::Divided);
+            return Self::undefined_by(Undefined::DividedByZero);
         }
         let inverse = inverse(other.norm());
         self * Self { re: mul(other.re, inverse), im: mul(sub(0, other.im), inverse) }
@@ -263,18 +265,18 @@ impl Number for Field {
     fn constant(value: f64) -> Self {
         assert!(value.is_finite(), "constant {value}");
         let Some((numerator, denominator)) = simple_fraction(value.abs()) else {
-            return Self::gone_by(Gone::Constant);
+            return Self::undefined_by(Undefined::Constant);
         };
         let size = Self::new(numerator) / Self::new(denominator);
         if value < 0.0 { -size } else { size }
     }
 
     fn tiny() -> Self {
-        Self::gone_by(Gone::Tiny)
+        Self::undefined_by(Undefined::Tiny)
     }
 
     fn sqrt(self) -> Self {
-        if self.re == MARK {
+        if self.re == UNDEFINED {
             return self;
         }
         let found = if self.im == 0 {
@@ -289,19 +291,19 @@ impl Number for Field {
             })
         };
         match found {
-            None => Self::gone_by(Gone::Root),
+            None => Self::undefined_by(Undefined::Root),
             // In programs, such a root is a constant rounded to a double.
-            Some(root) if self.is_fraction() && !root.is_fraction() => Self::gone_by(Gone::Constant),
+            Some(root) if self.is_fraction() && !root.is_fraction() => Self::undefined_by(Undefined::Constant),
             Some(root) => root.unsigned().1,
         }
     }
 
     /// Everything except 0 is above the smallest length, fractions are ordered, and the rest is in an arbitrary order.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
-        let less = match (a.gone(), b.gone()) {
-            (Some(Gone::Tiny), None) => b != Self::ZERO,
-            (None, Some(Gone::Tiny)) => a == Self::ZERO,
-            (Some(Gone::Tiny), Some(_)) | (None, Some(_)) => return b,
+        let less = match (a.undefined(), b.undefined()) {
+            (Some(Undefined::Tiny), None) => b != Self::ZERO,
+            (None, Some(Undefined::Tiny)) => a == Self::ZERO,
+            (Some(Undefined::Tiny), Some(_)) | (None, Some(_)) => return b,
             (Some(_), _) => return a,
             (None, None) => match (fraction(a.re), fraction(b.re)) {
                 (Some((n, d)), Some((m, e))) if a.im | b.im == 0 => n * e < m * d,
@@ -312,7 +314,7 @@ impl Number for Field {
     }
 
     fn call(self, function: Function) -> Self {
-        if self.re == MARK {
+        if self.re == UNDEFINED {
             return self;
         }
         let (zero, one, two) = (Self::ZERO, Self::new(1), Self::new(2));
@@ -321,7 +323,7 @@ impl Number for Field {
             _ => zero,
         };
         if self.is_fraction() && self != vanishes {
-            return Self::gone_by(Gone::Constant);
+            return Self::undefined_by(Undefined::Constant);
         }
         let (sin, cos) = match function {
             Function::Sin | Function::Cos | Function::Tan => Self::sin_cos_of_half_tangent(self.half_tangent()),
@@ -354,8 +356,8 @@ impl Number for Field {
     }
 
     fn atan2(self, x: Self) -> Self {
-        if let Some(gone) = self.gone_of(x) {
-            return gone;
+        if let Some(undefined) = self.first_undefined(x) {
+            return undefined;
         }
         // Odd in the first argument.
         if self == Self::ZERO {
@@ -387,5 +389,5 @@ fn the_field_is_a_field_with_roots() {
         assert_eq!(Field::constant(-value), -Field::new(numerator) / Field::new(denominator));
         assert_eq!((Field::constant(value) * Field::constant(value)).sqrt(), Field::constant(value));
     }
-    assert_eq!(Field::constant(2.0_f64.sqrt()).gone(), Some(Gone::Constant));
+    assert_eq!(Field::constant(2.0_f64.sqrt()).undefined(), Some(Undefined::Constant));
 }

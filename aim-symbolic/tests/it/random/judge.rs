@@ -15,9 +15,9 @@ use fastrand::Rng;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 
 use super::evaluate::Evaluation;
-use super::field::{Field, Gone, hash};
+use super::field::{Field, Undefined, hash};
 use super::material::{Sample, point};
-use super::recipe::{Recipe, Recipes, Stated};
+use super::recipe::{BuiltStatement, Recipe, Recipes};
 
 /// Rule sets in the order in which they are applied.
 pub(crate) const SETS: [(&str, RuleSet); 8] = [
@@ -97,14 +97,14 @@ pub(crate) struct Regular {
 
 /// Looks for a regular point, preferably one at which roots are lengths. The required roots must exist, which holds for
 /// half of the points per nested root.
-pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
+pub(crate) fn regular(stated: &BuiltStatement, seed: u64) -> Option<Regular> {
     let mut found = None;
     for attempt in 0..16 {
         let mut random = Rng::with_seed(hash(&[seed, attempt]));
         let mut evaluation = Evaluation::new(point(&mut random));
         let values: Vec<Field> = stated.outputs.iter().map(|&s| evaluation.scalar(&stated.pools.g, s)).collect();
-        let gone = values.iter().find_map(|v| v.gone());
-        match gone {
+        let undefined = values.iter().find_map(|v| v.undefined());
+        match undefined {
             None if !evaluation.singular => {
                 let has_lengths = !evaluation.no_length;
                 found = Some(Regular { evaluation, values });
@@ -112,7 +112,7 @@ pub(crate) fn regular(stated: &Stated, seed: u64) -> Option<Regular> {
                     break;
                 }
             }
-            Some(Gone::Root) => {}
+            Some(Undefined::Root) => {}
             _ => break,
         }
     }
@@ -149,7 +149,7 @@ pub(crate) fn anywhere<T: Sample>(seed: u64) -> Evaluation<T> {
 
 impl Regular {
     /// Checks that `rewritten` has the same values.
-    pub(crate) fn same_values(&mut self, stated: &Stated, rewritten: &[Scalar], what: &str) -> Verdict {
+    pub(crate) fn same_values(&mut self, stated: &BuiltStatement, rewritten: &[Scalar], what: &str) -> Verdict {
         for (i, &s) in rewritten.iter().enumerate() {
             let value = self.evaluation.scalar(&stated.pools.g, s);
             same(self.values[i], value, what)?;
@@ -167,8 +167,9 @@ impl Regular {
 
 /// Checks that `found` equals `expected`. Values lost to missing roots or constants are not compared.
 pub(crate) fn same(expected: Field, found: Field, what: &str) -> Verdict {
-    let lost = matches!(expected.gone(), Some(Gone::Root | Gone::Constant)) || found.gone() == Some(Gone::Constant);
-    if lost || (expected == found && expected.gone().is_none()) {
+    let lost = matches!(expected.undefined(), Some(Undefined::Root | Undefined::Constant))
+        || found.undefined() == Some(Undefined::Constant);
+    if lost || (expected == found && expected.undefined().is_none()) {
         return Ok(());
     }
     Err(format!("{what}: {found:?} instead of {expected:?}"))
@@ -176,12 +177,12 @@ pub(crate) fn same(expected: Field, found: Field, what: &str) -> Verdict {
 
 /// Number of statements that were judged, and of those that could not be.
 #[derive(Default)]
-pub(crate) struct Tally {
+pub(crate) struct JudgedCount {
     judged: Cell<u32>,
     discarded: Cell<u32>,
 }
 
-impl Tally {
+impl JudgedCount {
     pub(crate) fn judge(&self) {
         self.judged.set(self.judged.get() + 1);
     }

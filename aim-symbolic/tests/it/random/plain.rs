@@ -119,9 +119,9 @@ fn rotation(g: &Graph, expression: Rotation) -> String {
 
 /// Formats a program's steps and outputs in LaTeX.
 pub(crate) fn latex(program: &Program) -> String {
-    let told = print::told(program, &Notation::default());
-    let steps: String = told.steps.iter().map(|(_, name, right)| line(&[name, right])).collect();
-    steps + &line(&told.outputs.iter().collect::<Vec<_>>())
+    let formulas = print::program_formulas(program, &Notation::default());
+    let steps: String = formulas.steps.iter().map(|(_, name, right)| line(&[name, right])).collect();
+    steps + &line(&formulas.outputs.iter().collect::<Vec<_>>())
 }
 
 fn line(formulas: &[&print::Formula]) -> String {

@@ -10,7 +10,7 @@ use proptest::test_runner::TestRunner;
 
 use super::material::Pools;
 use super::plain;
-use super::steps::{PARTS, Sort, Step, WEIGHTS, What};
+use super::steps::{PARTS, PoolKind, Step, StepKind, WEIGHTS};
 
 /// Recipe for building a statement.
 #[derive(Clone, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub(crate) struct Recipe {
 }
 
 /// Statement built from a recipe.
-pub(crate) struct Stated {
+pub(crate) struct BuiltStatement {
     pub(crate) pools: Pools,
     pub(crate) outputs: Vec<Scalar>,
 }
@@ -35,9 +35,9 @@ thread_local! {
 
 /// Number of expressions in each pool.
 #[derive(Clone, Copy)]
-struct Sizes([u16; 5]);
+struct PoolSizes([u16; 5]);
 
-impl Sizes {
+impl PoolSizes {
     fn start() -> Self {
         START.with(|pools| {
             let sizes = [
@@ -51,16 +51,17 @@ impl Sizes {
         })
     }
 
-    fn of(&mut self, sort: Sort) -> &mut u16 {
-        &mut self.0[sort as usize]
+    fn of(&mut self, pool: PoolKind) -> &mut u16 {
+        &mut self.0[pool as usize]
     }
 }
 
 impl Recipe {
     fn random(seed: u64, most: usize) -> Self {
         let mut random = Rng::with_seed(seed);
-        let mut sizes = Sizes::start();
-        let total = |allowed: &dyn Fn(What) -> bool| WEIGHTS.iter().filter(|(w, _)| allowed(*w)).map(|(_, n)| n).sum();
+        let mut sizes = PoolSizes::start();
+        let total =
+            |allowed: &dyn Fn(StepKind) -> bool| WEIGHTS.iter().filter(|(w, _)| allowed(*w)).map(|(_, n)| n).sum();
         let [all, numbers]: [u32; 2] = [total(&|_| true), total(&is_result)];
         let count = random.usize(1..=most);
         let steps = (0..count)
@@ -68,25 +69,25 @@ impl Recipe {
                 // The last step makes a scalar from what exists.
                 let last = i + 1 == count;
                 let mut left = random.u32(..if last { numbers } else { all });
-                let mut kinds = WEIGHTS.iter().filter(|(what, _)| !last || is_result(*what));
-                let what = loop {
-                    let &(what, weight) = kinds.next().expect("the weights add up");
+                let mut kinds = WEIGHTS.iter().filter(|(kind, _)| !last || is_result(*kind));
+                let kind = loop {
+                    let &(kind, weight) = kinds.next().expect("the weights add up");
                     match left.checked_sub(weight) {
                         Some(rest) => left = rest,
-                        None => break what,
+                        None => break kind,
                     }
                 };
                 let mut parts = [0; PARTS];
-                for (part, &sort) in parts.iter_mut().zip(what.parts()) {
-                    let size = *sizes.of(sort);
+                for (part, &pool) in parts.iter_mut().zip(kind.parts()) {
+                    let size = *sizes.of(pool);
                     // Recent results are most likely used, but anything may be.
                     *part = if random.bool() { random.u16(..size) } else { size - 1 - random.u16(..size.min(3)) };
                 }
-                *sizes.of(what.sort()) += 1;
-                Step { what, parts, number: random.u8(..) }
+                *sizes.of(kind.pool()) += 1;
+                Step { kind, parts, number: random.u8(..) }
             })
             .collect();
-        let last = *sizes.of(Sort::Scalar) - 1;
+        let last = *sizes.of(PoolKind::Scalar) - 1;
         let mut outputs = vec![last];
         if random.u8(..4) == 0 {
             outputs.push(last - random.u16(..last.min(4)));
@@ -95,22 +96,22 @@ impl Recipe {
     }
 
     /// Builds the statement.
-    pub(crate) fn build(&self) -> Stated {
+    pub(crate) fn build(&self) -> BuiltStatement {
         let mut pools = START.with(Pools::clone);
         for &step in &self.steps {
-            pools.take(step);
+            pools.apply(step);
         }
         let turns =
             |r: &Rotation| !matches!(pools.g.rotation_node(*r), RotationNode::Transpose(_) | RotationNode::Basis(_));
-        let kept: Vec<Rotation> = pools.rotations.iter().copied().filter(turns).collect();
-        pools.g.keep(&kept);
+        let inner_frames: Vec<Rotation> = pools.rotations.iter().copied().filter(turns).collect();
+        pools.g.set_inner_frames(&inner_frames);
         let outputs = self.outputs.iter().map(|&place| pools.scalars[usize::from(place)]).collect();
-        Stated { pools, outputs }
+        BuiltStatement { pools, outputs }
     }
 
     /// Returns the recipe's size. Simpler recipes have a smaller one.
     fn size(&self) -> (usize, usize, usize) {
-        let steps = self.steps.iter().filter(|step| !matches!(step.what, What::Same(_))).count();
+        let steps = self.steps.iter().filter(|step| !matches!(step.kind, StepKind::Same(_))).count();
         let parts = self.steps.iter().flat_map(|s| s.parts.iter().map(|&p| usize::from(p)).chain([s.number.into()]));
         (self.outputs.len(), steps, parts.sum())
     }
@@ -123,7 +124,7 @@ impl Recipe {
             fewer.outputs.remove(place);
             found.push(fewer);
         }
-        let mut sizes = Sizes::start();
+        let mut sizes = PoolSizes::start();
         let starts = sizes;
         for (i, step) in self.steps.iter().enumerate() {
             let mut with = |step| {
@@ -131,30 +132,30 @@ impl Recipe {
                 changed.steps[i] = step;
                 found.push(changed);
             };
-            let sort = step.what.sort();
-            let same = |place| Step { what: What::Same(sort), parts: [place, 0, 0, 0, 0], number: 0 };
-            let operands = step.what.parts().iter().zip(step.parts).filter(|(part, _)| **part == sort);
-            if !matches!(step.what, What::Same(_)) {
+            let pool = step.kind.pool();
+            let same = |place| Step { kind: StepKind::Same(pool), parts: [place, 0, 0, 0, 0], number: 0 };
+            let operands = step.kind.parts().iter().zip(step.parts).filter(|(part, _)| **part == pool);
+            if !matches!(step.kind, StepKind::Same(_)) {
                 operands.for_each(|(_, place)| with(same(place)));
             }
-            (0..*starts.clone().of(sort)).for_each(|place| with(same(place)));
-            for (part, &sort) in step.what.parts().iter().enumerate() {
-                for place in (0..step.parts[part]).filter(|&place| place < *starts.clone().of(sort)) {
+            (0..*starts.clone().of(pool)).for_each(|place| with(same(place)));
+            for (part, &pool) in step.kind.parts().iter().enumerate() {
+                for place in (0..step.parts[part]).filter(|&place| place < *starts.clone().of(pool)) {
                     let mut parts = step.parts;
                     parts[part] = place;
                     with(Step { parts, ..*step });
                 }
             }
             (0..step.number.min(12)).for_each(|number| with(Step { number, ..*step }));
-            *sizes.of(sort) += 1;
+            *sizes.of(pool) += 1;
         }
         found.retain(|simpler| simpler.size() < self.size());
         found
     }
 }
 
-fn is_result(what: What) -> bool {
-    what.sort() == Sort::Scalar && !what.parts().is_empty()
+fn is_result(kind: StepKind) -> bool {
+    kind.pool() == PoolKind::Scalar && !kind.parts().is_empty()
 }
 
 impl fmt::Debug for Recipe {
@@ -172,23 +173,23 @@ pub(crate) struct Recipes {
 }
 
 /// A recipe and its candidates for shrinking.
-pub(crate) struct Shrinking {
+pub(crate) struct RecipeTree {
     best: Recipe,
     current: Recipe,
     candidates: std::vec::IntoIter<Recipe>,
 }
 
 impl Strategy for Recipes {
-    type Tree = Shrinking;
+    type Tree = RecipeTree;
     type Value = Recipe;
 
     fn new_tree(&self, runner: &mut TestRunner) -> NewTree<Self> {
         let recipe = Recipe::random(runner.rng().next_u64(), self.most);
-        Ok(Shrinking { best: recipe.clone(), current: recipe, candidates: Vec::new().into_iter() })
+        Ok(RecipeTree { best: recipe.clone(), current: recipe, candidates: Vec::new().into_iter() })
     }
 }
 
-impl ValueTree for Shrinking {
+impl ValueTree for RecipeTree {
     type Value = Recipe;
 
     fn current(&self) -> Recipe {

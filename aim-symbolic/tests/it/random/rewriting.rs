@@ -3,16 +3,16 @@
 use std::cell::Cell;
 
 use aim_symbolic::rules::Sums;
-use aim_symbolic::{Placement, Program, Variable};
+use aim_symbolic::{Program, ReciprocalPlacement, Variable};
 use fastrand::Rng;
 
 use super::evaluate::Evaluation;
-use super::judge::{SETS, Tally, for_each, in_full, regular, same};
+use super::judge::{JudgedCount, SETS, for_each, in_full, regular, same};
 use super::material::moving;
 use super::plain;
 
 #[test]
-fn rewriting_settles() {
+fn rewriting_twice_changes_nothing() {
     for_each(20_000, 8, |recipe| {
         let mut stated = recipe.build();
         // Only sets with `Sums::Open`: for others, rewriting the users of a shared sum may leave it unshared, so that a
@@ -31,8 +31,8 @@ fn rewriting_settles() {
 
 /// Forward and reverse mode on unsimplified statements, with rotations placed early or late.
 #[test]
-fn derivatives_need_no_rewriting_first() {
-    let tally = Tally::default();
+fn derivatives_of_unsimplified_statements_are_correct() {
+    let tally = JudgedCount::default();
     for_each(20_000, 8, |recipe| {
         let mut stated = recipe.build();
         let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
@@ -44,8 +44,8 @@ fn derivatives_need_no_rewriting_first() {
             let moving = moving(g, regular.evaluation.inputs(), variable);
             let slope = Evaluation::new(moving).scalar(g, s).slope;
             let found = [
-                g.gradient(s, &[variable], Placement::Late)[0],
-                g.gradient(s, &[variable], Placement::Early)[0],
+                g.gradient(s, &[variable], ReciprocalPlacement::Late)[0],
+                g.gradient(s, &[variable], ReciprocalPlacement::Early)[0],
                 g.tangents(&[s], variable)[0],
             ];
             for (found, how) in found.into_iter().zip(["late", "early", "forward"]) {
@@ -60,7 +60,7 @@ fn derivatives_need_no_rewriting_first() {
 
 /// The comparison can fail: flipping a sign anywhere in a program changes its results.
 #[test]
-fn a_flipped_sign_is_noticed() {
+fn the_comparison_detects_a_flipped_sign() {
     let (noticed, flipped) = (Cell::new(0), Cell::new(0));
     for_each(4_000, 8, |recipe| {
         let stated = recipe.build();

@@ -3,11 +3,11 @@
 use aim_symbolic::{Attitude, Graph, Matrix, Stumpff};
 
 use super::material::{BASES, FUNCTIONS, NUMBERS, PLANES, Pools, UNITS, VECTORS};
-use Sort::{Angle, Rotation, Scalar, Unit, Vector};
+use PoolKind::{Angle, Rotation, Scalar, Unit, Vector};
 
 /// Pool that a step takes from or adds to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sort {
+pub(crate) enum PoolKind {
     Scalar,
     Vector,
     Unit,
@@ -22,35 +22,35 @@ pub(crate) const PARTS: usize = 5;
 /// functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Step {
-    pub(crate) what: What,
+    pub(crate) kind: StepKind,
     pub(crate) parts: [u16; PARTS],
     pub(crate) number: u8,
 }
 
 macro_rules! steps {
-    ($($name:ident: $weight:literal [$($part:ident),*] => $sort:ident,)*) => {
+    ($($name:ident: $weight:literal [$($part:ident),*] => $pool:ident,)*) => {
         /// Kind of step.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(crate) enum What {
+        pub(crate) enum StepKind {
             /// An existing expression, which steps shrink to.
-            Same(Sort),
+            Same(PoolKind),
             $($name,)*
         }
 
         /// Relative frequency of each kind.
-        pub(crate) const WEIGHTS: &[(What, u32)] = &[$((What::$name, $weight),)*];
+        pub(crate) const WEIGHTS: &[(StepKind, u32)] = &[$((StepKind::$name, $weight),)*];
 
-        impl What {
+        impl StepKind {
             /// Returns the pool that the result is added to.
-            pub(crate) fn sort(self) -> Sort {
+            pub(crate) fn pool(self) -> PoolKind {
                 match self {
-                    Self::Same(sort) => sort,
-                    $(Self::$name => $sort,)*
+                    Self::Same(pool) => pool,
+                    $(Self::$name => $pool,)*
                 }
             }
 
             /// Returns the pools that the parts are taken from.
-            pub(crate) fn parts(self) -> &'static [Sort] {
+            pub(crate) fn parts(self) -> &'static [PoolKind] {
                 match self {
                     Self::Same(Scalar) => &[Scalar],
                     Self::Same(Vector) => &[Vector],
@@ -225,7 +225,7 @@ fn in_plane(g: &mut Graph, [a, b, c]: [aim_symbolic::Vector; 3], number: u8) -> 
 }
 
 /// Result of a step.
-enum Made {
+enum StepResult {
     Scalar(aim_symbolic::Scalar),
     Vector(aim_symbolic::Vector),
     Unit(aim_symbolic::Unit),
@@ -234,10 +234,10 @@ enum Made {
 }
 
 macro_rules! made {
-    ($($sort:ident),*) => { $(
-        impl From<aim_symbolic::$sort> for Made {
-            fn from(made: aim_symbolic::$sort) -> Self {
-                Self::$sort(made)
+    ($($pool:ident),*) => { $(
+        impl From<aim_symbolic::$pool> for StepResult {
+            fn from(made: aim_symbolic::$pool) -> Self {
+                Self::$pool(made)
             }
         }
     )* };
@@ -246,48 +246,48 @@ made!(Scalar, Vector, Unit, Rotation, Angle);
 
 impl Pools {
     /// Applies a step.
-    pub(crate) fn take(&mut self, step: Step) {
+    pub(crate) fn apply(&mut self, step: Step) {
         match self.make(step) {
-            Made::Scalar(made) => self.scalars.push(made),
-            Made::Vector(made) => self.vectors.push(made),
-            Made::Unit(made) => self.units.push(made),
-            Made::Rotation(made) => self.rotations.push(made),
-            Made::Angle(made) => self.angles.push(made),
+            StepResult::Scalar(made) => self.scalars.push(made),
+            StepResult::Vector(made) => self.vectors.push(made),
+            StepResult::Unit(made) => self.units.push(made),
+            StepResult::Rotation(made) => self.rotations.push(made),
+            StepResult::Angle(made) => self.angles.push(made),
         }
     }
 
-    fn make(&mut self, Step { what, parts, number }: Step) -> Made {
+    fn make(&mut self, Step { kind, parts, number }: Step) -> StepResult {
         let s = |i: usize| self.scalars[usize::from(parts[i])];
         let v = |i: usize| self.vectors[usize::from(parts[i])];
         let u = |i: usize| self.units[usize::from(parts[i])];
         let r = |i: usize| self.rotations[usize::from(parts[i])];
         let a = |i: usize| self.angles[usize::from(parts[i])];
         let g = &mut self.g;
-        match what {
-            What::Same(Scalar) => s(0).into(),
-            What::Same(Vector) => v(0).into(),
-            What::Same(Unit) => u(0).into(),
-            What::Same(Rotation) => r(0).into(),
-            What::Same(Angle) => a(0).into(),
-            What::Constant => g.constant(choice(&NUMBERS, number)).into(),
-            What::Add => g.add(s(0), s(1)).into(),
-            What::Sub => g.sub(s(0), s(1)).into(),
-            What::Mul => g.mul(s(0), s(1)).into(),
-            What::Div => g.div(s(0), s(1)).into(),
-            What::Neg => g.neg(s(0)).into(),
-            What::Sqrt => g.sqrt(s(0)).into(),
-            What::Reciprocal => g.reciprocal(s(0)).into(),
-            What::Quotient => {
+        match kind {
+            StepKind::Same(Scalar) => s(0).into(),
+            StepKind::Same(Vector) => v(0).into(),
+            StepKind::Same(Unit) => u(0).into(),
+            StepKind::Same(Rotation) => r(0).into(),
+            StepKind::Same(Angle) => a(0).into(),
+            StepKind::Constant => g.constant(choice(&NUMBERS, number)).into(),
+            StepKind::Add => g.add(s(0), s(1)).into(),
+            StepKind::Sub => g.sub(s(0), s(1)).into(),
+            StepKind::Mul => g.mul(s(0), s(1)).into(),
+            StepKind::Div => g.div(s(0), s(1)).into(),
+            StepKind::Neg => g.neg(s(0)).into(),
+            StepKind::Sqrt => g.sqrt(s(0)).into(),
+            StepKind::Reciprocal => g.reciprocal(s(0)).into(),
+            StepKind::Quotient => {
                 let (above, below) = vanishing(g, s(0), s(1), number);
                 g.div(above, below).into()
             }
-            What::QuotientOfLength => {
+            StepKind::QuotientOfLength => {
                 let length = g.norm(v(0));
                 let (above, below) = vanishing(g, length, s(1), number);
                 let reciprocal = g.reciprocal(length);
                 if below == length { g.mul(above, reciprocal).into() } else { g.div(above, below).into() }
             }
-            What::LengthTimesDirection => {
+            StepKind::LengthTimesDirection => {
                 let (length, direction) = (g.norm(v(0)), g.normalize(v(0)));
                 let (above, below) = vanishing(g, length, length, number);
                 let factor = if below == length { above } else { length };
@@ -301,7 +301,7 @@ impl Pools {
                 };
                 g.scale(factor, along).into()
             }
-            What::Select => {
+            StepKind::Select => {
                 let plain = g.select_less(s(0), s(1), s(2), s(3));
                 match number % 6 {
                     // Nested in another select, on either side.
@@ -321,26 +321,26 @@ impl Pools {
                     _ => plain.into(),
                 }
             }
-            What::Call => {
+            StepKind::Call => {
                 let argument = if number % 2 == 0 { s(0) } else { g.neg(s(0)) };
                 g.call(choice(&FUNCTIONS, number / 2), argument).into()
             }
-            What::Atan2 => g.atan2(s(0), s(1)).into(),
-            What::PlaneAngle => {
+            StepKind::Atan2 => g.atan2(s(0), s(1)).into(),
+            StepKind::PlaneAngle => {
                 // Most axes are constants of whole length, since half of the others have no length in the field.
                 let axis = if number % 3 == 0 { v(1) } else { g.constant_vector(choice(&VECTORS, number)) };
                 let [y, x] = in_plane(g, [v(0), axis, v(2)], number);
                 g.atan2(y, x).into()
             }
-            What::Dot => g.dot(v(0), v(1)).into(),
-            What::Norm => g.norm(v(0)).into(),
-            What::Component => g.component(v(0), number % 3).into(),
-            What::RootOfSquare => {
+            StepKind::Dot => g.dot(v(0), v(1)).into(),
+            StepKind::Norm => g.norm(v(0)).into(),
+            StepKind::Component => g.component(v(0), number % 3).into(),
+            StepKind::RootOfSquare => {
                 let square = g.dot(v(0), v(0));
                 g.sqrt(square).into()
             }
             // The number's sign, divided by a length.
-            What::OverRoot => {
+            StepKind::OverRoot => {
                 let square = g.mul(s(0), s(0));
                 let (aside, one) = (g.mul(s(1), s(1)), g.constant(1.0));
                 let sum = g.add(one, aside);
@@ -348,39 +348,39 @@ impl Pools {
                 let root = g.sqrt(square);
                 g.div(s(0), root).into()
             }
-            What::OverLength => {
+            StepKind::OverLength => {
                 let norm = g.norm(v(1));
                 g.div(s(0), norm).into()
             }
-            What::DotOverLength => {
+            StepKind::DotOverLength => {
                 let (dot, norm) = (g.dot(v(0), v(1)), g.norm(v(0)));
                 g.div(dot, norm).into()
             }
-            What::LengthOfCross => {
+            StepKind::LengthOfCross => {
                 let cross = if number % 2 == 0 { g.cross(v(0), u(1).into()) } else { g.cross(u(1).into(), v(0)) };
                 g.norm(cross).into()
             }
-            What::LengthOfConstantCross => {
+            StepKind::LengthOfConstantCross => {
                 let unit = g.constant_vector(choice(&UNITS, number));
                 let cross = g.cross(v(0), unit);
                 g.norm(cross).into()
             }
-            What::DotOfTurned => {
+            StepKind::DotOfTurned => {
                 let (v, w) = (g.rotate(r(0), v(1)), g.rotate(r(0), v(2)));
                 g.dot(v, w).into()
             }
-            What::DotWithConstant => {
+            StepKind::DotWithConstant => {
                 let (constant, back) = (g.constant_vector(choice(&VECTORS, number)), g.transpose(r(0)));
                 let turned = g.rotate(if number % 2 == 0 { back } else { r(0) }, v(1));
                 g.dot(turned, constant).into()
             }
-            What::DotBesideDirection => {
+            StepKind::DotBesideDirection => {
                 let (effector, other) = (g.rotate(r(1), v(2)), g.rotate(r(1), v(3)));
                 let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(effector, v(0)) };
                 let direction = g.normalize(sum);
                 g.dot(direction, other).into()
             }
-            What::TwoTargets => {
+            StepKind::TwoTargets => {
                 let effector = g.rotate(r(2), v(3));
                 let axis = g.constant_vector(choice(&VECTORS, number));
                 let forward = g.rotate(r(2), axis);
@@ -391,27 +391,27 @@ impl Pools {
                 });
                 g.add(first, second).into()
             }
-            What::LengthToEffector => {
+            StepKind::LengthToEffector => {
                 let effector = g.rotate(r(1), v(2));
                 let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(v(0), effector) };
                 g.norm(sum).into()
             }
-            What::SquareToEffector => {
+            StepKind::SquareToEffector => {
                 let effector = g.rotate(r(1), v(2));
                 let sum = if number % 2 == 0 { g.sub_vectors(v(0), effector) } else { g.add_vectors(v(0), effector) };
                 g.dot(sum, sum).into()
             }
-            What::DotAcrossPerp => {
+            StepKind::DotAcrossPerp => {
                 let across = g.across(v(0), u(1));
                 let perp = g.perp(choice(&PLANES, number), u(1).into());
                 g.dot(across, perp).into()
             }
-            What::DotAxisAcross => {
+            StepKind::DotAxisAcross => {
                 let axis = g.constant_vector(core::array::from_fn(|k| f64::from(k == usize::from(number) % 3)));
                 let across = g.across(axis, u(1));
                 g.dot(across, v(0)).into()
             }
-            What::SquareOfDirections => {
+            StepKind::SquareOfDirections => {
                 let turned = g.rotate(r(0), u(1));
                 let difference = if number % 2 == 0 {
                     g.sub_vectors(turned, u(2).into())
@@ -420,21 +420,21 @@ impl Pools {
                 };
                 g.dot(difference, difference).into()
             }
-            What::LengthAcrossDirection => {
+            StepKind::LengthAcrossDirection => {
                 let (origin, forward) = (g.rotate(r(1), v(2)), g.rotate(r(1), v(3)));
                 let difference = g.sub_vectors(v(0), origin);
                 let direction = g.normalize(difference);
                 let across = g.across(forward, direction);
                 g.norm(across).into()
             }
-            What::DotAcrossAlong => {
+            StepKind::DotAcrossAlong => {
                 let across = g.across(v(1), u(3));
                 let along = g.scale(s(2), u(3).into());
                 let sum = g.add_vectors(v(0), along);
                 g.dot(sum, across).into()
             }
-            What::ConstantVector => g.constant_vector(choice(&VECTORS, number)).into(),
-            What::Components => {
+            StepKind::ConstantVector => g.constant_vector(choice(&VECTORS, number)).into(),
+            StepKind::Components => {
                 let parts = match number % 4 {
                     0 => [(0, 1), (1, 2), (2, 0)]
                         .map(|(then, otherwise)| g.select_less(s(0), s(1), s(then), s(otherwise))),
@@ -442,29 +442,29 @@ impl Pools {
                 };
                 g.components(parts).into()
             }
-            What::AddVectors => g.add_vectors(v(0), v(1)).into(),
-            What::SubVectors => g.sub_vectors(v(0), v(1)).into(),
-            What::NegVector => g.neg_vector(v(0)).into(),
-            What::Scale => g.scale(s(0), v(1)).into(),
-            What::Rotate => g.rotate(r(0), v(1)).into(),
-            What::RotateBack => {
+            StepKind::AddVectors => g.add_vectors(v(0), v(1)).into(),
+            StepKind::SubVectors => g.sub_vectors(v(0), v(1)).into(),
+            StepKind::NegVector => g.neg_vector(v(0)).into(),
+            StepKind::Scale => g.scale(s(0), v(1)).into(),
+            StepKind::Rotate => g.rotate(r(0), v(1)).into(),
+            StepKind::RotateBack => {
                 let back = g.transpose(r(0));
                 g.rotate(back, v(1)).into()
             }
-            What::Direction => aim_symbolic::Vector::from(u(0)).into(),
-            What::Perp => g.perp(choice(&PLANES, number), v(0)).into(),
-            What::Cross => g.cross(v(0), v(1)).into(),
-            What::CrossOfCross => {
+            StepKind::Direction => aim_symbolic::Vector::from(u(0)).into(),
+            StepKind::Perp => g.perp(choice(&PLANES, number), v(0)).into(),
+            StepKind::Cross => g.cross(v(0), v(1)).into(),
+            StepKind::CrossOfCross => {
                 let (cross, other) = (g.cross(v(0), v(1)), g.cross(v(2), v(1)));
                 let with = [v(1), other, v(2)][usize::from(number) % 3];
                 if number % 2 == 0 { g.cross(cross, with).into() } else { g.cross(with, cross).into() }
             }
-            What::Solve => {
+            StepKind::Solve => {
                 let m = Matrix::new([v(0), v(1), v(2)]);
                 g.solve(if number % 2 == 0 { m } else { m.transpose() }, v(3)).into()
             }
-            What::Across => g.across(v(0), u(1)).into(),
-            What::OperationTurnedBack => {
+            StepKind::Across => g.across(v(0), u(1)).into(),
+            StepKind::OperationTurnedBack => {
                 let back = g.transpose(r(0));
                 let turned = g.rotate(back, v(1));
                 match number % 5 {
@@ -478,48 +478,48 @@ impl Pools {
                     _ => g.perp(choice(&PLANES, number / 5), turned).into(),
                 }
             }
-            What::ToEffector => {
+            StepKind::ToEffector => {
                 let effector = g.rotate(r(1), v(2));
                 g.sub_vectors(v(0), effector).into()
             }
-            What::VectorOverLength => {
+            StepKind::VectorOverLength => {
                 let norm = g.norm(v(0));
                 let one = g.constant(1.0);
                 let over = if number % 2 == 0 { g.reciprocal(norm) } else { g.div(one, norm) };
                 g.scale(over, v(0)).into()
             }
-            What::ScaleTwice => {
+            StepKind::ScaleTwice => {
                 let once = g.scale(s(1), v(2));
                 g.scale(s(0), once).into()
             }
-            What::WeightedSum => {
+            StepKind::WeightedSum => {
                 let (first, second) = (g.scale(s(0), v(1)), g.scale(s(2), v(3)));
                 if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
             }
-            What::SameFactor => {
+            StepKind::SameFactor => {
                 let (first, second) = (g.scale(s(0), v(1)), g.scale(s(0), v(2)));
                 if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
             }
-            What::SameVector => {
+            StepKind::SameVector => {
                 let (first, second) = (g.scale(s(0), v(2)), g.scale(s(1), v(2)));
                 if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
             }
-            What::TurnedSum => {
+            StepKind::TurnedSum => {
                 let (first, second) = (g.rotate(r(0), v(1)), g.rotate(r(0), v(2)));
                 if number % 2 == 0 { g.add_vectors(first, second).into() } else { g.sub_vectors(first, second).into() }
             }
-            What::ThereAndBack => {
+            StepKind::ThereAndBack => {
                 let (there, back) = (g.rotate(r(0), v(1)), g.transpose(r(0)));
                 g.rotate(back, there).into()
             }
-            What::MeetInverse => {
+            StepKind::MeetInverse => {
                 let back = g.transpose(r(0));
                 let (first, second) = if number % 4 < 2 { (r(0), back) } else { (back, r(0)) };
                 let there = g.rotate(first, v(1));
                 let sum = if number % 2 == 0 { g.add_vectors(v(2), there) } else { g.sub_vectors(v(2), there) };
                 g.rotate(second, sum).into()
             }
-            What::Spread => {
+            StepKind::Spread => {
                 let (k, m) = (s(0), s(2));
                 let along = g.scale(m, v(3));
                 let difference = g.sub_vectors(v(1), along);
@@ -528,26 +528,26 @@ impl Pools {
                 let second = g.scale(n, v(3));
                 g.add_vectors(first, second).into()
             }
-            What::AcrossOfSum => {
+            StepKind::AcrossOfSum => {
                 let along = g.scale(s(1), u(2).into());
                 let sum = if number % 2 == 0 { g.add_vectors(v(0), along) } else { g.sub_vectors(along, v(0)) };
                 g.across(sum, u(2)).into()
             }
-            What::AcrossOfAcross => {
+            StepKind::AcrossOfAcross => {
                 let across = g.across(v(0), u(1));
                 g.across(across, u(1)).into()
             }
-            What::AcrossOfCross => {
+            StepKind::AcrossOfCross => {
                 let cross = g.cross(v(0), u(1).into());
                 let sum = if number % 2 == 0 { cross } else { g.add_vectors(cross, v(0)) };
                 g.across(sum, u(1)).into()
             }
-            What::Rejection => {
+            StepKind::Rejection => {
                 let along = g.dot(v(0), u(1));
                 let along = g.scale(along, u(1).into());
                 g.sub_vectors(v(0), along).into()
             }
-            What::Rodrigues => {
+            StepKind::Rodrigues => {
                 let (turn, point) = (v(0), v(1));
                 let square = g.dot(turn, turn);
                 let factor = |g: &mut Graph, order| g.stumpff(Stumpff { hyperbolic: false, order }, square);
@@ -565,7 +565,7 @@ impl Pools {
                 let sum = g.add_vectors(kept, aside);
                 g.add_vectors(sum, along).into()
             }
-            What::Spun => {
+            StepKind::Spun => {
                 let (u, w, point, two) = (v(0), s(1), v(2), g.constant(2.0));
                 let (square, w_square, dot) = (g.dot(u, u), g.mul(w, w), g.dot(u, point));
                 let (kept, aside, along) = (g.sub(w_square, square), g.mul(two, w), g.mul(two, dot));
@@ -574,14 +574,14 @@ impl Pools {
                 let sum = g.add_vectors(kept, along);
                 if number % 2 == 0 { g.add_vectors(sum, aside) } else { g.sub_vectors(sum, aside) }.into()
             }
-            What::CrossInDots => {
+            StepKind::CrossInDots => {
                 let (u, w, c) = (v(0), v(1), v(2));
                 let (first, second) = (g.dot(u, c), g.dot(w, c));
                 let (first, second) = (g.scale(first, w), g.scale(second, u));
                 let (difference, cross) = (g.sub_vectors(first, second), g.cross(u, w));
                 if number % 2 == 0 { g.add_vectors(difference, cross) } else { g.sub_vectors(cross, difference) }.into()
             }
-            What::TurnedComponents => {
+            StepKind::TurnedComponents => {
                 let plane = choice(&PLANES, number);
                 let (i, k) = (usize::from(plane.from), usize::from(plane.towards));
                 let (sin, cos) = (g.call(aim_symbolic::Function::Sin, s(1)), g.call(aim_symbolic::Function::Cos, s(1)));
@@ -593,34 +593,34 @@ impl Pools {
                 turned[k] = g.add(x, y);
                 g.components(turned).into()
             }
-            What::Normalize => g.normalize(v(0)).into(),
-            What::ToEffectorDirection => {
+            StepKind::Normalize => g.normalize(v(0)).into(),
+            StepKind::ToEffectorDirection => {
                 let effector = g.rotate(r(1), v(2));
                 let difference = g.sub_vectors(v(0), effector);
                 g.normalize(difference).into()
             }
-            What::NormalizeTurned => {
+            StepKind::NormalizeTurned => {
                 let turned = g.rotate(r(0), v(1));
                 g.normalize(turned).into()
             }
-            What::Turn => g.turn(choice(&PLANES, number), a(0)).into(),
-            What::About => g.about(u(0).into(), a(1)).into(),
-            What::AboutConstant => {
+            StepKind::Turn => g.turn(choice(&PLANES, number), a(0)).into(),
+            StepKind::About => g.about(u(0).into(), a(1)).into(),
+            StepKind::AboutConstant => {
                 let axis = g.constant_vector(choice(&UNITS, number));
                 g.about(axis, a(0)).into()
             }
-            What::ByQuaternion => g.attitude(Attitude::Quaternion(v(0), s(1))).into(),
-            What::ByTurn => g.attitude(Attitude::Turn(v(0))).into(),
-            What::Basis => g.basis(choice(&BASES, number)).into(),
-            What::Compose => g.compose(r(0), r(1)).into(),
-            What::Transpose => g.transpose(r(0)).into(),
-            What::Conjugate => {
+            StepKind::ByQuaternion => g.attitude(Attitude::Quaternion(v(0), s(1))).into(),
+            StepKind::ByTurn => g.attitude(Attitude::Turn(v(0))).into(),
+            StepKind::Basis => g.basis(choice(&BASES, number)).into(),
+            StepKind::Compose => g.compose(r(0), r(1)).into(),
+            StepKind::Transpose => g.transpose(r(0)).into(),
+            StepKind::Conjugate => {
                 let basis = g.basis(choice(&BASES, number));
                 let back = g.transpose(basis);
                 let inner = g.compose(r(0), basis);
                 g.compose(back, inner).into()
             }
-            What::AngleOf => g.angle_of(s(0)).into(),
+            StepKind::AngleOf => g.angle_of(s(0)).into(),
         }
     }
 }

@@ -7,7 +7,7 @@ use aim_symbolic::{Program, Want};
 
 use super::evaluate::Evaluation;
 use super::field::Field;
-use super::judge::{OF_LENGTHS, Regular, SETS, Tally, anywhere, for_each, in_full, regular, single_rules};
+use super::judge::{JudgedCount, OF_LENGTHS, Regular, SETS, anywhere, for_each, in_full, regular, single_rules};
 
 #[test]
 fn every_rule_is_named_once() {
@@ -26,10 +26,10 @@ const CASES: u64 = 80_000;
 const LEAST: usize = 50;
 
 #[test]
-fn each_rule_alone_applies_and_keeps_the_value() {
+fn each_rule_alone_applies_and_preserves_the_value() {
     let rules = single_rules();
     let applied = RefCell::new(vec![0; rules.len()]);
-    let tally = Tally::default();
+    let tally = JudgedCount::default();
     for_each(CASES, 8, |recipe| {
         let mut stated = recipe.build();
         let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
@@ -55,8 +55,8 @@ fn each_rule_alone_applies_and_keeps_the_value() {
 }
 
 #[test]
-fn sets_keep_the_value() {
-    let tally = Tally::default();
+fn rule_sets_preserve_the_value() {
+    let tally = JudgedCount::default();
     for_each(20_000, 12, |recipe| {
         let mut stated = recipe.build();
         let Some(mut regular) = regular(&stated, recipe.seed) else { return tally.discard() };
@@ -81,15 +81,15 @@ fn sets_keep_the_value() {
 const NEEDS_A_DIRECTION: Rule = ACROSS_FOR_CROSS;
 
 #[test]
-fn rules_keep_the_value_where_something_has_no_direction() {
+fn rules_preserve_the_value_at_zero_vectors() {
     let rules = single_rules();
-    let tally = Tally::default();
+    let tally = JudgedCount::default();
     for_each(50_000, 8, |recipe| {
         let mut stated = recipe.build();
         let mut evaluation: Evaluation<Field> = anywhere(recipe.seed);
         let g = &mut stated.pools.g;
         let values: Vec<Field> = stated.outputs.iter().map(|&s| evaluation.scalar(g, s)).collect();
-        if !evaluation.singular || evaluation.no_axis || values.iter().any(|v| v.gone().is_some()) {
+        if !evaluation.singular || evaluation.no_axis || values.iter().any(|v| v.undefined().is_some()) {
             return Ok(());
         }
         tally.judge();

@@ -41,6 +41,51 @@ fn polynomial(w: [f64; SIZE], x: f64) -> f64 {
     if MEAN { sum / SIZE as f64 } else { sum }
 }
 
+const TAU: f64 = 0.05;
+
+mod own {
+    pub(super) mod consts {
+        pub(in super::super) const SHARE: f64 = 0.25;
+    }
+}
+
+/// The file's own `TAU`, and single-precision constants, which keep their rounding.
+#[differentiate(wrt(x), check = true)]
+fn of_own_names(x: f64) -> f64 {
+    const STEP: f32 = 0.1;
+    let half: f32 = 0.7;
+    TAU * x + own::consts::SHARE * x + f64::from(STEP) * x * x + 1.3f32 as f64 * x * half as f64
+}
+
+/// The parameters of a method can use constants, too.
+struct Filter;
+
+impl Filter {
+    #[differentiate(wrt(x))]
+    fn smoothed(x: f64) -> f64 {
+        let mut y = x;
+        for _ in 0..SPRINGS {
+            y = 0.5 * (y + y * y);
+        }
+        y * GRAVITY
+    }
+}
+
+mod exchange {
+    use std::mem::{self, swap};
+
+    use aim::differentiate;
+
+    #[differentiate(wrt(x, y), check = true)]
+    pub(super) fn exchanged(x: f64, y: f64) -> f64 {
+        let (mut a, mut b) = (x * x, y);
+        swap(&mut a, &mut b);
+        let before = mem::replace(&mut a, 3.0 * x);
+        swap(&mut a, &mut b);
+        before * a + b
+    }
+}
+
 #[differentiate(check = true)]
 mod of_a_module {
     use super::units::PER_MINUTE;
@@ -96,4 +141,10 @@ fn values_are_those_of_the_functions() {
     assert_eq!(of_a_module::table_jacobian(2.0), ([2.0, 4.0, 8.0, 16.0], ([1.0, 4.0, 12.0, 32.0],)));
     assert_eq!(of_a_module::single_gradient(1.0), (6.5, (6.5,)));
     assert_eq!(of_a_module::single_gradient(3.0), (13.0, (0.0,)));
+    let (value, (slope,)) = of_own_names_gradient(1.5);
+    let by_square = f64::from(0.1f32);
+    let by_x = 0.05 + 0.25 + f64::from(1.3f32) * f64::from(0.7f32);
+    assert!((value - of_own_names(1.5)).abs() < 1e-14 && (slope - by_x - 3.0 * by_square).abs() < 1e-14, "{value}");
+    assert!((Filter::smoothed_gradient(0.5).0 - Filter::smoothed(0.5)).abs() < 1e-14);
+    assert_eq!(exchange::exchanged_gradient(2.0, 5.0), (exchange::exchanged(2.0, 5.0), (23.0, 4.0)));
 }

@@ -274,6 +274,45 @@ fn arcs_keep_their_digits_near_one() {
     }
 }
 
+/// The other ways to write difference quotients and `ln(1 + eˣ)`, which the guide advises.
+mod advised {
+    use aim::differentiate;
+
+    #[differentiate(wrt(a, b))]
+    pub(super) fn of_exponentials(a: f64, b: f64) -> f64 {
+        b.exp() * (a - b).exp_m1() / (a - b)
+    }
+
+    #[differentiate(wrt(a, b))]
+    pub(super) fn logarithmic_mean(a: f64, b: f64) -> f64 {
+        let u = (a - b) / b;
+        b * u / u.ln_1p()
+    }
+
+    #[differentiate(wrt(x))]
+    pub(super) fn softplus(x: f64) -> f64 {
+        x.max(0.0) + (-x.abs()).exp().ln_1p()
+    }
+}
+
+#[test]
+fn difference_quotients_have_their_limits_as_advised() {
+    let e = 0.7f64.exp();
+    let near_pair = |what: &str, found: (f64, (f64, f64)), value: f64, slopes: [f64; 2]| {
+        near_by_digits(what, found.0, value, 1e-12);
+        near_by_digits(what, found.1.0, slopes[0], 1e-7);
+        near_by_digits(what, found.1.1, slopes[1], 1e-7);
+    };
+    for off in [0.0, 1e-12, 1e-8] {
+        let found = advised::of_exponentials_gradient(0.7 + off, 0.7);
+        near_pair(&format!("exponentials {off} apart"), found, e * (1.0 + off / 2.0), [e / 2.0; 2]);
+        let found = advised::logarithmic_mean_gradient(3.0 + off, 3.0);
+        near_pair(&format!("logarithms {off} apart"), found, 3.0 + off / 2.0, [0.5; 2]);
+    }
+    assert_eq!(advised::softplus_gradient(800.0), (800.0, (1.0,)));
+    assert_eq!(advised::softplus_gradient(-800.0), (0.0, (0.0,)));
+}
+
 #[track_caller]
 fn near_by_digits(what: &str, found: f64, expected: f64, relative: f64) {
     assert!((found - expected).abs() <= relative * expected.abs(), "{what}: {found} instead of {expected}");

@@ -5,31 +5,31 @@ use std::rc::Rc;
 use syn::{Expr, ExprMethodCall, ExprRange};
 
 use super::super::condition::Condition;
-use super::super::value::{Callable, Element, Items, Optional, Place, Rounds, Value};
+use super::super::value::{Callable, Element, LoopSequence, Optional, Place, SequenceItems, Value};
 use super::super::{Translation, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
 
 /// Result of a predicate for one element.
-pub(super) struct Asked {
+pub(super) struct PredicateCall {
     /// Condition under which the predicate is called.
-    is_asked: Condition,
+    is_called: Condition,
     /// Result of the predicate where it is called.
     pub(super) holds: Condition,
 }
 
 /// Returns the condition under which later elements are visited after this result.
-fn goes_on_after(is_there: &Condition, said: &Condition, until: Option<bool>) -> Condition {
+fn continues_after(is_there: &Condition, result: &Condition, until: Option<bool>) -> Condition {
     match until {
         None => Condition::Known(true),
-        Some(true) => is_there.clone().and(said.clone()).not(),
-        Some(false) => is_there.clone().not().or(said.clone()),
+        Some(true) => is_there.clone().and(result.clone()).not(),
+        Some(false) => is_there.clone().not().or(result.clone()),
     }
 }
 
 impl Translation<'_> {
     /// Evaluates an adaptor of an iterator over these elements; `None` after an error.
-    pub(super) fn adapted(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
+    pub(super) fn adaptor_method(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let name = call.method.to_string();
         let arguments: Vec<&Expr> = call.args.iter().collect();
         Some(match (name.as_str(), arguments.as_slice()) {
@@ -59,8 +59,8 @@ impl Translation<'_> {
             ("cycle", []) => {
                 let values = self.whole(items, call)?;
                 let count = self.algebra.count(values.len());
-                let rounds = Rounds::of(count, Items::Listed(Value::Array(values)));
-                Value::Rounds(Rc::new(rounds.cycled(self.algebra)))
+                let sequence = LoopSequence::of(count, SequenceItems::Listed(Value::Array(values)));
+                Value::LoopSequence(Rc::new(sequence.cycled(self.algebra)))
             }
             ("map", [function]) => Value::Iterator(self.mapped(call, function, items)?),
             ("flatten", []) => self.flattened(call, items)?,
@@ -68,18 +68,18 @@ impl Translation<'_> {
                 let mapped = self.mapped(call, function, items)?;
                 self.flattened(call, mapped)?
             }
-            ("filter", [function]) => Value::iterator_of(self.kept(call, function, &items)?),
+            ("filter", [function]) => Value::iterator_of(self.filtered(call, function, &items)?),
             ("take_while" | "skip_while", [function]) => {
-                let asked = self.asked(call, function, &items, Some(false))?;
-                Value::iterator_of(items.into_iter().zip(asked).map(|(item, Asked { is_asked, holds })| {
-                    let is_before = is_asked.and(holds);
-                    item.where_too(if name == "take_while" { is_before } else { is_before.not() })
+                let results = self.call_predicate(call, function, &items, Some(false))?;
+                Value::iterator_of(items.into_iter().zip(results).map(|(item, PredicateCall { is_called, holds })| {
+                    let is_before = is_called.and(holds);
+                    item.and_where(if name == "take_while" { is_before } else { is_before.not() })
                 }))
             }
             ("filter_map" | "map_while", [function]) => {
                 let function = self.function_argument(function, 1)?;
                 let make = |this: &mut Self, item| this.inline(&call.method, &function, vec![item]);
-                Value::iterator_of(self.those_made(call, items, (name == "map_while").then_some(false), make)?)
+                Value::iterator_of(self.some_results(call, items, (name == "map_while").then_some(false), make)?)
             }
             ("scan", [start, function]) => {
                 let start = self.expression(start);
@@ -89,10 +89,10 @@ impl Translation<'_> {
                 // The accumulator has no name outside the function.
                 self.frame.declare(String::new(), start);
                 let state = Value::Reference(Rc::new(Place { variable, steps: Vec::new() }));
-                let made = self.those_made(call, items, Some(false), |this, item| {
+                let made = self.some_results(call, items, Some(false), |this, item| {
                     this.inline(&call.method, &function, vec![state.clone(), item])
                 });
-                self.frame.leave(variable);
+                self.frame.end_scope(variable);
                 Value::iterator_of(made?)
             }
             // `iter`, `copied` and the like.
@@ -119,7 +119,7 @@ impl Translation<'_> {
     ) -> Option<Vec<Element>> {
         let function = self.function_argument(function, 1)?;
         let map = |Element { is_there, value }: Element| {
-            let value = self.under(call, &is_there, |this| this.inline(&call.method, &function, vec![value]));
+            let value = self.run_under(call, &is_there, |this| this.inline(&call.method, &function, vec![value]));
             (!value.is_unknown()).then_some(Element { is_there, value })
         };
         items.into_iter().map(map).collect()
@@ -127,24 +127,24 @@ impl Translation<'_> {
 
     /// Calls a predicate for each element. With `until`, stops after the first element for which the predicate returns
     /// that value. `None` after an error.
-    pub(super) fn asked(
+    pub(super) fn call_predicate(
         &mut self,
         call: &ExprMethodCall,
         function: &Expr,
         items: &[Element],
         until: Option<bool>,
-    ) -> Option<Vec<Asked>> {
+    ) -> Option<Vec<PredicateCall>> {
         let function = self.function_argument(function, 1)?;
-        let mut goes_on = Condition::Known(true);
-        let ask = |Element { is_there, value }: &Element| {
-            let is_asked = is_there.clone().and(goes_on.clone());
-            if matches!(is_asked, Condition::Known(false)) {
-                return Some(Asked { holds: is_asked.clone(), is_asked });
+        let mut continues = Condition::Known(true);
+        let call_for = |Element { is_there, value }: &Element| {
+            let is_called = is_there.clone().and(continues.clone());
+            if matches!(is_called, Condition::Known(false)) {
+                return Some(PredicateCall { holds: is_called.clone(), is_called });
             }
-            match self.under(call, &is_asked, |this| this.inline(&call.method, &function, vec![value.clone()])) {
+            match self.run_under(call, &is_called, |this| this.inline(&call.method, &function, vec![value.clone()])) {
                 Value::Truth(holds) => {
-                    goes_on = goes_on.clone().and(goes_on_after(is_there, &holds, until));
-                    Some(Asked { is_asked, holds })
+                    continues = continues.clone().and(continues_after(is_there, &holds, until));
+                    Some(PredicateCall { is_called, holds })
                 }
                 other => {
                     self.refuse_known(&other, &call.args, messages::not_a_condition(&other.describe()));
@@ -152,23 +152,23 @@ impl Translation<'_> {
                 }
             }
         };
-        items.iter().map(ask).collect()
+        items.iter().map(call_for).collect()
     }
 
     /// Returns the elements that satisfy a predicate; `None` after an error.
-    pub(in crate::differentiate::lower) fn kept(
+    pub(in crate::differentiate::lower) fn filtered(
         &mut self,
         call: &ExprMethodCall,
         function: &Expr,
         items: &[Element],
     ) -> Option<Vec<Element>> {
-        let asked = self.asked(call, function, items, None)?;
-        Some(items.iter().cloned().zip(asked).map(|(item, asked)| item.where_too(asked.holds)).collect())
+        let results = self.call_predicate(call, function, items, None)?;
+        Some(items.iter().cloned().zip(results).map(|(item, result)| item.and_where(result.holds)).collect())
     }
 
     /// Returns the values inside the options that a function returns for the elements. Stops after the first `Some` if
     /// `until` is `Some(true)`, after the first `None` if it is `Some(false)`. `None` after an error.
-    pub(super) fn those_made(
+    pub(super) fn some_results(
         &mut self,
         call: &ExprMethodCall,
         items: Vec<Element>,
@@ -176,18 +176,18 @@ impl Translation<'_> {
         mut make: impl FnMut(&mut Self, Value) -> Value,
     ) -> Option<Vec<Element>> {
         let mut made = Vec::with_capacity(items.len());
-        let mut goes_on = Condition::Known(true);
+        let mut continues = Condition::Known(true);
         for Element { is_there, value } in items {
-            let is_asked = is_there.clone().and(goes_on.clone());
-            if matches!(is_asked, Condition::Known(false)) {
-                made.push(Element { is_there: is_asked, value: Value::Never });
+            let is_called = is_there.clone().and(continues.clone());
+            if matches!(is_called, Condition::Known(false)) {
+                made.push(Element { is_there: is_called, value: Value::Never });
                 continue;
             }
-            match self.under(call, &is_asked, |this| make(this, value)) {
+            match self.run_under(call, &is_called, |this| make(this, value)) {
                 Value::Optional(optional) => {
                     let Optional { is_some, value } = &*optional;
-                    goes_on = goes_on.and(goes_on_after(&is_there, is_some, until));
-                    made.push(Element { is_there: is_asked.and(is_some.clone()), value: value.clone() });
+                    continues = continues.and(continues_after(&is_there, is_some, until));
+                    made.push(Element { is_there: is_called.and(is_some.clone()), value: value.clone() });
                 }
                 other => {
                     self.refuse_known(&other, &call.args, messages::not_an_option(&other.describe()));
@@ -207,7 +207,7 @@ impl Translation<'_> {
             let Some(inner) = value.items() else {
                 return Some(self.refuse(&call.method, messages::not_iterable(&kind)));
             };
-            all.extend(inner.into_iter().map(|item| item.where_too(is_there.clone())));
+            all.extend(inner.into_iter().map(|item| item.and_where(is_there.clone())));
         }
         Some(Value::iterator_of(all))
     }
@@ -220,13 +220,15 @@ impl Translation<'_> {
             Expr::Range(ExprRange { start: Some(start), end: None, .. }) => {
                 let first = self.expression(start);
                 let Some(first) = self.algebra.known_integer(&first) else {
-                    return Some(self.refuse_known(&first, start, messages::rounds_unknown()));
+                    return Some(self.refuse_known(&first, start, messages::unknown_iteration_count()));
                 };
                 (first..).zip(&items).map(|(number, _)| Element::new(self.algebra.integer(number))).collect()
             }
             other => match self.expression(other) {
-                Value::Slice(slice) => return self.with_each(items, &Rounds::over(slice), pair),
-                Value::Rounds(rounds) if rounds.items.is_indexed() => return self.with_each(items, &rounds, pair),
+                Value::Slice(slice) => return self.zip_with_items(items, &LoopSequence::over(slice), pair),
+                Value::LoopSequence(sequence) if sequence.items.is_indexed() => {
+                    return self.zip_with_items(items, &sequence, pair);
+                }
                 value => self.items_of(other, value)?,
             },
         };
@@ -258,7 +260,7 @@ impl Translation<'_> {
             if matches!(is_there, Condition::Known(false)) {
                 continue;
             }
-            let other = others.chosen(self.algebra, rank);
+            let other = others.select_element(self.algebra, rank);
             let other = other.unwrap_or_else(|| self.refuse(place, messages::no_such_choice(&others.describe())));
             pairs.push(Element { is_there, value: pair(value, other) });
         }

@@ -17,7 +17,7 @@ use crate::differentiate::messages;
 
 impl Translation<'_> {
     /// Evaluates a method that consumes all elements at once; `None` after an error.
-    pub(super) fn consumed(
+    pub(super) fn consumer_method(
         &mut self,
         items: Vec<Element>,
         call: &ExprMethodCall,
@@ -38,10 +38,10 @@ impl Translation<'_> {
                 Value::Tuple(vec![Value::list(ones), Value::list(others)])
             }
             ("partition", [function]) => {
-                let asked = self.asked(call, function, &items, None)?;
+                let results = self.call_predicate(call, function, &items, None)?;
                 let [ones, others] = [true, false].map(|is_one| {
-                    let those = items.iter().cloned().zip(asked.iter().map(|asked| asked.holds.clone()));
-                    those.map(move |(item, holds)| item.where_too(if is_one { holds } else { holds.not() }))
+                    let those = items.iter().cloned().zip(results.iter().map(|result| result.holds.clone()));
+                    those.map(move |(item, holds)| item.and_where(if is_one { holds } else { holds.not() }))
                 });
                 Value::Tuple(vec![Value::list(ones), Value::list(others)])
             }
@@ -50,7 +50,7 @@ impl Translation<'_> {
                 let start = self.expression_as(start, expected);
                 let function = self.function_argument(function, 2)?;
                 items.into_iter().fold(start, |folded, Element { is_there, value }| {
-                    let next = self.under(call, &is_there, |this| {
+                    let next = self.run_under(call, &is_there, |this| {
                         this.inline(&call.method, &function, vec![folded.clone(), value])
                     });
                     self.either_value(call, &is_there, &next, &folded)
@@ -85,13 +85,13 @@ impl Translation<'_> {
             ("find_map", Some(function)) => {
                 let function = self.function_argument(function, 1)?;
                 let make = |this: &mut Self, item| this.inline(&call.method, &function, vec![item]);
-                let made = self.those_made(call, items.to_vec(), Some(true), make)?;
+                let made = self.some_results(call, items.to_vec(), Some(true), make)?;
                 values = made.iter().map(|item| item.value.clone()).collect();
                 made.into_iter().map(|item| item.is_there).collect()
             }
             (_, Some(function)) => {
-                let asked = self.asked(call, function, items, Some(name != "all"))?.into_iter();
-                asked.map(|asked| if name == "all" { asked.holds.not() } else { asked.holds }).collect()
+                let results = self.call_predicate(call, function, items, Some(name != "all"))?.into_iter();
+                results.map(|result| if name == "all" { result.holds.not() } else { result.holds }).collect()
             }
             (_, None) => vec![Condition::Known(true); items.len()],
         };
@@ -170,7 +170,7 @@ impl Translation<'_> {
     ) -> Value {
         let reduced = items.into_iter().reduce(|left, item| {
             let both = left.is_there.clone().and(item.is_there.clone());
-            let joined = self.under(call, &both, |this| join(this, left.value.clone(), item.value.clone()));
+            let joined = self.run_under(call, &both, |this| join(this, left.value.clone(), item.value.clone()));
             let joined = self.either_value(call, &left.is_there, &joined, &item.value);
             Element {
                 value: self.either_value(call, &item.is_there, &joined, &left.value),

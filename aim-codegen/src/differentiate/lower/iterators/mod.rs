@@ -14,7 +14,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::value::{Element, Optional, Rounds, Value};
+use super::value::{Element, LoopSequence, Optional, Value};
 use super::{Translation, extents, is_place};
 use crate::differentiate::messages;
 
@@ -26,15 +26,15 @@ const LONGEST_OPEN: i64 = 300;
 
 /// Order in which a method takes elements from its iterator.
 #[derive(Clone, Copy, PartialEq)]
-enum Course {
+enum Consumption {
     /// One for each element that is taken from it.
-    InStep,
+    OneByOne,
     /// Lazily, but more, fewer, or in another order.
-    Later,
+    Lazy,
     /// At once, up to the element that it searches for; the rest stays in the iterator.
-    Partly,
+    UntilFound,
     /// At once, all of them.
-    Whole,
+    All,
 }
 
 /// A method of iterators.
@@ -42,66 +42,66 @@ struct Method {
     name: &'static str,
     /// Number of its arguments.
     arguments: usize,
-    course: Course,
+    consumption: Consumption,
     /// `true` if it calls a function with elements.
     calls: bool,
 }
 
 impl Method {
     /// Describes a method that takes no function.
-    const fn plain(name: &'static str, arguments: usize, course: Course) -> Self {
-        Self { name, arguments, course, calls: false }
+    const fn plain(name: &'static str, arguments: usize, consumption: Consumption) -> Self {
+        Self { name, arguments, consumption, calls: false }
     }
 
     /// Describes a method whose last argument is a function of elements.
-    const fn calling(name: &'static str, arguments: usize, course: Course) -> Self {
-        Self { name, arguments, course, calls: true }
+    const fn calling(name: &'static str, arguments: usize, consumption: Consumption) -> Self {
+        Self { name, arguments, consumption, calls: true }
     }
 }
 
 const METHODS: &[Method] = &[
-    Method::plain("iter", 0, Course::InStep),
-    Method::plain("into_iter", 0, Course::InStep),
-    Method::plain("copied", 0, Course::InStep),
-    Method::plain("cloned", 0, Course::InStep),
-    Method::plain("clone", 0, Course::InStep),
-    Method::plain("enumerate", 0, Course::InStep),
-    Method::plain("zip", 1, Course::Later),
-    Method::plain("chain", 1, Course::InStep),
-    Method::plain("rev", 0, Course::Later),
-    Method::plain("cycle", 0, Course::Later),
-    Method::plain("skip", 1, Course::InStep),
-    Method::plain("take", 1, Course::Later),
-    Method::plain("step_by", 1, Course::Later),
-    Method::calling("map", 1, Course::InStep),
-    Method::plain("flatten", 0, Course::Later),
-    Method::calling("flat_map", 1, Course::InStep),
-    Method::calling("filter", 1, Course::InStep),
-    Method::calling("filter_map", 1, Course::InStep),
-    Method::calling("take_while", 1, Course::Later),
-    Method::calling("skip_while", 1, Course::Later),
-    Method::calling("map_while", 1, Course::Later),
-    Method::calling("scan", 2, Course::Later),
-    Method::calling("find", 1, Course::Partly),
-    Method::calling("find_map", 1, Course::Partly),
-    Method::calling("position", 1, Course::Partly),
-    Method::calling("any", 1, Course::Partly),
-    Method::calling("all", 1, Course::Partly),
-    Method::plain("next", 0, Course::Partly),
-    Method::plain("nth", 1, Course::Partly),
-    Method::plain("collect", 0, Course::Whole),
-    Method::plain("unzip", 0, Course::Whole),
-    Method::calling("partition", 1, Course::Whole),
-    Method::calling("for_each", 1, Course::Whole),
-    Method::calling("fold", 2, Course::Whole),
-    Method::calling("reduce", 1, Course::Whole),
-    Method::calling("min_by", 1, Course::Whole),
-    Method::calling("max_by", 1, Course::Whole),
-    Method::plain("last", 0, Course::Whole),
-    Method::plain("len", 0, Course::Whole),
-    Method::plain("count", 0, Course::Whole),
-    Method::plain("sum", 0, Course::Whole),
-    Method::plain("product", 0, Course::Whole),
+    Method::plain("iter", 0, Consumption::OneByOne),
+    Method::plain("into_iter", 0, Consumption::OneByOne),
+    Method::plain("copied", 0, Consumption::OneByOne),
+    Method::plain("cloned", 0, Consumption::OneByOne),
+    Method::plain("clone", 0, Consumption::OneByOne),
+    Method::plain("enumerate", 0, Consumption::OneByOne),
+    Method::plain("zip", 1, Consumption::Lazy),
+    Method::plain("chain", 1, Consumption::OneByOne),
+    Method::plain("rev", 0, Consumption::Lazy),
+    Method::plain("cycle", 0, Consumption::Lazy),
+    Method::plain("skip", 1, Consumption::OneByOne),
+    Method::plain("take", 1, Consumption::Lazy),
+    Method::plain("step_by", 1, Consumption::Lazy),
+    Method::calling("map", 1, Consumption::OneByOne),
+    Method::plain("flatten", 0, Consumption::Lazy),
+    Method::calling("flat_map", 1, Consumption::OneByOne),
+    Method::calling("filter", 1, Consumption::OneByOne),
+    Method::calling("filter_map", 1, Consumption::OneByOne),
+    Method::calling("take_while", 1, Consumption::Lazy),
+    Method::calling("skip_while", 1, Consumption::Lazy),
+    Method::calling("map_while", 1, Consumption::Lazy),
+    Method::calling("scan", 2, Consumption::Lazy),
+    Method::calling("find", 1, Consumption::UntilFound),
+    Method::calling("find_map", 1, Consumption::UntilFound),
+    Method::calling("position", 1, Consumption::UntilFound),
+    Method::calling("any", 1, Consumption::UntilFound),
+    Method::calling("all", 1, Consumption::UntilFound),
+    Method::plain("next", 0, Consumption::UntilFound),
+    Method::plain("nth", 1, Consumption::UntilFound),
+    Method::plain("collect", 0, Consumption::All),
+    Method::plain("unzip", 0, Consumption::All),
+    Method::calling("partition", 1, Consumption::All),
+    Method::calling("for_each", 1, Consumption::All),
+    Method::calling("fold", 2, Consumption::All),
+    Method::calling("reduce", 1, Consumption::All),
+    Method::calling("min_by", 1, Consumption::All),
+    Method::calling("max_by", 1, Consumption::All),
+    Method::plain("last", 0, Consumption::All),
+    Method::plain("len", 0, Consumption::All),
+    Method::plain("count", 0, Consumption::All),
+    Method::plain("sum", 0, Consumption::All),
+    Method::plain("product", 0, Consumption::All),
 ];
 
 /// Returns the names of all methods.
@@ -122,17 +122,18 @@ pub(super) fn has_method(name: &Ident) -> bool {
 /// Returns `true` if a method consumes its whole iterator at once: by itself, or if its result is consumed at once
 /// (`is_drained`).
 pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
-    match method(name).map(|method| method.course) {
+    match method(name).map(|method| method.consumption) {
         // `len` does not look at the elements.
-        Some(Course::Whole) => name != "len",
-        Some(Course::InStep) => is_drained,
+        Some(Consumption::All) => name != "len",
+        Some(Consumption::OneByOne) => is_drained,
         _ => false,
     }
 }
 
 /// Returns `true` if the function that is passed to a method of this value is called later, or not with each element.
 pub(super) fn is_lazy(receiver: &Value, name: &Ident) -> bool {
-    let is_later = |method: &Method| method.calls && matches!(method.course, Course::InStep | Course::Later);
+    let is_later =
+        |method: &Method| method.calls && matches!(method.consumption, Consumption::OneByOne | Consumption::Lazy);
     matches!(receiver, Value::Iterator(_)) && method(name).is_some_and(is_later)
 }
 
@@ -143,7 +144,7 @@ impl Element {
     }
 
     /// Adds a condition to the element's presence.
-    pub(super) fn where_too(self, condition: Condition) -> Self {
+    pub(super) fn and_where(self, condition: Condition) -> Self {
         Self { is_there: self.is_there.and(condition), value: self.value }
     }
 }
@@ -206,7 +207,7 @@ impl Translation<'_> {
         for (value, bound) in values.into_iter().zip([start, end]) {
             match value {
                 Value::Integer(end) => ends.push(end),
-                value => return self.refuse_known(&value, bound, messages::rounds_unknown()),
+                value => return self.refuse_known(&value, bound, messages::unknown_iteration_count()),
             }
         }
         let [first, last] = ends[..] else { return Value::Unknown };
@@ -224,7 +225,7 @@ impl Translation<'_> {
             let a = &mut *self.algebra;
             let (count, more) = (a.sub(last, first), a.count(usize::from(is_closed)));
             let count = a.add(count, more);
-            return Value::Rounds(Rc::new(Rounds::numbers(a, first, count)));
+            return Value::LoopSequence(Rc::new(LoopSequence::numbers(a, first, count)));
         };
         let most = if is_closed { most.saturating_add(1) } else { most };
         let mut items = Vec::new();
@@ -249,17 +250,17 @@ impl Translation<'_> {
             return self.refuse(&call.method, messages::unknown_method(&name, "an iterator", &names()));
         };
         let items = items.to_vec();
-        let value = match method.course {
-            Course::InStep | Course::Later => self.adapted(items, call),
-            Course::Partly => self.searched(items, call),
-            Course::Whole => self.consumed(items, call, expected),
+        let value = match method.consumption {
+            Consumption::OneByOne | Consumption::Lazy => self.adaptor_method(items, call),
+            Consumption::UntilFound => self.search_method(items, call),
+            Consumption::All => self.consumer_method(items, call, expected),
         };
         // The error has been reported.
         value.unwrap_or(Value::Unknown)
     }
 
     /// Evaluates a search. An iterator in a variable continues after the element that ended the search.
-    fn searched(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
+    fn search_method(&mut self, items: Vec<Element>, call: &ExprMethodCall) -> Option<Value> {
         let (found, ends) = self.found(&items, call)?;
         if !is_place(&call.receiver) || found.is_unknown() {
             return Some(found);
@@ -267,7 +268,7 @@ impl Translation<'_> {
         let place = self.still_place(&call.receiver)?;
         let mut is_behind = Condition::Known(false);
         let rest = items.into_iter().zip(ends).map(|(item, ends)| {
-            let left = item.where_too(is_behind.clone());
+            let left = item.and_where(is_behind.clone());
             is_behind = is_behind.clone().or(ends);
             left
         });
@@ -300,11 +301,9 @@ impl Translation<'_> {
 
     /// Returns the elements of a value; `None` after an error.
     pub(super) fn items_of(&mut self, place: &impl ToTokens, value: Value) -> Option<Vec<Element>> {
-        let kind = value.describe();
-        let is_unknown = value.is_unknown();
-        let items = value.items();
-        if items.is_none() && !is_unknown {
-            self.refuse(place, messages::not_iterable(&kind));
+        let items = value.clone().items();
+        if items.is_none() {
+            self.refuse_known(&value, place, messages::not_iterable(&value.describe()));
         }
         items
     }

@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::function::{Fault, functions};
+use super::function::{CallError, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::{Affine, Map, Quaternion};
@@ -31,7 +31,7 @@ functions! {
                 let [x, y, z] = a.parts(*v);
                 [x, y, z, *w]
             }
-            _ => return Err(Fault::Arguments),
+            _ => return Err(CallError::Arguments),
         }
     }
 }

@@ -9,18 +9,18 @@ use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::value::Value;
 
 /// Reason why a call has no value.
-pub(in crate::differentiate::lower) enum Fault {
+pub(in crate::differentiate::lower) enum CallError {
     /// The arguments are of kinds that the function does not take.
     Arguments,
     /// The arguments are invalid in another way.
-    Text(Text),
+    Message(Text),
     /// The arguments are valid, but the function's formula cannot be evaluated for them.
     Refused(Text),
 }
 
-impl From<Text> for Fault {
+impl From<Text> for CallError {
     fn from(text: Text) -> Self {
-        Self::Text(text)
+        Self::Message(text)
     }
 }
 
@@ -28,11 +28,11 @@ impl From<Text> for Fault {
 pub(in crate::differentiate::lower) struct Function {
     pub(in crate::differentiate::lower) name: &'static str,
     pub(super) takes: &'static [&'static str],
-    pub(super) make: fn(&mut Algebra, &[Value]) -> Result<Value, Fault>,
+    pub(super) make: fn(&mut Algebra, &[Value]) -> Result<Value, CallError>,
 }
 
 impl Function {
-    pub(super) fn call(&self, a: &mut Algebra, arguments: &[Value]) -> Result<Value, Fault> {
+    pub(super) fn call(&self, a: &mut Algebra, arguments: &[Value]) -> Result<Value, CallError> {
         (self.make)(a, arguments)
     }
 
@@ -71,14 +71,14 @@ fn words(kind: &str) -> &'static str {
 }
 
 /// Evaluates a formula that is written in the interpreted language. Fails only for whole numbers, which may be rounded.
-pub(super) fn evaluated(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Result<Value, Fault> {
+pub(super) fn evaluated(a: &mut Algebra, formula: &str, names: &[&str], values: &[Value]) -> Result<Value, CallError> {
     let names = names.iter().zip(values).map(|(&name, value)| (name.to_owned(), value.clone())).collect();
     let mut report = Report::new(Notation::Rust);
     let (expression, items) = (syn::parse_str(formula), Items::default());
     let value =
         expression.map_or(Value::Unknown, |it| Translation::new(a, &mut report, &items, None).formula(&it, names));
     match report.into_list().first() {
-        Some(refused) => Err(Fault::Refused(Text::new(refused.message(), refused.help()))),
+        Some(refused) => Err(CallError::Refused(Text::new(refused.message(), refused.help()))),
         None => Ok(value),
     }
 }
@@ -107,7 +107,7 @@ macro_rules! functions {
                         functions!(@pattern [$($argument: $kind),*] $($result)?) => {
                             Ok(functions!(@value $a arguments [$($argument),*] $($result $body)? $($formula)?))
                         }
-                        _ => Err($crate::differentiate::lower::methods::function::Fault::Arguments),
+                        _ => Err($crate::differentiate::lower::methods::function::CallError::Arguments),
                     }
                 },
             },

@@ -9,7 +9,7 @@ mod scalar;
 mod transform;
 mod vector;
 
-pub(super) use self::function::{Fault, Function};
+pub(super) use self::function::{CallError, Function};
 use super::algebra::Algebra;
 use super::square;
 use super::value::Value;
@@ -108,12 +108,12 @@ pub(super) fn call(
     name: &str,
     a: &mut Algebra,
     arguments: &[Value],
-) -> Option<Result<Value, (Fault, &'static Function)>> {
-    let mut fault = None;
+) -> Option<Result<Value, (CallError, &'static Function)>> {
+    let mut error = None;
     for function in tables.iter().copied().flatten().filter(|function| function.name == name) {
         match function.call(a, arguments) {
             Ok(value) => return Some(Ok(value)),
-            Err(found) => fault = Some(Err((found, function))),
+            Err(found) => error = Some(Err((found, function))),
         }
         // A 4×4 matrix that is stored as a transform: use its entries.
         if let Some(Value::Homogeneous(m)) = arguments.first() {
@@ -127,12 +127,12 @@ pub(super) fn call(
             match function.call(a, &lifted) {
                 Ok(Value::Vector(v)) => return Some(Ok(Value::Planar(v))),
                 Ok(value) => return Some(Ok(value)),
-                Err(found @ (Fault::Text(_) | Fault::Refused(_))) => fault = Some(Err((found, function))),
-                Err(Fault::Arguments) => {}
+                Err(found @ (CallError::Message(_) | CallError::Refused(_))) => error = Some(Err((found, function))),
+                Err(CallError::Arguments) => {}
             }
         }
     }
-    fault
+    error
 }
 
 /// Returns the arguments with vectors of two as vectors of three; `None` if the first is not a vector of two, or if

@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Node, Scalar, Vector};
 
-use super::function::{Fault, evaluate, functions};
+use super::function::{CallError, evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::Quaternion;
@@ -46,7 +46,7 @@ functions! {
     angle_between(q: Quaternion, r: Quaternion) -> Scalar {
         let (u, w) = parts(&q.conjugate(a).compose(a, &r))?;
         let (length, two) = (a.norm(u), a.number(2.0));
-        let Value::Scalar(size) = evaluate(a, "w.abs()", &["w"], &[Value::Scalar(w)]) else { return Err(Fault::Arguments) };
+        let Value::Scalar(size) = evaluate(a, "w.abs()", &["w"], &[Value::Scalar(w)]) else { return Err(CallError::Arguments) };
         let half = a.atan2(length, size);
         a.mul(two, half)
     }

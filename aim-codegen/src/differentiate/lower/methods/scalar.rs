@@ -5,7 +5,7 @@ use std::rc::Rc;
 use aim_symbolic::Function::{Acos, Asin, Cosh, Exp, Floor, Ln, Sinh, Tan, Tanh};
 use aim_symbolic::Scalar;
 
-use super::function::{Fault, evaluate, functions};
+use super::function::{CallError, evaluate, functions};
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::condition::Condition;
@@ -108,7 +108,7 @@ functions! {
     pow(n: Integer, exponent: Integer) -> Integer {
         let exponent = whole(a, exponent)?;
         if exponent < 0 {
-            return Err(Fault::Arguments);
+            return Err(CallError::Arguments);
         }
         a.power(n, exponent)
     }
@@ -133,7 +133,7 @@ const ASINH: &str = "x.signum() * (x.abs() * (1.0 + (1.0 + 1.0 / (x * x)).sqrt()
 /// Returns c artanh(r x), with `r` given as an expression of x. Where |r x| < ¼, uses the series c r x Σ (r x)²ᵏ/(2k +
 /// 1), which loses no digits; elsewhere `closed`, an expression of x with logarithms. Both have the factor x, so that a
 /// quotient by x has its limit at 0.
-fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Scalar, Fault> {
+fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Scalar, CallError> {
     let formula = format!(
         "{{
             let r = {r};
@@ -146,12 +146,12 @@ fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Sc
     );
     match evaluate(a, &formula, &["x"], &[Value::Scalar(x)]) {
         Value::Scalar(value) => Ok(value),
-        _ => Err(Fault::Arguments),
+        _ => Err(CallError::Arguments),
     }
 }
 
 /// Evaluates a formula of two numbers. If one of them is a constant NaN, returns the other.
-fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Scalar, Fault> {
+fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Scalar, CallError> {
     match [x, y].map(|x| a.constant_of(x).is_some_and(f64::is_nan)) {
         [true, _] => return Ok(y),
         [_, true] => return Ok(x),
@@ -159,15 +159,15 @@ fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Sca
     }
     match evaluate(a, formula, &["x", "y"], &[Value::Scalar(x), Value::Scalar(y)]) {
         Value::Scalar(value) => Ok(value),
-        _ => Err(Fault::Arguments),
+        _ => Err(CallError::Arguments),
     }
 }
 
 /// Returns |x|.
-fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, Fault> {
+fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, CallError> {
     match evaluate(a, "x.abs()", &["x"], &[Value::Scalar(x)]) {
         Value::Scalar(size) => Ok(size),
-        _ => Err(Fault::Arguments),
+        _ => Err(CallError::Arguments),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use aim_symbolic::{Scalar, Vector};
 
-use super::function::{Fault, functions};
+use super::function::{CallError, functions};
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::square;
 use crate::differentiate::lower::value::{Columns, Value};
@@ -95,18 +95,18 @@ functions! {
     clone(m: Square) -> Square { m }
 }
 
-fn product(a: &mut Algebra, m: &Columns, n: &Columns) -> Result<Columns, Fault> {
+fn product(a: &mut Algebra, m: &Columns, n: &Columns) -> Result<Columns, CallError> {
     let same = m.len() == n.len();
-    same.then(|| n.iter().map(|column| square::apply(a, m, column)).collect()).ok_or(Fault::Arguments)
+    same.then(|| n.iter().map(|column| square::apply(a, m, column)).collect()).ok_or(CallError::Arguments)
 }
 
-fn image<const N: usize>(a: &mut Algebra, m: &Columns, v: &[Scalar]) -> Result<[Scalar; N], Fault> {
+fn image<const N: usize>(a: &mut Algebra, m: &Columns, v: &[Scalar]) -> Result<[Scalar; N], CallError> {
     let image = if m.len() == v.len() { square::apply(a, m, v) } else { Vec::new() };
-    image.try_into().map_err(|_| Fault::Arguments)
+    image.try_into().map_err(|_| CallError::Arguments)
 }
 
 /// Returns the image of a vector with the fourth component `w`.
-fn image_of(a: &mut Algebra, m: &Columns, v: Vector, w: f64) -> Result<[Scalar; 4], Fault> {
+fn image_of(a: &mut Algebra, m: &Columns, v: Vector, w: f64) -> Result<[Scalar; 4], CallError> {
     let ([x, y, z], w) = (a.parts(v), a.number(w));
     image(a, m, &[x, y, z, w])
 }

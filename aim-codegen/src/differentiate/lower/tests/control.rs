@@ -33,7 +33,7 @@ same! {
             if kept > 4.0 { kept } else { kept - x }
         }
     }
-    loops_with_ways_out {
+    loops_with_break_continue_and_return {
         pub fn f(x: f64, y: f64) -> f64 {
             let table = [0.5, -1.0, 2.0, 4.0];
             let mut sum = 0.0;
@@ -57,7 +57,7 @@ same! {
             sum + rounds as f64
         }
     }
-    assigned_on_the_way_out {
+    assignments_before_break_and_continue {
         pub fn f(x: f64, y: f64) -> f64 {
             let (mut a, mut b, mut c) = (x, 0.0, 1.0);
             for i in 0..3 {
@@ -113,7 +113,7 @@ same! {
             guess
         }
     }
-    loops_that_arguments_end {
+    loops_ended_by_arguments {
         pub fn f(x: f64, y: f64) -> f64 {
             let (mut a, mut b, mut n) = (0.0, 0.0, 0);
             while n < 7 && a * a + b * b < 4.0 {
@@ -135,7 +135,7 @@ same! {
             a + b + 2f64.powi(n - 3) + sum
         }
     }
-    recursion_that_ends {
+    bounded_recursion {
         fn basis(i: usize, p: usize, t: f64) -> f64 {
             if p == 0 { return if i as f64 <= t && t < (i + 1) as f64 { 1.0 } else { 0.0 }; }
             let d = p as f64;
@@ -146,7 +146,7 @@ same! {
         }
         pub fn f(x: f64, y: f64) -> f64 { (0..5).map(|i| basis(i, 3, x + 1.5) * (i as f64 - y)).sum::<f64>() + power(y, 11) }
     }
-    effects_where_they_happen {
+    side_effects_of_conditions_closures_and_indices {
         #[derive(Clone, Copy, PartialEq, Default)]
         struct Counter { n: f64, last: Option<f64> }
         impl Counter {
@@ -190,7 +190,7 @@ same! {
                 + if both { 100.0 } else { 0.0 } + if kept { 200.0 } else { 0.0 } + if c.last.is_some() { 1e3 } else { 0.0 }
         }
     }
-    what_goes_elsewhere {
+    early_exits_options_and_results {
         #[derive(Clone, Copy, PartialEq)]
         struct P { x: f64, y: f64 }
         struct Q(f64);
@@ -238,7 +238,7 @@ same! {
             shadowed + side + (0..5).map(|k| mode(k, x - y)).sum::<f64>() + match count { 0 => x, 1 => y, 3 => 5.0, _ => -1.0 }
         }
     }
-    patterns_of_several {
+    or_patterns {
         pub fn f(x: f64, y: f64) -> f64 {
             let first = if x > 0.0 { Some(x) } else { None };
             let second = if y > 0.0 { Some(y) } else { None };
@@ -275,7 +275,7 @@ same! {
         }
         pub fn f(x: f64, y: f64) -> f64 { cdf(x) + 2.0 * cdf(y - 0.5) + gamma(x + 0.1) + odd(y) }
     }
-    conditions_that_the_way_decides {
+    conditions_decided_by_earlier_branches {
         fn g(x: f64, n: i32) -> f64 { if n == 0 { return x; } if x > 1.0 { g(x - 1.0, n - 1) } else if x < -1.0 { -g(-x, n - 1) } else { x * 3.0 } }
         pub fn f(x: f64, y: f64) -> f64 {
             let mut z = x;
@@ -287,7 +287,7 @@ same! {
             out + z + g(x, 3) + g(y, 2)
         }
     }
-    rounds_that_are_bounded {
+    loops_with_bounded_iteration_counts {
         fn below(n: usize) -> usize { if n > 4 { return 4; } n }
         fn factorial(n: usize) -> f64 { if n == 0 { 1.0 } else { n as f64 * factorial(n - 1) } }
         fn power(x: f64, n: usize) -> f64 { match n { 0 => 1.0, 1 => x, n => x * power(x, n - 1) } }
@@ -310,7 +310,7 @@ same! {
             sum + halves + (0..n).len() as f64 + if (0..m).any(|i| table[i] > y) { 7.0 } else { 9.0 }
         }
     }
-    indices_that_change_what_they_index {
+    indices_with_side_effects {
         struct Gen { s: [f64; 3], i: usize }
         impl Gen {
             fn step(&mut self) -> usize { self.i = (self.i + 1) % 3; self.s[self.i] *= 0.5; self.s[self.i] += 1.0; self.i }
@@ -330,7 +330,7 @@ same! {
             sum + 1000.0 * n + v[1]
         }
     }
-    whole_numbers_below_zero_as_others {
+    negative_integers_cast_to_unsigned {
         pub fn f(x: f64, y: f64) -> f64 {
             let v = [x, y, 2.0, x * y];
             let mut sum = 0.0;
@@ -346,7 +346,7 @@ same! {
             sum + if k < 2 { y } else { 7.0 } + if m > 5 { 0.5 } else { m as f64 } + v[k.min(2)]
         }
     }
-    what_is_no_number_does_not_count {
+    min_and_max_ignore_nan {
         pub fn f(x: f64, y: f64) -> f64 {
             let v = [x, y, 0.5];
             let most = v.iter().copied().fold(f64::NAN, f64::max);
@@ -357,7 +357,7 @@ same! {
             most + 10.0 * least + n as f64 + s
         }
     }
-    what_is_known_only_for_a_while {
+    conditions_known_only_in_a_branch {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut sum = 0.0;
             for k in 0..2 {

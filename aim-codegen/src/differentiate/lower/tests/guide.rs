@@ -1,7 +1,7 @@
 //! Test that the guide names every supported function.
 
 use super::{Algebra, Value};
-use crate::differentiate::lower::{arrays, iterators, methods, optional, rounds};
+use crate::differentiate::lower::{arrays, iterators, loop_sequences, methods, optional};
 use crate::differentiate::types::Shape;
 
 const GUIDE: &str = include_str!("../../../../../aim-derive/src/differentiate.md");
@@ -24,7 +24,7 @@ fn callables() -> Vec<(&'static str, Vec<&'static str>)> {
         ("matrices of two or four", [of(Shape::Square(2)), of(Shape::Square(4))].concat()),
         ("transforms", of(Shape::Rigid)),
         ("arrays, slices and lists", arrays::names()),
-        ("slices in loops that stay", rounds::METHODS.to_vec()),
+        ("slices in loops that stay", loop_sequences::METHODS.to_vec()),
         ("iterators", iterators::names()),
         ("options", optional::METHODS.to_vec()),
     ]

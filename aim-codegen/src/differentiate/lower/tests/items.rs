@@ -3,7 +3,7 @@
 use super::same;
 
 same! {
-    functions_of_a_parameters_traits {
+    trait_functions_of_type_parameters {
         trait Real: Copy { fn sign(self) -> f64; fn signum(self) -> f64; fn of(x: f64) -> Self; fn size(t: &Self) -> f64; }
         impl Real for f64 {
             fn sign(self) -> f64 { if self == 0.0 { 0.0 } else { f64::signum(self) } }
@@ -119,7 +119,7 @@ same! {
             s.a - 3.0 * s.b
         }
     }
-    modules_inside {
+    nested_modules {
         use shapes::round::{self, ball as sphere};
         static WEIGHTS: [f64; 2] = [2.0, shapes::K];
         const K: f64 = 5.0;
@@ -160,7 +160,7 @@ same! {
                 + consts::PI * y + consts::E + TAU * x + K
         }
     }
-    functions_of_one_name {
+    functions_with_the_same_name {
         use std::ops::{Add, Mul, Neg, Sub};
         #[derive(Clone, Copy)]
         struct V(f64, f64);
@@ -310,7 +310,7 @@ same! {
                 + number(quotient.is_nan()) + (x * 1e10) as i32 as f64
         }
     }
-    what_traits_provide {
+    trait_defaults_and_conversions {
         trait Shape {
             const SIDES: f64 = 4.0;
             fn area(&self) -> f64;
@@ -339,7 +339,7 @@ same! {
             Circle(x).scaled(y) + Square { side: y }.scaled(x) + Circle::unit() + Square::unit() + sum(polar) + sum(Circle(y).into())
         }
     }
-    defaults_of_every_place {
+    default_values_in_every_position {
         #[derive(Clone, Copy)]
         struct P { a: f64, b: f64 }
         impl Default for P { fn default() -> P { P { a: 2.0, b: 3.0 } } }
@@ -373,7 +373,7 @@ same! {
                 + { let both: Both = Default::default(); both.c }
         }
     }
-    closures_that_change_what_is_outside {
+    closures_that_change_captured_variables {
         pub fn f(x: f64, y: f64) -> f64 {
             let (mut total, mut count, mut path) = (0.0, 0, [x, y]);
             let mut add = |v: f64, weight: f64| {
@@ -524,7 +524,7 @@ same! {
             sum([x, y]) + halves([x, y, 1.0, 2.0], 2) + p.at(0.5) + q.at(x) + r.at(y) + m[2][1] + m[0][0] + w.call(x) + d
         }
     }
-    generics_as_written {
+    explicit_generic_arguments {
         type Row<const N: usize> = [f64; N];
         type Matrix<const N: usize> = [Row<N>; N];
         const MORE: usize = 4;
@@ -537,7 +537,7 @@ same! {
             norm(&[x, y, 1.0]) + corners(&[[x, 2.0], [y, x * y]]) + sums + repeated::<f64, 2>(x) + x * repeated::<_, MORE>(y)
         }
     }
-    generics_by_results {
+    generic_arguments_inferred_from_the_result {
         struct Matrix<const R: usize, const C: usize> { data: [[f64; C]; R] }
         impl<const R: usize, const C: usize> Matrix<R, C> {
             fn flipped_ones() -> Matrix<C, R> { Matrix { data: [[1.0 + R as f64 * 10.0; R]; C] } }
@@ -548,7 +548,7 @@ same! {
             x * m.data[2][1] + y * n.data[1][0]
         }
     }
-    whole_numbers_that_single_precision_rounds {
+    integers_rounded_by_a_cast_to_f32 {
         pub fn f(x: f64, y: f64) -> f64 { (16777217i32 as f32 as f64 - 16777216.0) * x + (-3i32) as f32 as f64 * y }
     }
 }

@@ -28,7 +28,7 @@ same! {
             v.iter().enumerate().map(|(i, w)| (i + 1) as f64 * w).sum()
         }
     }
-    parts_that_arguments_choose {
+    parts_at_computed_indices {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut v = [1.0, 2.0, 3.0, 4.0, 5.0];
             let k = if x > 0.0 { 1 } else { 2 };
@@ -40,7 +40,7 @@ same! {
             v.iter().enumerate().map(|(i, w)| (i + 1) as f64 * w).sum()
         }
     }
-    what_methods_lend_is_changed {
+    changes_through_references_returned_by_methods {
         struct Row { cells: [f64; 4], total: f64 }
         impl Row {
             fn largest(&mut self) -> &mut f64 { self.cells.last_mut().unwrap() }
@@ -83,7 +83,7 @@ same! {
             sum + row.total * row.cells[3] + stack[1]
         }
     }
-    patterns_of_what_is_lent {
+    patterns_on_mutable_references {
         struct Body { position: [f64; 2], speed: f64 }
         fn step(body: &mut Body, dt: f64) {
             let Body { position, speed } = body;
@@ -110,7 +110,7 @@ same! {
             body.position[0] * v[0] + body.position[1] * v[1] + body.speed + v[3] + pairs[0].0 + pairs[1].0 * pairs[1].1
         }
     }
-    what_is_lent_has_other_names {
+    aliases_of_mutable_references {
         struct Body { at: f64, speed: f64 }
         impl Body {
             fn step(&mut self, dt: f64) {

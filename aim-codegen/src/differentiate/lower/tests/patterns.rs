@@ -3,7 +3,7 @@
 use super::same;
 
 same! {
-    variants_that_are_imported {
+    imported_variants {
         use std::cmp::Ordering::{self, *};
         fn sign(x: f64, y: f64) -> f64 { match x.total_cmp(&y) { Less => x, Equal => y, Greater => x * y } }
         fn other(x: f64, y: f64) -> f64 {
@@ -21,7 +21,7 @@ same! {
         }
         pub fn f(x: f64, y: f64) -> f64 { sign(x, y) + 10.0 * other(x, y) + 100.0 * inside(x, y) }
     }
-    constants_that_are_imported {
+    imported_constants {
         use std::f64::consts::*;
         mod limits { pub const LEAST: i32 = 2; }
         use limits::LEAST;
@@ -34,7 +34,7 @@ same! {
             near + count(2) + count(if y > 0.0 { 3 } else { 4 }) + inner(3) * inner(if x > y { 3 } else { 1 })
         }
     }
-    guards_are_asked_of_each_alternative {
+    guards_are_evaluated_for_each_alternative {
         fn larger(x: f64, y: f64) -> f64 { match (x, y) { (a, _) | (_, a) if a > 0.9 => a * a, _ => x - y } }
         fn some(p: Option<f64>, q: Option<f64>) -> f64 {
             match (p, q) { (Some(a), _) | (_, Some(a)) if a > 1.0 => a, (None, None) => 50.0, _ => -1.0 }
@@ -49,7 +49,7 @@ same! {
             larger(x, y) + 10.0 * some(some_if(x), some_if(y)) + nested([(x, y), (1.0, y)]) + if is_one(n, y) { 9.0 } else { x }
         }
     }
-    names_for_what_matches {
+    bindings_with_at {
         pub fn f(x: f64, y: f64) -> f64 {
             let n = if x > 1.0 { 5 } else if y > 0.0 { 2 } else { 0 };
             let by_count = match n { small @ 1..=3 => f64::from(small) * x, all @ (4 | 5) => f64::from(all) * y, _ => 0.5 };
@@ -57,7 +57,7 @@ same! {
             by_count + pair
         }
     }
-    capital_letters_are_names_too {
+    bindings_with_capital_letters {
         pub fn f(x: f64, y: f64) -> f64 {
             let K = 1.0;
             let matched = match y { K if K > x => x * y, _ => x };
@@ -65,11 +65,11 @@ same! {
             matched + match R { T => T * 3.0 }
         }
     }
-    structs_without_fields_match_themselves {
+    unit_struct_patterns {
         struct Marker;
         pub fn f(x: f64, y: f64) -> f64 { match (Marker, x) { (Marker, a) if a > 0.0 => a * y, (Marker, _) => y } }
     }
-    parts_that_are_left_out {
+    rest_patterns {
         struct P(f64, f64, f64);
         enum V { A(f64, f64, f64), B }
         fn of_tuples(t: (f64, f64, f64)) -> f64 { match t { (a, ..) if a > 0.0 => a, (.., c) => c } }
@@ -86,7 +86,7 @@ same! {
             a + c * d + e + of_tuples((x, y, 2.0)) + 10.0 * of_structs(P(x, y, 2.0)) + of_variants(v, x) * is_some + sum
         }
     }
-    guards_act_only_where_those_before_did_not_hold {
+    guards_run_only_where_earlier_guards_failed {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut asked = 0.0;
             let mut is_large = |v: f64| { asked += 1.0; v > 0.6 };

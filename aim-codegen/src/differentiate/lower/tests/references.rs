@@ -3,7 +3,7 @@
 use super::same;
 
 same! {
-    loops_over_what_is_lent {
+    loops_over_mutable_references {
         struct Body { at: f64 }
         impl Body { fn up(&mut self, by: f64) { self.at += by; } }
         fn each(rows: &mut [[f64; 2]], by: f64) { for row in rows { row[0] += by; } }
@@ -27,7 +27,7 @@ same! {
             rows[0][0] + rows[1][1] * cubes[1][0][0] + bodies[0].at * bodies[1].at + values[1]
         }
     }
-    moved_by_name {
+    references_moved_between_variables {
         fn apply(v: &mut [f64; 2], g: impl Fn(&mut [f64; 2])) { g(v); }
         pub fn f(x: f64, y: f64) -> f64 {
             let mut v = [x, y];
@@ -54,7 +54,7 @@ same! {
             v[0] + v[1] * u[0] + s[2] + 1000.0 * t[1] + t[0]
         }
     }
-    returned_by_functions {
+    references_returned_by_functions {
         struct Body { at: f64, speed: f64 }
         impl Body {
             fn moved(&mut self, by: f64) -> &mut Self { self.at += by; self }
@@ -89,7 +89,7 @@ same! {
             go([[x, y], [y, 1.0]], Body { at: y, speed: x }) + v[0] + v[1] * 3.0 + o[1]
         }
     }
-    taken_apart_by_patterns {
+    references_destructured_by_patterns {
         struct Spring { ends: [f64; 2], k: f64 }
         enum Mode { Row([f64; 2]), One(f64), Both { a: f64, b: f64 }, Rest }
         impl Spring { fn go(&mut self) { match self { Spring { ends, k } => { ends[0] += *k; *k *= 2.0; } } } }
@@ -132,7 +132,7 @@ same! {
             spring.ends[0] * spring.k + total + chosen.value() + o.map_or(2.0, |v| v[0]) + p.unwrap_or(0.0) + sum(&v) * w + before
         }
     }
-    copies_of_what_is_lent {
+    copies_of_referenced_values {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut v = [x, y, 1.0];
             let (mut s, mut t) = (0.0, 0.0);
@@ -150,7 +150,7 @@ same! {
             s + q * t + v[0] + v[1] * v[2]
         }
     }
-    variants_that_are_never_made {
+    variants_that_are_never_constructed {
         #[derive(Clone, Copy)]
         enum S { A, B, On(f64) }
         impl S { fn go(&mut self) { match self { S::On(k) => *k += 1.0, S::A => *self = S::B, S::B => {} } } }

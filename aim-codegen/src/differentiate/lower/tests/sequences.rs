@@ -38,7 +38,7 @@ same! {
             trace + rest[1][0] + squares[2] * THIRD / TAU + first[1] + last[2] + windows + m[1..].iter().map(|row| row[0]).fold(0.0, f64::max)
         }
     }
-    sums_of_nothing {
+    sums_of_empty_iterators {
         #[derive(Clone, Copy)]
         struct Pair(f64, f64);
         impl std::ops::Add for Pair { type Output = Self; fn add(self, o: Self) -> Self { Pair(self.0 + o.0, self.1 + o.1) } }
@@ -101,7 +101,7 @@ same! {
                 + [x, y].into_iter().reduce(larger).unwrap() + m[0].first().unwrap() - m[1].last().unwrap()
         }
     }
-    elements_left_out {
+    filtered_elements {
         pub fn f(x: f64, y: f64) -> f64 {
             let xs = [x, y, x * y, 1.0, -x, 0.25 - y];
             let ys = [0.5, x - y, 2.0];
@@ -204,7 +204,7 @@ same! {
             lookup(x) + 10.0 * lookup(y) + bin as f64 + parity + (bin / 2) as f64 + (300.0 * x) as u8 as f64 + (100.0 * y) as i8 as f64
         }
     }
-    chosen_elements {
+    elements_at_computed_indices {
         fn solve(mut a: [[f64; 3]; 3], mut b: [f64; 3]) -> [f64; 3] {
             for c in 0..3 {
                 let pivot = (c..3).max_by(|&i, &j| a[i][c].abs().partial_cmp(&a[j][c].abs()).unwrap()).unwrap();
@@ -263,7 +263,7 @@ same! {
                 + if [1, 2, 3].contains(&cell) { 5.0 } else { 0.0 }
         }
     }
-    lists_that_grow_where_arguments_say {
+    lists_whose_length_depends_on_arguments {
         fn outliers(values: &[f64], limit: f64) -> Vec<f64> {
             let mut all = Vec::new();
             for v in values {
@@ -300,7 +300,7 @@ same! {
                 + if all.contains(&2.0) { 100.0 } else { 0.0 } + outliers(&[x, y], 0.75).iter().rev().fold(0.0, |h, v| 0.5 * h + v)
         }
     }
-    iterators_that_are_kept {
+    iterators_in_variables {
         pub fn f(x: f64, y: f64) -> f64 {
             let values = [x, y, 2.0, x + y, -1.0];
             let mut rest = values.iter();
@@ -329,7 +329,7 @@ same! {
                 + if all_low { 70.0 } else { 0.0 } + flat
         }
     }
-    effects_of_what_searches {
+    side_effects_of_searches {
         pub fn f(x: f64, y: f64) -> f64 {
             let v = [x, y, 2.0, -1.0];
             let mut seen = 0.0;
@@ -348,7 +348,7 @@ same! {
             found + seen + left + at as f64 + fm + low.len() as f64 * high.iter().sum::<f64>() + if any { 5.0 } else { 0.0 } + if all { 7.0 } else { 0.0 }
         }
     }
-    iterators_and_lists_that_are_passed_on {
+    iterators_and_lists_as_arguments {
         fn two(it: &mut impl Iterator<Item = f64>) -> f64 { it.next().unwrap_or(1.0) - 2.0 * it.next().unwrap_or(2.0) }
         fn rest(it: impl Iterator<Item = f64>) -> f64 { it.fold(0.0, |s, v| 0.5 * s + v) }
         struct Holder { all: Vec<f64>, n: usize }
@@ -376,7 +376,7 @@ same! {
             a + b + h.mean() + other.mean() * other.n as f64 + n as f64 + pair.iter().sum::<f64>() + top + index as f64
         }
     }
-    what_is_not_there_is_no_matter_when_sorting {
+    sorting_ignores_absent_elements {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut logarithms = Vec::new();
             for v in [4.0, x, 2.0, y, 0.5] { if v > 0.0 { logarithms.push(f64::ln(v)); } }

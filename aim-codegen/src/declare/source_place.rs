@@ -1,4 +1,4 @@
-//! [`Place`]: position of something in the user's source, as tokens of a macro or as a range of a TOML file's text.
+//! [`SourcePlace`]: position of something in the user's source, as tokens of a macro or as a range of a TOML file's text.
 
 use core::ops::Range;
 
@@ -7,7 +7,7 @@ use quote::ToTokens;
 
 /// Position of something in the user's source.
 #[derive(Clone, Debug)]
-pub enum Place {
+pub enum SourcePlace {
     /// From one token to another of a macro's input; both may be the same.
     Tokens {
         /// First token.
@@ -19,7 +19,7 @@ pub enum Place {
     Text(Range<usize>),
 }
 
-impl Place {
+impl SourcePlace {
     /// Returns the place of one token.
     pub(crate) fn span(span: Span) -> Self {
         Self::Tokens { first: span, last: span }

@@ -33,27 +33,27 @@ impl Graph {
             Sums::Open => Table::default(),
             Sums::Shared => self.shared_vectors(scalars),
         };
-        let mut tidy = Tidy {
+        let mut rewriter = Rewriter {
             g: self,
             rules: set.rules.iter().copied().filter(|rule| rules.has(rule)).collect(),
-            turned: rules.turned,
+            max_other_side: rules.max_other_side,
             log,
             fuel,
             shared,
             nodes: NodeTable::default(),
             rotations: Table::default(),
         };
-        let rewritten = scalars.iter().map(|&s| tidy.scalar(s)).collect();
+        let rewritten = scalars.iter().map(|&s| rewriter.scalar(s)).collect();
         self.open_all();
         rewritten
     }
 }
 
-struct Tidy<'g> {
+struct Rewriter<'g> {
     g: &'g mut Graph,
     rules: Vec<Rule>,
     /// Limit on the applications of [`OTHER_SIDES`]; `None` for no limit.
-    turned: Option<usize>,
+    max_other_side: Option<usize>,
     log: &'g mut Log,
     fuel: usize,
     /// Vectors that are used in more than one place.
@@ -62,10 +62,10 @@ struct Tidy<'g> {
     rotations: Table<Rotation, Rotation>,
 }
 
-impl Tidy<'_> {
+impl Rewriter<'_> {
     fn may_apply(&self, rule: &Rule) -> bool {
         let within = |most| self.log.applied.iter().filter(|done| OTHER_SIDES.contains(&done.rule)).count() < most;
-        self.turned.is_none_or(|most| !OTHER_SIDES.contains(rule) || within(most))
+        self.max_other_side.is_none_or(|most| !OTHER_SIDES.contains(rule) || within(most))
     }
 
     /// Returns the first rule that applies to the node, and the replacement.
@@ -77,7 +77,7 @@ impl Tidy<'_> {
     }
 
     /// Returns the node with its operands rewritten.
-    fn with_parts_rewritten(&mut self, node: Node) -> Node {
+    fn with_operands_rewritten(&mut self, node: Node) -> Node {
         match node {
             Node::Scalar(s) => {
                 let node = self.g.scalar_node(s).map(self);
@@ -101,7 +101,7 @@ impl Tidy<'_> {
                 wanted.pop();
                 continue;
             }
-            match self.first_part(top) {
+            match self.first_unrewritten_operand(top) {
                 Some(part) => wanted.push(part),
                 None => self.finish(top),
             }
@@ -110,8 +110,8 @@ impl Tidy<'_> {
     }
 
     /// Returns the first operand that is not yet rewritten.
-    fn first_part(&self, node: Node) -> Option<Node> {
-        let mut missing = Missing { tidy: self, found: None };
+    fn first_unrewritten_operand(&self, node: Node) -> Option<Node> {
+        let mut missing = UnrewrittenOperand { rewriter: self, found: None };
         match node {
             Node::Scalar(s) => {
                 self.g.scalar_node(s).map(&mut missing);
@@ -125,12 +125,12 @@ impl Tidy<'_> {
 
     /// Rewrites a node whose operands are rewritten already.
     fn finish(&mut self, node: Node) {
-        let mut current = self.with_parts_rewritten(node);
+        let mut current = self.with_operands_rewritten(node);
         while self.fuel > 0 && self.log.may_apply() {
             let Some((rule, next)) = self.replacement(current) else { break };
             self.fuel -= 1;
             self.log.applied.push(Rewrite { rule, from: current, to: next });
-            current = self.with_parts_rewritten(next);
+            current = self.with_operands_rewritten(next);
         }
         if let (Node::Vector(before), Node::Vector(after)) = (node, current)
             && self.shared.contains(before)
@@ -152,46 +152,46 @@ impl Tidy<'_> {
 }
 
 /// Finds the first operand that is not yet rewritten.
-struct Missing<'t, 'g> {
-    tidy: &'t Tidy<'g>,
+struct UnrewrittenOperand<'t, 'g> {
+    rewriter: &'t Rewriter<'g>,
     found: Option<Node>,
 }
 
-impl Missing<'_, '_> {
-    fn look(&mut self, node: Node) {
-        if self.found.is_none() && !self.tidy.nodes.contains(node) {
+impl UnrewrittenOperand<'_, '_> {
+    fn check(&mut self, node: Node) {
+        if self.found.is_none() && !self.rewriter.nodes.contains(node) {
             self.found = Some(node);
         }
     }
 }
 
-impl Parts for Missing<'_, '_> {
+impl Parts for UnrewrittenOperand<'_, '_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.look(Node::Scalar(scalar));
+        self.check(Node::Scalar(scalar));
         scalar
     }
 
     fn vector(&mut self, vector: Vector) -> Vector {
-        self.look(Node::Vector(vector));
+        self.check(Node::Vector(vector));
         vector
     }
 
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        if !self.tidy.rotations.contains(rotation) && !self.tidy.is_given(rotation) {
-            self.tidy.g.rotation_node(rotation).map(self);
+        if !self.rewriter.rotations.contains(rotation) && !self.rewriter.is_given(rotation) {
+            self.rewriter.g.rotation_node(rotation).map(self);
         }
         rotation
     }
 
     fn angle(&mut self, angle: Angle) -> Angle {
-        if let Some(radians) = self.tidy.g.radians(angle) {
-            self.look(Node::Scalar(radians));
+        if let Some(radians) = self.rewriter.g.radians(angle) {
+            self.check(Node::Scalar(radians));
         }
         angle
     }
 }
 
-impl Parts for Tidy<'_> {
+impl Parts for Rewriter<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
         match self.node(Node::Scalar(scalar)) {
             Node::Scalar(rewritten) => rewritten,

@@ -11,18 +11,18 @@ use syn::{ExprForLoop, ExprLoop, ExprWhile, Label};
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::enums::TAG;
+use super::extra_inputs::{ExtraInput, KeptLoop, State};
 use super::frame::{Exit, Target};
 use super::map::{Affine, Map, Quaternion};
-use super::outside::{KeptLoop, Outside, State};
-use super::value::{Element, Optional, Rounds, Slice, Struct, Value};
+use super::value::{Element, LoopSequence, Optional, Slice, Struct, Value};
 use super::{Translation, columns};
 use crate::differentiate::messages;
 
 /// The ways in which an iteration ends the loop.
-struct Ends {
+struct LoopExits {
     /// Condition of leaving the loop, and the value that it is left with.
-    leaves: Condition,
-    brought: Value,
+    exit_condition: Condition,
+    break_value: Value,
     /// Exits to targets outside the loop.
     exits: Vec<Exit>,
 }
@@ -189,28 +189,29 @@ impl Value {
 /// final value.
 fn add_state(a: &mut Algebra, number: usize, first: Scalar, next: Scalar, kind: Kind) -> Scalar {
     let k = a.loops[number].states.len();
-    let [before, after] = [Outside::Before(number, k), Outside::After(number, k)].map(|which| a.outside(which));
+    let [before, after] =
+        [ExtraInput::StateBefore(number, k), ExtraInput::StateAfter(number, k)].map(|which| a.extra_input(which));
     a.loops[number].states.push(State { first, before, next, after, varies: kind == Kind::Number });
     after
 }
 
 impl Translation<'_> {
     /// Runs a `for` loop that is not unrolled.
-    pub(super) fn kept_for(&mut self, e: &ExprForLoop, rounds: &Rounds) -> Value {
-        self.kept_loop(&e.for_token, e.label.as_ref(), rounds, |this, item| {
+    pub(super) fn run_kept_for(&mut self, e: &ExprForLoop, sequence: &LoopSequence) -> Value {
+        self.run_kept_loop(&e.for_token, e.label.as_ref(), sequence, |this, item| {
             this.bind(&e.pat, item);
             this.block(&e.body)
         })
     }
 
     /// Runs a `while` loop without a known bound.
-    pub(super) fn kept_while(&mut self, e: &ExprWhile) -> Value {
-        let rounds = Rounds::without_end(self.algebra);
-        self.kept_loop(&e.while_token, e.label.as_ref(), &rounds, |this, _| {
-            let whole = Target::Loop(this.frame.loops() - 1);
+    pub(super) fn run_kept_while(&mut self, e: &ExprWhile) -> Value {
+        let sequence = LoopSequence::without_end(self.algebra);
+        self.run_kept_loop(&e.while_token, e.label.as_ref(), &sequence, |this, _| {
+            let loop_end = Target::Loop(this.frame.loop_depth() - 1);
             let Some(condition) = this.condition(&e.cond) else { return Value::Unknown };
             let end = |this: &mut Self| {
-                this.frame.exit(whole, Value::nothing());
+                this.frame.exit(loop_end, Value::nothing());
                 Value::Never
             };
             match this.branch(&e.while_token, Some(condition), |_| Value::nothing(), end) {
@@ -221,99 +222,105 @@ impl Translation<'_> {
     }
 
     /// Runs a `loop` without a known bound.
-    pub(super) fn kept_endless(&mut self, e: &ExprLoop) -> Value {
-        let rounds = Rounds::without_end(self.algebra);
-        self.kept_loop(&e.loop_token, e.label.as_ref(), &rounds, |this, _| this.block(&e.body))
+    pub(super) fn run_kept_endless(&mut self, e: &ExprLoop) -> Value {
+        let sequence = LoopSequence::without_end(self.algebra);
+        self.run_kept_loop(&e.loop_token, e.label.as_ref(), &sequence, |this, _| this.block(&e.body))
     }
 
     /// Runs one iteration of a loop, which stands for all of them.
-    pub(super) fn kept_loop(
+    pub(super) fn run_kept_loop(
         &mut self,
         place: &impl ToTokens,
         label: Option<&Label>,
-        rounds: &Rounds,
-        mut round: impl FnMut(&mut Self, Value) -> Value,
+        sequence: &LoopSequence,
+        mut iteration: impl FnMut(&mut Self, Value) -> Value,
     ) -> Value {
-        let number = self.begin_kept_loop(rounds.count);
+        let number = self.begin_kept_loop(sequence.count);
         let label = label.map(|label| label.name.ident.to_string());
-        let ran = self.states(place, label.as_deref(), number, rounds, &mut round);
-        self.kept.pop();
-        let Some(ends) = ran else { return Value::Unknown };
-        let Ends { mut leaves, brought, exits } = ends;
+        let loop_exits = self.find_states(place, label.as_deref(), number, sequence, &mut iteration);
+        self.open_kept_loops.pop();
+        let Some(loop_exits) = loop_exits else { return Value::Unknown };
+        let LoopExits { mut exit_condition, break_value, exits } = loop_exits;
         // Without a bound, the loop can only end by an exit.
-        let goes_on =
-            self.algebra.constant_of(rounds.count) != Some(f64::INFINITY) || !matches!(leaves, Condition::Known(false));
+        let continues = self.algebra.constant_of(sequence.count) != Some(f64::INFINITY)
+            || !matches!(exit_condition, Condition::Known(false));
         // The value of each outer exit, and the condition that it was taken, are states as well: after the loop,
         // control continues at the exit's target.
-        let mut left = Vec::new();
+        let mut outer_exits = Vec::new();
         for (place_of_first, Exit { target, .. }) in exits.iter().enumerate() {
             if exits[..place_of_first].iter().any(|exit| exit.target == *target) {
                 continue;
             }
             let same = exits.iter().filter(|exit| exit.target == *target).rev();
-            let is_left = same.clone().map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or);
-            leaves = leaves.or(is_left.clone());
+            let is_taken = same.clone().map(|exit| exit.condition.clone()).fold(Condition::Known(false), Condition::or);
+            exit_condition = exit_condition.or(is_taken.clone());
             // The earliest exit has precedence.
             let value = same
                 .map(|exit| (&exit.condition, &exit.value))
                 .try_fold(Value::Never, |other, (condition, value)| value.select(self.algebra, condition, &other));
             let state = value.and_then(|value| {
-                let Value::Truth(left) = self.left_state(number, &is_left, &Value::Truth(is_left.clone()))? else {
+                let Value::Truth(is_taken_after) =
+                    self.exit_state(number, &is_taken, &Value::Truth(is_taken.clone()))?
+                else {
                     return None;
                 };
-                Some((left, self.left_state(number, &is_left, &value)?))
+                Some((is_taken_after, self.exit_state(number, &is_taken, &value)?))
             });
             match state {
-                Some(state) => left.push((*target, state)),
+                Some(state) => outer_exits.push((*target, state)),
                 None => return self.refuse(place, messages::state_of_kept_loop("the returned value")),
             }
         }
-        let Some(brought) = self.left_state(number, &leaves, &brought) else {
-            return self.refuse_known(&brought, place, messages::state_of_kept_loop(&brought.describe()));
+        let Some(break_value) = self.exit_state(number, &exit_condition, &break_value) else {
+            return self.refuse_known(&break_value, place, messages::state_of_kept_loop(&break_value.describe()));
         };
         let a = &mut *self.algebra;
-        let leaves = (!matches!(leaves, Condition::Known(false))).then(|| a.number_of(&leaves));
+        let exit_condition = (!matches!(exit_condition, Condition::Known(false))).then(|| a.number_of(&exit_condition));
         // Run no iteration where control does not reach the loop: it might not terminate there.
-        let reached = self.frame.reached(a);
+        let reached = self.frame.reach_condition(a);
         let zero = a.number(0.0);
-        let count = reached.select(a, rounds.count, zero);
-        (a.loops[number].count, a.loops[number].leaves) = (count, leaves);
-        for (target, (is_left, value)) in left {
-            self.frame.begin_branch(is_left.clone());
+        let count = reached.select(a, sequence.count, zero);
+        (a.loops[number].count, a.loops[number].exit_flag) = (count, exit_condition);
+        for (target, (is_taken, value)) in outer_exits {
+            self.frame.begin_branch(is_taken.clone());
             self.frame.exit(target, value);
             self.frame.end_branch();
-            self.frame.assume(is_left.not());
+            self.frame.assume(is_taken.not());
         }
-        match (goes_on, brought) {
+        match (continues, break_value) {
             (false, _) => Value::Never,
             (true, Value::Never) => Value::nothing(),
-            (true, brought) => brought,
+            (true, break_value) => break_value,
         }
     }
 
     /// Begins a kept loop and returns its index.
     pub(super) fn begin_kept_loop(&mut self, count: Scalar) -> usize {
-        let (number, within) = (self.algebra.loops.len(), self.kept.last().copied());
-        self.algebra.loops.push(KeptLoop { within, count, states: Vec::new(), leaves: None });
-        self.kept.push(number);
+        let (number, within) = (self.algebra.loops.len(), self.open_kept_loops.last().copied());
+        self.algebra.loops.push(KeptLoop { within, count, states: Vec::new(), exit_flag: None });
+        self.open_kept_loops.push(number);
         number
     }
 
     /// Replaces numbers that are absent by 0: where `holds` is false, in an option that is `None`, and in an enum's
     /// other variants. Otherwise an undefined number could become NaN, and so would the derivatives that iterations
     /// compute from it.
-    fn there(&mut self, value: &Value, holds: &Condition) -> Value {
+    fn zero_where_absent(&mut self, value: &Value, holds: &Condition) -> Value {
         match value {
             Value::Optional(of) if !of.value.is_never() => {
                 let is_some = of.is_some.clone();
-                let value = self.there(&of.value, &holds.clone().and(is_some.clone()));
+                let value = self.zero_where_absent(&of.value, &holds.clone().and(is_some.clone()));
                 Value::Optional(Rc::new(Optional { is_some, value }))
             }
-            Value::Tuple(values) => Value::Tuple(values.iter().map(|value| self.there(value, holds)).collect()),
-            Value::Array(values) => Value::Array(values.iter().map(|value| self.there(value, holds)).collect()),
+            Value::Tuple(values) => {
+                Value::Tuple(values.iter().map(|value| self.zero_where_absent(value, holds)).collect())
+            }
+            Value::Array(values) => {
+                Value::Array(values.iter().map(|value| self.zero_where_absent(value, holds)).collect())
+            }
             Value::List(items) => {
                 let items = items.iter().map(|item| {
-                    let value = self.there(&item.value, &holds.clone().and(item.is_there.clone()));
+                    let value = self.zero_where_absent(&item.value, &holds.clone().and(item.is_there.clone()));
                     Element { is_there: item.is_there.clone(), value }
                 });
                 Value::List(items.collect())
@@ -330,7 +337,7 @@ impl Translation<'_> {
                     }
                 }
                 let fields = of.fields.iter().zip(holds_of);
-                let fields = fields.map(|((name, value), holds)| (name.clone(), self.there(value, &holds)));
+                let fields = fields.map(|((name, value), holds)| (name.clone(), self.zero_where_absent(value, &holds)));
                 Value::Struct(Rc::new(Struct { name: of.name.clone(), fields: fields.collect() }))
             }
             value => {
@@ -343,30 +350,30 @@ impl Translation<'_> {
     }
 
     /// Returns the final value of something that an iteration leaves the loop with; `None` if it cannot be a state.
-    fn left_state(&mut self, number: usize, leaves: &Condition, value: &Value) -> Option<Value> {
-        let value = &self.there(value, leaves);
+    fn exit_state(&mut self, number: usize, exit_condition: &Condition, value: &Value) -> Option<Value> {
+        let value = &self.zero_where_absent(value, exit_condition);
         let a = &mut *self.algebra;
         let numbers = value.numbers(a)?;
         let zero = a.number(0.0);
-        let left: Vec<Scalar> =
+        let final_values: Vec<Scalar> =
             numbers.into_iter().map(|(next, kind)| add_state(a, number, zero, next, kind)).collect();
-        value.of_numbers(a, &mut left.into_iter())
+        value.of_numbers(a, &mut final_values.into_iter())
     }
 
     /// Finds the variables that an iteration changes, and sets them to their values after the loop. `None` after an
     /// error.
-    fn states(
+    fn find_states(
         &mut self,
         place: &impl ToTokens,
         label: Option<&str>,
         number: usize,
-        rounds: &Rounds,
-        round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> Option<Ends> {
+        sequence: &LoopSequence,
+        iteration: &mut impl FnMut(&mut Self, Value) -> Value,
+    ) -> Option<LoopExits> {
         // Iterate to a fixed point: a changed variable, or a value assigned to an empty option or enum, may lead to
         // further changes.
         let mut changed: Vec<(usize, Value)> = Vec::new();
-        let (after, ends, inputs) = loop {
+        let (after, loop_exits, inputs) = loop {
             let mut inputs = 0_usize..;
             let mut before = Vec::with_capacity(changed.len());
             for (variable, made) in &changed {
@@ -377,7 +384,7 @@ impl Translation<'_> {
                 let taken: Vec<Scalar> = inputs
                     .by_ref()
                     .take(numbers.unwrap_or_default())
-                    .map(|k| a.outside(Outside::Before(number, k)))
+                    .map(|k| a.extra_input(ExtraInput::StateBefore(number, k)))
                     .collect();
                 match value.of_numbers(a, &mut taken.into_iter()) {
                     Some(value) if numbers.is_some() => before.push((variable, value)),
@@ -387,8 +394,8 @@ impl Translation<'_> {
                     }
                 }
             }
-            let (mark, said) = (self.mark(), self.said());
-            let (after, ends) = self.one_round(place, label, number, rounds, before, round);
+            let (progress, before_run) = (self.progress(), self.report_counts());
+            let (after, loop_exits) = self.run_iteration(place, label, number, sequence, before, iteration);
             let a = &mut *self.algebra;
             let mut grows = false;
             for (variable, made) in &after {
@@ -403,11 +410,11 @@ impl Translation<'_> {
                 }
             }
             if !grows {
-                break (after, ends?, inputs.start);
+                break (after, loop_exits?, inputs.start);
             }
             // Errors of an iteration with incomplete states are meaningless.
-            self.unsay(said);
-            self.take_back(mark);
+            self.forget_reports_since(before_run);
+            self.roll_back(progress);
         };
         for (variable, _) in changed {
             let first = self.frame.value(variable).clone();
@@ -416,7 +423,7 @@ impl Translation<'_> {
             let a = &mut *self.algebra;
             let first = first.shaped_like(a, &next);
             let next = next.shaped_like(a, &first);
-            let [first, next] = [first, next].map(|value| self.there(&value, &Condition::Known(true)));
+            let [first, next] = [first, next].map(|value| self.zero_where_absent(&value, &Condition::Known(true)));
             let a = &mut *self.algebra;
             let (Some(numbers), Some(nexts)) = (first.numbers(a), next.numbers(a)) else {
                 self.refuse_known(&next, place, messages::state_of_kept_loop(&next.describe()));
@@ -430,11 +437,11 @@ impl Translation<'_> {
                 self.refuse(place, message);
                 return None;
             }
-            let mut left = Vec::new();
+            let mut final_values = Vec::new();
             for ((first, kind), (next, _)) in numbers.into_iter().zip(nexts) {
-                left.push(add_state(a, number, first, next, kind));
+                final_values.push(add_state(a, number, first, next, kind));
             }
-            let value = first.of_numbers(a, &mut left.into_iter())?;
+            let value = first.of_numbers(a, &mut final_values.into_iter())?;
             self.frame.assign(variable, value);
         }
         if self.algebra.loops[number].states.len() != inputs {
@@ -442,42 +449,42 @@ impl Translation<'_> {
             self.refuse(place, messages::state_of_kept_loop("a value whose type changes"));
             return None;
         }
-        Some(ends)
+        Some(loop_exits)
     }
 
     /// Runs an iteration with these variables. Returns the variables' values afterwards, and the ways in which it ends;
     /// `None` after an error.
-    fn one_round(
+    fn run_iteration(
         &mut self,
         place: &impl ToTokens,
         label: Option<&str>,
         number: usize,
-        rounds: &Rounds,
+        sequence: &LoopSequence,
         before: Vec<(usize, Value)>,
-        round: &mut impl FnMut(&mut Self, Value) -> Value,
-    ) -> (Vec<(usize, Value)>, Option<Ends>) {
-        let (errors, exits, loops) = (self.report.count(), self.frame.exits(), self.frame.loops());
-        let (whole, once) = (Target::Loop(loops), Target::Round(loops));
+        iteration: &mut impl FnMut(&mut Self, Value) -> Value,
+    ) -> (Vec<(usize, Value)>, Option<LoopExits>) {
+        let (errors, exits, loops) = (self.report.count(), self.frame.exit_count(), self.frame.loop_depth());
+        let (loop_end, iteration_end) = (Target::Loop(loops), Target::Iteration(loops));
         self.frame.begin_branch(Condition::Known(true));
-        self.frame.take(before);
-        self.frame.begin(whole, label.map(str::to_owned));
+        self.frame.assign_all(before);
+        self.frame.begin_region(loop_end, label.map(str::to_owned));
         let depth = self.frame.depth();
-        self.frame.begin(once, None);
-        let done = match self.item_of_round(&rounds.items, number) {
+        self.frame.begin_region(iteration_end, None);
+        let done = match self.item_of_iteration(&sequence.items, number) {
             Some(Element { is_there, value }) => {
-                self.branch(place, Some(is_there), |this| round(this, value), |_| Value::nothing())
+                self.branch(place, Some(is_there), |this| iteration(this, value), |_| Value::nothing())
             }
             None => Value::Unknown,
         };
-        self.frame.leave(depth);
+        self.frame.end_scope(depth);
         if matches!(done, Value::Unknown) && self.report.count() == 0 {
-            self.refuse(place, messages::unknown_round());
+            self.refuse(place, messages::unknown_iteration());
         }
-        let goes_on = !done.is_never() || self.frame.has_exits(once);
-        let inner = self.frame.end(self.algebra, !done.is_never());
-        let leaves = self.frame.exit_condition(whole);
-        let brought = self.frame.take_brought(self.algebra, whole);
-        let outer = self.frame.end(self.algebra, goes_on);
+        let continues = !done.is_never() || self.frame.has_exits(iteration_end);
+        let inner = self.frame.end_region(self.algebra, !done.is_never());
+        let exit_condition = self.frame.exit_condition(loop_end);
+        let break_value = self.frame.take_break_value(self.algebra, loop_end);
+        let outer = self.frame.end_region(self.algebra, continues);
         let mut after = self.frame.end_branch();
         if self.report.count() > errors {
             self.frame.forget_exits(exits);
@@ -502,8 +509,10 @@ impl Translation<'_> {
             }
             Some(())
         });
-        match (inner, outer, brought, joined) {
-            (Some(_), Some(_), Some(brought), Some(())) => (after, Some(Ends { leaves, brought, exits })),
+        match (inner, outer, break_value, joined) {
+            (Some(_), Some(_), Some(break_value), Some(())) => {
+                (after, Some(LoopExits { exit_condition, break_value, exits }))
+            }
             _ => {
                 self.refuse(place, messages::state_of_kept_loop("a list that grows, or a value whose type changes,"));
                 (after, None)

@@ -5,30 +5,30 @@ use aim_symbolic::Scalar;
 
 /// Source of an input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Outside {
+pub(crate) enum ExtraInput {
     /// Index of an iteration of this loop, from 0.
-    Round(usize),
+    Iteration(usize),
     /// A number of an element of a slice; `slice` is the slice's index among all arguments.
-    Element { slice: usize, at: At, number: usize },
+    Element { slice: usize, index: ElementIndex, number: usize },
     /// State of a loop before an iteration: the loop's index and the state's.
-    Before(usize, usize),
+    StateBefore(usize, usize),
     /// State of a loop after the last iteration: the loop's index and the state's.
-    After(usize, usize),
+    StateAfter(usize, usize),
     /// The constant of this index in [`Algebra::constants`](super::algebra::Algebra::constants), a number.
     Constant(usize),
     /// The constant of this index, of any type that can be cast to a number.
-    Cast(usize),
+    CastConstant(usize),
 }
 
 /// Index of an element in a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum At {
+pub(crate) enum ElementIndex {
     /// Index of the iteration of this loop, plus an offset.
-    Round(usize, i64),
+    Iteration(usize, i64),
     /// A constant index.
-    Known(usize),
+    Constant(usize),
     /// A computed index.
-    Chosen(Scalar),
+    Computed(Scalar),
 }
 
 /// A kept loop.
@@ -40,7 +40,7 @@ pub(crate) struct KeptLoop {
     pub(crate) count: Scalar,
     pub(crate) states: Vec<State>,
     /// 1 if an iteration is the last one, else 0; `None` if no iteration ends the loop early.
-    pub(crate) leaves: Option<Scalar>,
+    pub(crate) exit_flag: Option<Scalar>,
 }
 
 /// A number that an iteration changes.
