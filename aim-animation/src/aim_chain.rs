@@ -97,7 +97,7 @@ pub struct AimChain {
     bind: Vec<Affine3A>,
     joints: Vec<usize>,
     other_eye: Option<OtherEye>,
-    held: Vec<Held>,
+    held: Vec<HeldBone>,
     up: Option<Up>,
 }
 
@@ -125,7 +125,7 @@ struct OtherEye {
 /// A bone below an aimed joint that moves with `carrier` instead, or keeps its animated model-space transform without
 /// one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Held {
+struct HeldBone {
     bone: usize,
     carrier: Option<usize>,
 }
@@ -287,7 +287,11 @@ impl AimChain {
             bind: bones.iter().map(|&bone| self.bind[bone]).collect(),
             joints: self.joints.iter().map(|&bone| to(bone)).collect(),
             other_eye: self.other_eye.map(|eye| OtherEye { bone: to(eye.bone), ..eye }),
-            held: self.held.iter().map(|held| Held { bone: to(held.bone), carrier: held.carrier.map(to) }).collect(),
+            held: self
+                .held
+                .iter()
+                .map(|held| HeldBone { bone: to(held.bone), carrier: held.carrier.map(to) })
+                .collect(),
             up: self.up.map(|up| Up { trunk: up.trunk.map(to), ..up }),
         };
         (reduced, bones)
@@ -364,7 +368,7 @@ impl AimChain {
             Some(inward) => Some(*self.joints.get(inward).ok_or(AimChainError::Held)?),
             None => None,
         };
-        self.held.push(Held { bone, carrier });
+        self.held.push(HeldBone { bone, carrier });
         Ok(self)
     }
 
@@ -553,8 +557,8 @@ impl AimChain {
     /// Moves a held bone to its animated transform, carried along by its carrier:
     /// `carrier_now · carrier_animated⁻¹ · animated`. Does nothing if a scale of 0 makes a transform singular: a hidden
     /// bone.
-    fn hold(&self, held: &Held, frame: &AimFrame, local: &mut [Transform], model: &[Affine3A]) {
-        let Held { bone, carrier } = *held;
+    fn hold(&self, held: &HeldBone, frame: &AimFrame, local: &mut [Transform], model: &[Affine3A]) {
+        let HeldBone { bone, carrier } = *held;
         let place = || {
             let carried = match carrier {
                 Some(by) => model[by] * inverse(&frame.animated[by])?,

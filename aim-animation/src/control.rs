@@ -141,22 +141,22 @@ impl Control {
 /// Returns the number of ends passed on the way to an unwrapped time `goal`, and the wrapped time reached: at least 0
 /// and less than `length`.
 fn wrapped(goal: f64, length: f64) -> (u32, f64) {
-    let rounds = floor(goal / length);
-    let place = goal - rounds * length;
+    let cycles = floor(goal / length);
+    let place = goal - cycles * length;
     // Rounding may put the time on or outside either end.
-    let (rounds, place) = if place >= length { (rounds + 1.0, 0.0) } else { (rounds, place.max(0.0)) };
-    (count(rounds), place)
+    let (cycles, place) = if place >= length { (cycles + 1.0, 0.0) } else { (cycles, place.max(0.0)) };
+    (count(cycles), place)
 }
 
 /// Returns the number of ends passed on the way to an unwrapped time `goal`, and the reflected time reached: 0 to
 /// `length`, both included.
 fn bounced(goal: f64, length: f64) -> (u32, f64) {
-    let rounds = floor(goal / length);
-    let place = (goal - rounds * length).max(0.0).min(length);
-    let is_mirrored = floor(rounds / 2.0) * 2.0 != rounds;
+    let cycles = floor(goal / length);
+    let place = (goal - cycles * length).max(0.0).min(length);
+    let is_mirrored = floor(cycles / 2.0) * 2.0 != cycles;
     // Stopping exactly on an end does not pass it.
-    if place == 0.0 && rounds > 0.0 {
-        return (count(rounds - 1.0), if is_mirrored { length } else { 0.0 });
+    if place == 0.0 && cycles > 0.0 {
+        return (count(cycles - 1.0), if is_mirrored { length } else { 0.0 });
     }
-    (count(rounds), if is_mirrored { length - place } else { place })
+    (count(cycles), if is_mirrored { length - place } else { place })
 }

@@ -6,7 +6,7 @@ use aim_runtime::glam::Vec3;
 /// velocity 1.
 ///
 /// Both reach the value 0 at `u = 1` with velocity 0, and have acceleration 0 at both ends.
-pub(crate) fn faded(u: f32) -> (f32, f32) {
+pub(crate) fn decay_polynomials(u: f32) -> (f32, f32) {
     let cube = u * u * u;
     (1.0 - cube * (10.0 - u * (15.0 - 6.0 * u)), u - cube * (6.0 - u * (8.0 - 3.0 * u)))
 }
@@ -50,16 +50,16 @@ impl Fade {
         if self.is_done() {
             return [Vec3::ZERO; 2];
         }
-        let (of_value, of_velocity) = fading(self.elapsed_s / self.length_s);
+        let (of_value, of_velocity) = decay_derivatives(self.elapsed_s / self.length_s);
         [0, 1].map(|part: usize| self.value[part] * (of_value / self.length_s) + self.velocity[part] * of_velocity)
     }
 
     /// Returns the current value of both vectors.
-    pub(crate) fn left(&self) -> [Vec3; 2] {
+    pub(crate) fn offset(&self) -> [Vec3; 2] {
         if self.is_done() {
             return [Vec3::ZERO; 2];
         }
-        let (of_value, of_velocity) = faded(self.elapsed_s / self.length_s);
+        let (of_value, of_velocity) = decay_polynomials(self.elapsed_s / self.length_s);
         [0, 1].map(|part: usize| self.value[part] * of_value + self.velocity[part] * (of_velocity * self.length_s))
     }
 }
@@ -80,15 +80,15 @@ pub(crate) struct Ramp {
 
 impl Ramp {
     /// Starts a movement to `goal` within `length_s` seconds. Does nothing if `goal` is already the goal.
-    pub(crate) fn lead(&mut self, goal: f32, length_s: f32) {
+    pub(crate) fn set_goal(&mut self, goal: f32, length_s: f32) {
         if goal != self.goal {
             let (from, velocity) = (self.value - goal, self.velocity);
             (self.from, self.goal) = ([from, velocity], goal);
             (self.elapsed_s, self.length_s) = (0.0, if length_s.is_finite() { length_s.max(0.0) } else { 0.0 });
             // Shortens the decay of the speed so that the value stays in 0…1. Away from the goal, the speed adds at
-            // most 16/81 · speed · time, the maximum of the second polynomial of `faded`; it must not pass the other
-            // end, 1 − |from| away. Towards the goal, the ratio of the second polynomial to the first is at most 2/5,
-            // so the value does not pass the goal if speed · time ≤ 5/2 · |from|.
+            // most 16/81 · speed · time, the maximum of the second polynomial of `decay_polynomials`; it must not pass
+            // the other end, 1 − |from| away. Towards the goal, the ratio of the second polynomial to the first is at
+            // most 2/5, so the value does not pass the goal if speed · time ≤ 5/2 · |from|.
             let room = if from * velocity > 0.0 { (1.0 - from.abs()) * 81.0 / 16.0 } else { from.abs() * 2.5 };
             self.slowing_s = (room.max(0.0) / velocity.abs()).min(self.length_s);
         }
@@ -102,8 +102,8 @@ impl Ramp {
             // If `slowing` is 0, the quotient is infinite or NaN, and `min` makes it 1: the decay is over.
             let slowed = (self.elapsed_s / slowing).min(1.0);
             let [value, velocity] = self.from;
-            let rate = value * fading(u).0 / length + velocity * fading(slowed).1;
-            (value * faded(u).0 + velocity * faded(slowed).1 * slowing, rate)
+            let rate = value * decay_derivatives(u).0 / length + velocity * decay_derivatives(slowed).1;
+            (value * decay_polynomials(u).0 + velocity * decay_polynomials(slowed).1 * slowing, rate)
         } else {
             (0.0, 0.0)
         };
@@ -115,8 +115,8 @@ impl Ramp {
     }
 }
 
-/// Derivatives of the two polynomials of [`faded`] with respect to `u`.
-fn fading(u: f32) -> (f32, f32) {
+/// Derivatives of the two polynomials of [`decay_polynomials`] with respect to `u`.
+fn decay_derivatives(u: f32) -> (f32, f32) {
     let square = u * u;
     let rest = 1.0 - u;
     (-30.0 * square * rest * rest, 1.0 - square * (18.0 - u * (32.0 - 15.0 * u)))

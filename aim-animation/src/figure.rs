@@ -8,7 +8,7 @@ use aim_runtime::glam::{Affine3A, Quat, Vec3};
 use aim_runtime::rotation::inverse;
 
 use crate::attach::attached;
-use crate::pose::{Both, PoseError};
+use crate::pose::{PoseError, PosePair};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
@@ -198,8 +198,8 @@ impl Figure {
         place.is_some()
     }
 
-    pub(crate) fn both(&mut self) -> Both<'_> {
-        Both { skeleton: &self.skeleton, local: &mut self.local, model: &mut self.model }
+    pub(crate) fn pose_pair(&mut self) -> PosePair<'_> {
+        PosePair { skeleton: &self.skeleton, local: &mut self.local, model: &mut self.model }
     }
 }
 

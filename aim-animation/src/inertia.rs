@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use aim_runtime::glam::{Quat, Vec3};
 use aim_runtime::rotation::{exp, length, log, product};
 
-use crate::fade::faded;
+use crate::fade::decay_polynomials;
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::{Transform, made_unit};
@@ -124,7 +124,7 @@ impl Inertia {
             return Ok(());
         }
         let u = self.elapsed_s / self.length_s;
-        let (of_value, of_velocity) = faded(u);
+        let (of_value, of_velocity) = decay_polynomials(u);
         let of_velocity = of_velocity * self.length_s;
         for (transform, Offset { value, velocity, scale: shown }) in pose.iter_mut().zip(&self.offsets) {
             let [place, turn, scale] =

@@ -223,12 +223,12 @@ impl Instance {
     /// that, mask out the root bone in that clip.
     pub fn advance(&mut self, model: &Model, dt_s: f32) {
         for (playing, step) in self.controls.iter_mut().zip(&mut self.steps) {
-            let length = model.played(playing.clip).map_or(0.0, |clip| clip.length_s());
+            let length = model.playable_clip(playing.clip).map_or(0.0, |clip| clip.length_s());
             *step = playing.control.advance(dt_s, length);
         }
         let deltas = self.controls.iter().zip(&self.steps).map(|(playing, step)| {
             let delta = model.motion(playing.clip).map_or(Transform::IDENTITY, |motion| motion.delta(step));
-            let is_clip = model.played(playing.clip).is_some();
+            let is_clip = model.playable_clip(playing.clip).is_some();
             (delta, if is_clip { playing.weight_of(model, model.root_bone(playing.clip)) } else { 0.0 })
         });
         self.place = self.place.rigid_product(&Motion::blend(deltas));
@@ -240,7 +240,7 @@ impl Instance {
     /// Clips of weight 0 report events too, since they still advance. Use the index to look up the weight.
     pub fn events<'a, 'm>(&'a self, model: &'m Model) -> impl Iterator<Item = (usize, &'m Event)> + use<'a, 'm> {
         self.controls.iter().zip(&self.steps).enumerate().flat_map(move |(number, (playing, step))| {
-            let clip = model.played(playing.clip);
+            let clip = model.playable_clip(playing.clip);
             clip.into_iter().flat_map(|clip| events_passed(clip.events(), step)).map(move |event| (number, event))
         })
     }
@@ -259,7 +259,7 @@ impl Instance {
         check_length(skeleton.len(), self.scratch.len())?;
         self.sums.fill(BoneSum::ZERO);
         for (playing, cursor) in self.controls.iter().zip(&mut self.cursors) {
-            let Some(clip) = model.played(playing.clip).filter(|_| playing.weight > 0.0) else { continue };
+            let Some(clip) = model.playable_clip(playing.clip).filter(|_| playing.weight > 0.0) else { continue };
             let time = playing.control.time_s();
             self.scratch.copy_from_slice(skeleton.rest());
             clip.sample(time, cursor, &mut self.scratch);

@@ -43,7 +43,7 @@ mod model;
 mod motion;
 mod packed;
 mod plant;
-mod played;
+mod playable;
 mod pose;
 mod reach;
 mod reduce;

@@ -10,7 +10,7 @@ use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::ik::{self, Ccd, CcdJoint, CcdLimit, TwoBone};
 use aim_runtime::rotation::{length, nearest_orthogonal, product, slerp, unit};
 
-use crate::pose::{Both, PoseError, check_length};
+use crate::pose::{PoseError, PosePair, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::made_unit;
 
@@ -140,12 +140,12 @@ impl Limb {
     }
 
     /// Converts a model-space point to a vector from the first joint, in units of the limb's length.
-    pub(crate) fn seen(&self, model: &[Affine3A], point: Vec3) -> Vec3 {
+    pub(crate) fn to_limb_units(&self, model: &[Affine3A], point: Vec3) -> Vec3 {
         (point - Vec3::from(model[self.bones[0]].translation)) / self.length
     }
 
     /// Returns the reachable point nearest to `point`, and the distance between them. Points and distance are relative
-    /// to the first joint, in units of the limb's length, as in [`seen`](Self::seen).
+    /// to the first joint, in units of the limb's length, as in [`to_limb_units`](Self::to_limb_units).
     ///
     /// With L the longest bone and S the sum of all, the limb reaches distances from max(2·L − S, 0), folded, to S,
     /// stretched.
@@ -164,9 +164,9 @@ impl Limb {
 
     /// Returns the reachable point nearest to `point`, and the distance between them, in model space.
     pub(crate) fn nearest(&self, model: &[Affine3A], point: Vec3) -> (Vec3, f32) {
-        let (seen, beyond) = self.within_reach(model, self.seen(model, point));
+        let (nearest, beyond) = self.within_reach(model, self.to_limb_units(model, point));
         if beyond > 0.0 {
-            (Vec3::from(model[self.bones[0]].translation) + seen * self.length, beyond * self.length)
+            (Vec3::from(model[self.bones[0]].translation) + nearest * self.length, beyond * self.length)
         } else {
             (point, 0.0)
         }
@@ -179,9 +179,9 @@ impl Limb {
         &self,
         goal: &TipGoal<'_>,
         joints: &mut [CcdJoint],
-        pose: &mut Both<'_>,
+        pose: &mut PosePair<'_>,
     ) -> Result<f32, PoseError> {
-        self.follow_in_part(goal, Part { weight: 1.0, before: &mut [] }, joints, pose)
+        self.follow_partially(goal, PartialFollow { weight: 1.0, before: &mut [] }, joints, pose)
     }
 
     /// Turns the joints towards the goal as [`follow`](Self::follow) does, but applies only a part: each joint's local
@@ -189,14 +189,14 @@ impl Limb {
     ///
     /// Returns the remaining distance at full weight times `part.weight`, model units. If the goal's point is not
     /// finite, changes nothing and returns 0.
-    pub(crate) fn follow_in_part(
+    pub(crate) fn follow_partially(
         &self,
         goal: &TipGoal<'_>,
-        part: Part<'_>,
+        part: PartialFollow<'_>,
         joints: &mut [CcdJoint],
-        pose: &mut Both<'_>,
+        pose: &mut PosePair<'_>,
     ) -> Result<f32, PoseError> {
-        let Both { skeleton, local, model } = pose;
+        let PosePair { skeleton, local, model } = pose;
         [skeleton.len(), local.len(), model.len()].into_iter().try_for_each(|len| check_length(self.count, len))?;
         if !goal.point.is_finite() {
             return Ok(0.0);
@@ -209,7 +209,7 @@ impl Limb {
         }
         for _ in 0..MOST_ROUNDS {
             // Solved anew from the current pose, until the tip is where the solver says.
-            let told = self.solve(goal, joints, model);
+            let predicted_error = self.solve(goal, joints, model);
             let mut carried = Quat::IDENTITY;
             for (joint, &bone) in joints.iter().zip(&self.bones) {
                 // The joint's own rotation: its total rotation without that of the joints before it.
@@ -219,7 +219,7 @@ impl Limb {
                 carried = joint.turn;
             }
             error = length((self.tip(model) - wanted).into());
-            if !((error - told).abs() > NEAR * self.length) {
+            if !((error - predicted_error).abs() > NEAR * self.length) {
                 break;
             }
         }
@@ -274,7 +274,7 @@ pub(crate) struct TipGoal<'a> {
 }
 
 /// Fraction of a solution to apply.
-pub(crate) struct Part<'a> {
+pub(crate) struct PartialFollow<'a> {
     /// Fraction, 0…1.
     pub(crate) weight: f32,
     /// Scratch memory for the rotation of each joint; may be empty if the weight is 1.

@@ -7,7 +7,7 @@ use crate::cursor::Cursor;
 use crate::mask::Mask;
 use crate::motion::Motion;
 use crate::packed::PackedClip;
-use crate::played::Played;
+use crate::playable::PlayableClip;
 use crate::skeleton::Skeleton;
 
 /// Skeleton, clips, root motions and masks shared by all characters of a kind. Immutable; each character is an
@@ -106,10 +106,10 @@ impl Model {
     }
 
     /// Returns the clip with this number.
-    pub(crate) fn played(&self, clip: usize) -> Option<&dyn Played> {
+    pub(crate) fn playable_clip(&self, clip: usize) -> Option<&dyn PlayableClip> {
         match clip.checked_sub(self.clips.len()) {
-            None => self.clips.get(clip).map(|clip| clip as &dyn Played),
-            Some(packed) => self.packed.get(packed).map(|clip| clip as &dyn Played),
+            None => self.clips.get(clip).map(|clip| clip as &dyn PlayableClip),
+            Some(packed) => self.packed.get(packed).map(|clip| clip as &dyn PlayableClip),
         }
     }
 

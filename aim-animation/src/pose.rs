@@ -48,7 +48,7 @@ pub(crate) fn check_length(bones: usize, found: usize) -> Result<(), PoseError> 
 }
 
 /// A pose in both local and model space.
-pub(crate) struct Both<'a> {
+pub(crate) struct PosePair<'a> {
     pub(crate) skeleton: &'a Skeleton,
     pub(crate) local: &'a mut [Transform],
     pub(crate) model: &'a mut [Affine3A],

@@ -43,7 +43,7 @@ fn check(coordinate: f32, place: usize) -> Result<(), SpaceError> {
 }
 
 /// Clamps a coordinate to ±10⁹; NaN becomes 0.
-fn tamed(coordinate: f32) -> f32 {
+fn clamped_coordinate(coordinate: f32) -> f32 {
     if coordinate.is_nan() { 0.0 } else { coordinate.max(-FARTHEST).min(FARTHEST) }
 }
 
@@ -94,7 +94,7 @@ impl BlendLine {
     /// 0; if it is too short, the other weights are dropped.
     pub fn weights(&self, at: f32, weights: &mut [f32]) {
         weights.fill(0.0);
-        let (at, last) = (tamed(at), self.places.len() - 1);
+        let (at, last) = (clamped_coordinate(at), self.places.len() - 1);
         let next = self.places.partition_point(|place| *place <= at);
         let mut put = |place: usize, weight: f32| {
             if let Some(of_place) = weights.get_mut(place) {
@@ -155,8 +155,8 @@ impl BlendPlane {
         }
         // Adding 0 turns −0 into 0, so that both are one place and are sorted as equal.
         let points: Vec<Vec2> = points.into_iter().map(|point| point + Vec2::ZERO).collect();
-        let mut triangles = swept(&points)?;
-        flip(&points, &mut triangles);
+        let mut triangles = sweep_triangulation(&points)?;
+        make_delaunay(&points, &mut triangles);
         Ok(Self { points, triangles })
     }
 
@@ -177,8 +177,8 @@ impl BlendPlane {
     /// are set to 0; if it is too short, the other weights are dropped.
     pub fn weights(&self, at: Vec2, weights: &mut [f32]) {
         weights.fill(0.0);
-        let at = Vec2::new(tamed(at.x), tamed(at.y));
-        let (corners, found) = self.around(at).unwrap_or_else(|| self.nearest(at));
+        let at = Vec2::new(clamped_coordinate(at.x), clamped_coordinate(at.y));
+        let (corners, found) = self.containing_triangle(at).unwrap_or_else(|| self.nearest(at));
         for (corner, weight) in corners.into_iter().zip(found) {
             if let Some(of_point) = weights.get_mut(corner) {
                 *of_point += narrow(weight);
@@ -187,7 +187,7 @@ impl BlendPlane {
     }
 
     /// Returns the triangle that contains a place, and its barycentric coordinates there.
-    fn around(&self, at: Vec2) -> Option<([usize; 3], [f64; 3])> {
+    fn containing_triangle(&self, at: Vec2) -> Option<([usize; 3], [f64; 3])> {
         self.triangles.iter().find_map(|&corners| {
             let [a, b, c] = corners.map(|corner| self.points[corner]);
             let areas = [area([b, c, at]), area([c, a, at]), area([a, b, at])];
@@ -230,7 +230,7 @@ fn area(corners: [Vec2; 3]) -> f64 {
 
 /// Computes any triangulation by a sweep: adds the points from left to right and joins each to the hull edges that it
 /// sees.
-fn swept(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
+fn sweep_triangulation(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| points[a].x.total_cmp(&points[b].x).then(points[a].y.total_cmp(&points[b].y)));
     let area_of = |a: usize, b: usize, c: usize| area([points[a], points[b], points[c]]);
@@ -245,13 +245,13 @@ fn swept(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
     hull.push(order[apex]);
     for &point in &order[apex + 1..] {
         let count = hull.len();
-        let sees = |k: usize| area_of(hull[k % count], hull[(k + 1) % count], point) < 0.0;
+        let is_visible = |k: usize| area_of(hull[k % count], hull[(k + 1) % count], point) < 0.0;
         // The visible edges are consecutive: find the first one that follows an invisible edge.
-        let first = (0..count).find(|&k| sees(k) && !sees(k + count - 1)).ok_or(SpaceError::Flat)?;
-        let seen = (0..count).take_while(|&k| sees(first + k)).count();
-        triangles.extend((first..first + seen).map(|k| [hull[(k + 1) % count], hull[k % count], point]));
+        let first = (0..count).find(|&k| is_visible(k) && !is_visible(k + count - 1)).ok_or(SpaceError::Flat)?;
+        let visible = (0..count).take_while(|&k| is_visible(first + k)).count();
+        triangles.extend((first..first + visible).map(|k| [hull[(k + 1) % count], hull[k % count], point]));
         // The points between the ends of the visible part are no longer on the hull.
-        let rest = (first + seen..=first + count).map(|k| hull[k % count]);
+        let rest = (first + visible..=first + count).map(|k| hull[k % count]);
         hull = rest.chain([point]).collect();
     }
     Ok(triangles)
@@ -259,12 +259,12 @@ fn swept(points: &[Vec2]) -> Result<Vec<[usize; 3]>, SpaceError> {
 
 /// Makes a triangulation Delaunay: flips edges while a triangle's circumcircle contains the opposite corner of its
 /// neighbour.
-fn flip(points: &[Vec2], triangles: &mut [[usize; 3]]) {
+fn make_delaunay(points: &[Vec2], triangles: &mut [[usize; 3]]) {
     // Each flip increases the smallest of six angles, so this terminates in exact arithmetic; the limit guards against
     // cycles by rounding.
     let mut left = points.len() * points.len();
     while left > 0 {
-        let Some((first, second, corners)) = badly_joined(points, triangles) else { return };
+        let Some((first, second, corners)) = find_edge_to_flip(points, triangles) else { return };
         let [a, b, c, d] = corners;
         (triangles[first], triangles[second]) = ([a, b, d], [b, c, d]);
         left -= 1;
@@ -272,7 +272,7 @@ fn flip(points: &[Vec2], triangles: &mut [[usize; 3]]) {
 }
 
 /// Finds two triangles a-b-c and a-c-d whose common edge should be b-d instead.
-fn badly_joined(points: &[Vec2], triangles: &[[usize; 3]]) -> Option<(usize, usize, [usize; 4])> {
+fn find_edge_to_flip(points: &[Vec2], triangles: &[[usize; 3]]) -> Option<(usize, usize, [usize; 4])> {
     for (first, one) in triangles.iter().enumerate() {
         for k in 0..3 {
             let [c, a, b] = [one[k], one[(k + 1) % 3], one[(k + 2) % 3]];

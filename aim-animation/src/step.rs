@@ -106,11 +106,11 @@ impl Step {
     }
 }
 
-/// Number of ends between two rounds, limited to about `MOST_ENDS`. The limit preserves parity, which the direction
-/// after bouncing depends on.
+/// Number of ends that so many cycles pass, limited to about `MOST_ENDS`. The limit preserves parity, which the
+/// direction after bouncing depends on.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "bounded")]
-pub(crate) fn count(rounds: f64) -> u32 {
-    let rounds = rounds.abs();
-    let odd = rounds - floor(rounds / 2.0) * 2.0;
-    if rounds > MOST_ENDS { (MOST_ENDS - 2.0 + odd) as u32 } else { rounds as u32 }
+pub(crate) fn count(cycles: f64) -> u32 {
+    let cycles = cycles.abs();
+    let odd = cycles - floor(cycles / 2.0) * 2.0;
+    if cycles > MOST_ENDS { (MOST_ENDS - 2.0 + odd) as u32 } else { cycles as u32 }
 }

@@ -11,21 +11,21 @@ pub enum Error {
     Model(#[from] aim_gltf::Error),
     /// No eye, head or neck was recognised by name or by shape.
     #[error(
-        "has no eye, head or neck that names or shape tell; name the chain from the effector inward with \
+        "no eye, head or neck found by name or shape; list the chain from the effector inward with \
          `aim rig FILE --chain a,b,c`, or give a rig file with --rig"
     )]
     NoChain,
     /// The joints of a rig do not form a chain in this document. The text says what was expected.
-    #[error("the rig does not fit the file: {0}")]
+    #[error("{0}")]
     Chain(String),
     /// The given length, frame rate or times do not make a clip. The text says what was expected.
-    #[error("the clip cannot be written: {0}")]
+    #[error("cannot make the clip: {0}")]
     Clip(String),
     /// The axes given for the named bone of the mannequin are not orthonormal.
-    #[error("the axes of \"{0}\" are not three unit vectors at right angles; give up, forward and left so")]
+    #[error("the axes of \"{0}\" are not orthonormal; give up, forward and left as unit vectors at right angles")]
     Axes(String),
     /// A node named for the chain is not among the measured bones.
-    #[error("{node:?} carries no bone of a skin; name bones with --chain")]
+    #[error("{node:?} is not a bone of a skin; list bones with --chain")]
     NoBone {
         /// Name of the node.
         node: String,

@@ -78,7 +78,7 @@ impl<'a> Data<'a> {
         let buffer = buffer.ok_or_else(|| Error::invalid(&*place, format!("buffers[{number}] does not exist")))?;
         let bytes = buffer.ok_or_else(|| Error::NoData {
             place: format!("buffers[{number}]"),
-            problem: "its bytes are not in the file (compressed with an extension?); export without compression".into(),
+            problem: "its bytes are not in the file (compressed by an extension?); export without compression".into(),
         })?;
         let (start, length, all) = (view.byte_offset, view.byte_length, bytes.len());
         let range = start.checked_add(length).map(|end| start..end);
@@ -119,10 +119,10 @@ impl<'a> Data<'a> {
         Ok((0..count).map(move |k| &bytes[offset + k * stride..offset + k * stride + size]))
     }
 
-    fn spend(&self, numbers: usize, place: &str) -> Result<(), Error> {
+    fn charge_budget(&self, numbers: usize, place: &str) -> Result<(), Error> {
         let left = self.budget.get().checked_sub(numbers);
         let left = left.ok_or_else(|| {
-            Error::invalid(place, "the file uses its accessors so often that its data would not fit into memory")
+            Error::invalid(place, "the file reuses accessors so often that its data would not fit into memory")
         })?;
         self.budget.set(left);
         Ok(())
@@ -151,21 +151,21 @@ impl<'a> Data<'a> {
         if let Some(view) = accessor.buffer_view {
             // `elements` has checked that all elements lie inside the buffer, which bounds the capacity.
             let elements = self.elements(view, accessor.byte_offset, width * part, accessor.count, &at)?;
-            self.spend(accessor.count.saturating_mul(width), &at)?;
+            self.charge_budget(accessor.count.saturating_mul(width), &at)?;
             out.reserve(accessor.count * width);
             elements.for_each(|bytes| decode(bytes, &mut out));
         } else {
             if accessor.count > MAX_IMPLIED {
-                let problem = format!("{} elements without a buffer view are beyond reason", accessor.count);
+                let problem = format!("{} elements without a buffer view are implausibly many", accessor.count);
                 return Err(Error::invalid(at, problem));
             }
-            self.spend(accessor.count * width, &at)?;
+            self.charge_budget(accessor.count * width, &at)?;
             out.resize(accessor.count * width, 0.0);
         }
         if let Some(sparse) = &accessor.sparse {
             let kind = sparse.indices.component_type;
             let Some(index_size) = size_of(kind).filter(|_| matches!(kind, 5121 | 5123 | 5125)) else {
-                let problem = format!("component type {kind} is no index");
+                let problem = format!("component type {kind} is not valid for indices");
                 return Err(Error::invalid(format!("{at}.sparse.indices"), problem));
             };
             let (indices, values) = (&sparse.indices, &sparse.values);

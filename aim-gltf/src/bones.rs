@@ -4,7 +4,7 @@ use aim_animation::Skeleton;
 use aim_animation::glam::Affine3A;
 use serde_json::{Value, json};
 
-use crate::document::{Document, Parts, no_clips};
+use crate::document::{Document, DocumentParts, no_clips};
 use crate::error::Error;
 use crate::raw::{self, Raw};
 
@@ -76,7 +76,7 @@ impl Document {
             raw.buffers.push(raw::Buffer { byte_length, uri: None });
             chunk = Some(bytes);
         }
-        Self::of_parts(Parts { raw, extensions: Value::Null, text: None, chunk, folder: None }, no_clips)
+        Self::of_parts(DocumentParts { raw, extensions: Value::Null, text: None, chunk, folder: None }, no_clips)
     }
 }
 

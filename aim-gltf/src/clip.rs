@@ -118,7 +118,7 @@ fn read_channels<'a>(
             None => {
                 let mut times = data.floats(sampler.input, &["SCALAR"], &format!("{place}.input"))?;
                 if times.is_empty() || times.windows(2).any(|w| w[0] > w[1]) || times[0] < 0.0 {
-                    let problem = "its times must be one or more, not negative, and increasing";
+                    let problem = "expected one or more times, not negative and increasing";
                     return Err(Error::invalid(format!("{place}.input"), problem));
                 }
                 // Some exporters write a jump as two keys with the same time: move the second to the next representable
@@ -139,7 +139,7 @@ fn read_channels<'a>(
             "LINEAR" => Curve::Linear,
             "CUBICSPLINE" => Curve::Cubic,
             _ => {
-                let problem = format!("interpolation {word:?} is none of STEP, LINEAR, CUBICSPLINE");
+                let problem = format!("unknown interpolation {word:?}; expected STEP, LINEAR or CUBICSPLINE");
                 return Err(Error::invalid(place, problem));
             }
         };
@@ -159,7 +159,7 @@ fn read_channels<'a>(
         let per_key = if curve == Curve::Cubic { 3 } else { 1 };
         if values.len() != times.len() * per_key * width {
             let (numbers, keys) = (values.len(), times.len());
-            let problem = format!("{numbers} numbers do not make {keys} keys of {per_key} × {width}");
+            let problem = format!("found {numbers} numbers, expected {keys} keys of {per_key} × {width}");
             return Err(Error::invalid(format!("{place}.output"), problem));
         }
         channels.push(Channel { node, path: &channel.target.path, place, curve, times, values, width });

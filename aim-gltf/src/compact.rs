@@ -83,50 +83,50 @@ pub(crate) fn drop_unused(json: &mut Value, chunk: &mut Vec<u8>, candidates: &BT
     if !is_chunk || !references::are_known(json) {
         return;
     }
-    let dead = Dead::find(json, candidates);
-    let cuts = dead.cuts(json, chunk.len());
+    let unused = UnusedData::find(json, candidates);
+    let cuts = unused.cuts(json, chunk.len());
     move_offsets(json, &cuts);
-    let mut kept = Vec::with_capacity(chunk.len());
+    let mut compacted = Vec::with_capacity(chunk.len());
     let mut at = 0;
     for cut in &cuts {
-        kept.extend_from_slice(&chunk[at..cut.start]);
+        compacted.extend_from_slice(&chunk[at..cut.start]);
         at = cut.end;
     }
-    kept.extend_from_slice(&chunk[at..]);
-    *chunk = kept;
-    dead.remove(json);
+    compacted.extend_from_slice(&chunk[at..]);
+    *chunk = compacted;
+    unused.remove(json);
 }
 
 /// Indices of the accessors and buffer views that nothing refers to.
-struct Dead {
+struct UnusedData {
     accessors: BTreeSet<usize>,
     views: BTreeSet<usize>,
 }
 
-impl Dead {
+impl UnusedData {
     fn find(json: &mut Value, candidates: &BTreeSet<usize>) -> Self {
         let mut accessors = candidates.clone();
         references::visit_accessors(json, &mut |reference| {
             index(Some(reference)).map(|index| accessors.remove(&index));
         });
-        let (mut views, mut kept) = (BTreeSet::new(), BTreeSet::new());
+        let (mut views, mut used) = (BTreeSet::new(), BTreeSet::new());
         for (at, accessor) in list(json, "accessors").enumerate() {
-            let of = if accessors.contains(&at) { &mut views } else { &mut kept };
+            let of = if accessors.contains(&at) { &mut views } else { &mut used };
             references::visit_views_of(accessor, &mut |view| of.extend(index(Some(view))));
         }
-        references::visit_other_views(json, &mut |view| kept.extend(index(Some(view))));
-        Self { accessors, views: views.difference(&kept).copied().collect() }
+        references::visit_other_views(json, &mut |view| used.extend(index(Some(view))));
+        Self { accessors, views: views.difference(&used).copied().collect() }
     }
 
-    /// Returns the ranges of the chunk that hold only dead data. They consist of whole 4-byte words, which keeps all
+    /// Returns the ranges of the chunk that hold only unused data. They consist of whole 4-byte words, which keeps all
     /// other data aligned.
     fn cuts(&self, json: &mut Value, length: usize) -> Vec<Range<usize>> {
-        let mut is_dead = vec![false; length / 4];
-        let mut mark = |range: Range<usize>, dead: bool| {
+        let mut is_unused = vec![false; length / 4];
+        let mut mark = |range: Range<usize>, unused: bool| {
             let words =
-                if dead { range.start.div_ceil(4)..range.end / 4 } else { range.start / 4..range.end.div_ceil(4) };
+                if unused { range.start.div_ceil(4)..range.end / 4 } else { range.start / 4..range.end.div_ceil(4) };
             let end = words.end.min(length / 4);
-            is_dead[words.start.min(end)..end].fill(dead);
+            is_unused[words.start.min(end)..end].fill(unused);
         };
         let views = views(json);
         let mut by_accessors = BTreeSet::new();
@@ -144,7 +144,7 @@ impl Dead {
                 mark(view.range.clone(), true);
             }
         }
-        // Views also hold other live data: images, sparse accessors, and views that no accessor refers to.
+        // Views also hold other used data: images, sparse accessors, and views that no accessor refers to.
         let mut whole: BTreeSet<usize> = (0..views.len()).filter(|view| !by_accessors.contains(view)).collect();
         references::visit_other_views(json, &mut |view| whole.extend(index(Some(view))));
         for (at, accessor) in
@@ -158,19 +158,19 @@ impl Dead {
             mark(view.range.clone(), false);
         }
         let mut start = 0;
-        let runs = is_dead.chunk_by(|a, b| a == b).map(|run| {
+        let runs = is_unused.chunk_by(|a, b| a == b).map(|run| {
             let from = start;
             start += run.len();
             (run[0], 4 * from..4 * start)
         });
-        runs.filter(|(dead, _)| *dead).map(|(_, range)| range).collect()
+        runs.filter(|(unused, _)| *unused).map(|(_, range)| range).collect()
     }
 
-    /// Removes the dead entries from their lists and renumbers the references to the others.
+    /// Removes the unused entries from their lists and renumbers the references to the others.
     fn remove(&self, json: &mut Value) {
-        let renumber = |dead: &BTreeSet<usize>, reference: &mut Value| {
+        let renumber = |unused: &BTreeSet<usize>, reference: &mut Value| {
             if let Some(at) = index(Some(reference)) {
-                *reference = (at - dead.range(..at).count()).into();
+                *reference = (at - unused.range(..at).count()).into();
             }
         };
         references::visit_accessors(json, &mut |reference| renumber(&self.accessors, reference));
@@ -178,12 +178,12 @@ impl Dead {
         for accessor in list(json, "accessors") {
             references::visit_views_of(accessor, &mut |view| renumber(&self.views, view));
         }
-        for (key, dead) in [("accessors", &self.accessors), ("bufferViews", &self.views)] {
+        for (key, unused) in [("accessors", &self.accessors), ("bufferViews", &self.views)] {
             if let Some(all) = json.get_mut(key).and_then(Value::as_array_mut) {
                 let mut number = 0;
                 all.retain(|_| {
                     number += 1;
-                    !dead.contains(&(number - 1))
+                    !unused.contains(&(number - 1))
                 });
             }
         }

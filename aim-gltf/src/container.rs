@@ -9,7 +9,7 @@ const JSON: u32 = u32::from_le_bytes(*b"JSON");
 const BIN: u32 = u32::from_le_bytes(*b"BIN\0");
 
 /// A file's JSON text and, for a GLB that has one, its binary chunk (with padding).
-pub(crate) struct Parts<'a> {
+pub(crate) struct Chunks<'a> {
     pub(crate) json: &'a [u8],
     /// Byte range of the chunk in the file.
     pub(crate) bin: Option<Range<usize>>,
@@ -25,7 +25,7 @@ fn damaged(problem: impl Into<String>) -> Error {
 }
 
 /// Splits a `.glb` into its chunks; a `.gltf` is returned whole as JSON.
-pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
+pub(crate) fn split(bytes: &[u8]) -> Result<Chunks<'_>, Error> {
     if bytes.is_empty() {
         return Err(Error::Empty);
     }
@@ -35,12 +35,12 @@ pub(crate) fn split(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     // The specification forbids a byte order mark, but it is harmless.
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match text.iter().find(|b| !b.is_ascii_whitespace()) {
-        Some(b'{') => Ok(Parts { json: text, bin: None }),
+        Some(b'{') => Ok(Chunks { json: text, bin: None }),
         _ => Err(Error::NotGltf(bytes.iter().take(4).copied().collect())),
     }
 }
 
-fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
+fn split_glb(bytes: &[u8]) -> Result<Chunks<'_>, Error> {
     let (Some(version), Some(length)) = (word(bytes, 4), word(bytes, 8)) else {
         return Err(damaged(format!("{} bytes are too few for its 12-byte header", bytes.len())));
     };
@@ -51,7 +51,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
     let length = length as usize;
     let whole = bytes
         .get(..length)
-        .ok_or_else(|| damaged(format!("its header promises {length} bytes and the file has {}", bytes.len())))?;
+        .ok_or_else(|| damaged(format!("its header declares {length} bytes, but the file has {}", bytes.len())))?;
     let (mut json, mut bin, mut at, mut index) = (None, None, 12_usize, 0_usize);
     while at < whole.len() {
         let (Some(size), Some(kind)) = (word(whole, at), word(whole, at + 4)) else {
@@ -59,7 +59,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
         };
         let start = at + 8;
         let body = start.checked_add(size as usize).and_then(|end| whole.get(start..end)).ok_or_else(|| {
-            damaged(format!("chunk {index} at byte {at} claims {size} bytes, and {} follow", whole.len() - start))
+            damaged(format!("chunk {index} at byte {at} declares {size} bytes, but {} follow", whole.len() - start))
         })?;
         match (index, kind) {
             (0, JSON) => json = Some(body),
@@ -71,7 +71,7 @@ fn split_glb(bytes: &[u8]) -> Result<Parts<'_>, Error> {
         index += 1;
     }
     let json = json.ok_or_else(|| damaged("it has no JSON chunk"))?;
-    Ok(Parts { json, bin })
+    Ok(Chunks { json, bin })
 }
 
 /// Assembles a GLB from a JSON text and a binary chunk. Pads the JSON with spaces and the chunk with zeros to multiples

@@ -72,7 +72,7 @@ pub struct Document {
 }
 
 /// The parts of a file, before they are checked.
-pub(crate) struct Parts {
+pub(crate) struct DocumentParts {
     pub(crate) raw: Raw,
     pub(crate) extensions: Value,
     pub(crate) text: Option<Vec<u8>>,
@@ -136,11 +136,14 @@ impl Document {
             bytes.shrink_to_fit();
             bytes
         });
-        Self::of_parts(Parts { raw, extensions, text: Some(text), chunk, folder: folder.map(Path::to_path_buf) }, read)
+        Self::of_parts(
+            DocumentParts { raw, extensions, text: Some(text), chunk, folder: folder.map(Path::to_path_buf) },
+            read,
+        )
     }
 
-    pub(crate) fn of_parts(parts: Parts, read: ReadClips) -> Result<Self, Error> {
-        let Parts { raw, extensions, text, chunk, folder } = parts;
+    pub(crate) fn of_parts(parts: DocumentParts, read: ReadClips) -> Result<Self, Error> {
+        let DocumentParts { raw, extensions, text, chunk, folder } = parts;
         let buffers = load_buffers(&raw, chunk.as_deref(), folder.as_deref())?;
         let slices: Vec<_> = buffers.iter().map(|b| bytes_of(b, chunk.as_deref())).collect();
         let data = Data::new(&raw, &slices);
@@ -268,7 +271,7 @@ fn load_buffers(raw: &Raw, chunk: Option<&[u8]>, folder: Option<&Path>) -> Resul
                     let Some(folder) = folder else {
                         return Err(Error::NoData {
                             place,
-                            problem: format!("its data lies in {}; load the document from its file", path.display()),
+                            problem: format!("its data is in {}; load the document from its file", path.display()),
                         });
                     };
                     Buffer::Loaded { bytes: uri::read_file(&folder.join(path))?, external: true }
@@ -278,7 +281,8 @@ fn load_buffers(raw: &Raw, chunk: Option<&[u8]>, folder: Option<&Path>) -> Resul
         if let Some(bytes) = bytes_of(&loaded, chunk) {
             if bytes.len() < buffer.byte_length {
                 let (claimed, there) = (buffer.byte_length, bytes.len());
-                let problem = format!("it claims {claimed} bytes and only {there} are there (cut off?)");
+                let problem =
+                    format!("it declares {claimed} bytes, but only {there} are present (is the file cut off?)");
                 return Err(Error::invalid(place, problem));
             }
         }

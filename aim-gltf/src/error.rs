@@ -21,7 +21,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file could not be written; what was at its path before is unchanged.
-    #[error("cannot write {}: {source}; what was there is unchanged, {}", .path.display(), remedy(.source))]
+    #[error("cannot write {}: {source}; nothing was changed there; {}", .path.display(), remedy(.source))]
     Write {
         /// The path that was to be written.
         path: PathBuf,
@@ -44,13 +44,13 @@ pub enum Error {
     #[error("the GLB container is damaged: {0}; export or download the file again")]
     Container(String),
     /// The file is of another version than glTF 2; holds the version it states.
-    #[error("this is glTF {0}, and only version 2 is understood; convert it to glTF 2.0")]
+    #[error("this is glTF {0}, but only version 2 is supported; convert the file to glTF 2.0")]
     Version(String),
     /// The JSON does not parse; holds the parser's message, with line and column.
-    #[error("the JSON part does not parse: {0}; export or download the file again")]
+    #[error("the JSON is invalid: {0}; export or download the file again")]
     Json(String),
     /// A part of the document contradicts the glTF 2.0 specification.
-    #[error("{place}: {problem}; the file breaks the glTF 2.0 specification, export it again")]
+    #[error("{place}: {problem}; the file violates the glTF 2.0 specification, export it again")]
     Invalid {
         /// The place, such as `nodes[3].children[0]`.
         place: String,
@@ -66,7 +66,7 @@ pub enum Error {
         problem: String,
     },
     /// No node has this name.
-    #[error("no node is called \"{name}\"; {}", known(.nearest, "the nearest names are", "nodes"))]
+    #[error("no node named \"{name}\"; {}", list_names(.nearest, "the nearest names are", "nodes"))]
     UnknownNode {
         /// The name asked for.
         name: String,
@@ -74,7 +74,7 @@ pub enum Error {
         nearest: Vec<String>,
     },
     /// Several nodes have this name, and not exactly one of them is a joint.
-    #[error("{} nodes are called \"{name}\" (node indices {nodes:?}); rename all but one of them", .nodes.len())]
+    #[error("{} nodes are named \"{name}\" (node indices {nodes:?}); rename all but one", .nodes.len())]
     AmbiguousNode {
         /// The name asked for.
         name: String,
@@ -82,7 +82,7 @@ pub enum Error {
         nodes: Vec<usize>,
     },
     /// No clip has this name.
-    #[error("no clip is called \"{name}\"; {}", known(.available, "the file has", "clips"))]
+    #[error("no clip named \"{name}\"; {}", list_names(.available, "the file has", "clips"))]
     UnknownClip {
         /// The name asked for.
         name: String,
@@ -90,10 +90,10 @@ pub enum Error {
         available: Vec<String>,
     },
     /// A clip to be written does not fit the document; holds what was expected.
-    #[error("the clip cannot be written: {0}")]
+    #[error("cannot write the clip: {0}")]
     Clip(String),
     /// The bones given cannot be made into a document; holds what was expected.
-    #[error("the bones cannot be made a document: {0}")]
+    #[error("cannot make a document from the bones: {0}")]
     Bones(String),
 }
 
@@ -112,10 +112,10 @@ impl Error {
     }
 }
 
-/// Formats `introduction a, b, c`, cut after eight names; for an empty list, says that the file has no `things`.
-fn known(names: &[String], introduction: &str, things: &str) -> String {
+/// Formats `introduction a, b, c`, cut after eight names; for an empty list, says that the file has no `plural`.
+fn list_names(names: &[String], introduction: &str, plural: &str) -> String {
     match names {
-        [] => format!("the file has no {things}"),
+        [] => format!("the file has no {plural}"),
         _ if names.len() > 8 => format!("{introduction} {} and {} more", names[..8].join(", "), names.len() - 8),
         _ => format!("{introduction} {}", names.join(", ")),
     }
@@ -123,5 +123,5 @@ fn known(names: &[String], introduction: &str, things: &str) -> String {
 
 /// Remedy for a file that cannot be written.
 fn remedy(error: &io::Error) -> &'static str {
-    if error.kind() == io::ErrorKind::NotFound { "make its folder first" } else { "choose another place" }
+    if error.kind() == io::ErrorKind::NotFound { "create its folder first" } else { "choose another path" }
 }

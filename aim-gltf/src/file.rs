@@ -51,15 +51,15 @@ impl<'a> Staged<'a> {
             file.write_all(bytes)?;
             file.sync_all()
         };
-        fill().map_err(|source| staged.refused(source))?;
+        fill().map_err(|source| staged.write_error(source))?;
         Ok(staged)
     }
 
     fn rename(self) -> Result<(), Error> {
-        fs::rename(&self.temporary, &self.place).map_err(|source| self.refused(source))
+        fs::rename(&self.temporary, &self.place).map_err(|source| self.write_error(source))
     }
 
-    fn refused(&self, source: io::Error) -> Error {
+    fn write_error(&self, source: io::Error) -> Error {
         Error::Write { path: self.path.to_path_buf(), source }
     }
 }

@@ -90,7 +90,7 @@ impl LookAt {
     pub fn doubts(document: &Document) -> Vec<String> {
         let mut doubts = Vec::new();
         Self::read(&document.extensions, &mut |Doubt { place, value, expected, used }| {
-            doubts.push(format!("{place} is {value}, expected {expected}; {used} is used"));
+            doubts.push(format!("{place} is {value}, expected {expected}; using {used}"));
         });
         doubts
     }
@@ -126,9 +126,9 @@ impl LookAt {
                 })
             };
             let (whole, expected) =
-                if is_expression { (1.0, "a weight from 0 on") } else { (90.0, "degrees from 0 on") };
+                if is_expression { (1.0, "a weight of at least 0") } else { (90.0, "at least 0 degrees") };
             RangeMap {
-                input_max_value: number(input, 90.0, "degrees above 0", |degrees| degrees > 0.0),
+                input_max_value: number(input, 90.0, "more than 0 degrees", |degrees| degrees > 0.0),
                 output_scale: number(output, whole, expected, |output| output >= 0.0),
             }
         };

@@ -7,13 +7,13 @@ use serde_json::{Map, Value};
 use crate::error::Error;
 
 /// A JSON value that does not have the expected type.
-pub(crate) struct Mistake {
+pub(crate) struct MemberError {
     /// Path inside the element, such as `.sparse.indices`.
     place: String,
     problem: String,
 }
 
-impl Mistake {
+impl MemberError {
     fn new(expected: &str, found: &Value) -> Self {
         let found = match found {
             Value::Null => "null".to_owned(),
@@ -39,17 +39,17 @@ impl Mistake {
 
 /// A type that can be read from JSON; unknown members are ignored.
 pub(crate) trait FromJson: Sized {
-    fn from_json(value: Value) -> Result<Self, Mistake>;
+    fn from_json(value: Value) -> Result<Self, MemberError>;
 }
 
 /// The members of an object, removed as they are read.
 pub(crate) struct Members(Map<String, Value>);
 
 impl Members {
-    pub(crate) fn of(value: Value) -> Result<Self, Mistake> {
+    pub(crate) fn of(value: Value) -> Result<Self, MemberError> {
         match value {
             Value::Object(members) => Ok(Self(members)),
-            other => Err(Mistake::new("an object", &other)),
+            other => Err(MemberError::new("an object", &other)),
         }
     }
 
@@ -59,88 +59,88 @@ impl Members {
     }
 
     /// Reads a member; `None` if it is missing or `null`.
-    pub(crate) fn optional<T: FromJson>(&mut self, key: &str) -> Result<Option<T>, Mistake> {
-        self.take(key).filter(|value| !value.is_null()).map(|value| inside(key, value)).transpose()
+    pub(crate) fn optional<T: FromJson>(&mut self, key: &str) -> Result<Option<T>, MemberError> {
+        self.take(key).filter(|value| !value.is_null()).map(|value| read_member(key, value)).transpose()
     }
 
     /// Reads a member; the type's default if it is missing.
-    pub(crate) fn or_default<T: FromJson + Default>(&mut self, key: &str) -> Result<T, Mistake> {
-        self.take(key).map_or_else(|| Ok(T::default()), |value| inside(key, value))
+    pub(crate) fn or_default<T: FromJson + Default>(&mut self, key: &str) -> Result<T, MemberError> {
+        self.take(key).map_or_else(|| Ok(T::default()), |value| read_member(key, value))
     }
 
-    pub(crate) fn required<T: FromJson>(&mut self, key: &str) -> Result<T, Mistake> {
+    pub(crate) fn required<T: FromJson>(&mut self, key: &str) -> Result<T, MemberError> {
         match self.take(key) {
-            Some(value) => inside(key, value),
-            None => Err(Mistake { place: String::new(), problem: format!("its member `{key}` is missing") }),
+            Some(value) => read_member(key, value),
+            None => Err(MemberError { place: String::new(), problem: format!("its member `{key}` is missing") }),
         }
     }
 }
 
-fn inside<T: FromJson>(key: &str, value: Value) -> Result<T, Mistake> {
-    T::from_json(value).map_err(|mistake| mistake.inside(&format!(".{key}")))
+fn read_member<T: FromJson>(key: &str, value: Value) -> Result<T, MemberError> {
+    T::from_json(value).map_err(|error| error.inside(&format!(".{key}")))
 }
 
 impl FromJson for usize {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let whole = value.as_u64().and_then(|number| Self::try_from(number).ok());
-        whole.ok_or_else(|| Mistake::new("a whole number from 0 on", &value))
+        whole.ok_or_else(|| MemberError::new("a non-negative integer", &value))
     }
 }
 
 impl FromJson for u32 {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let whole = value.as_u64().and_then(|number| Self::try_from(number).ok());
-        whole.ok_or_else(|| Mistake::new("a whole number of 32 bits", &value))
+        whole.ok_or_else(|| MemberError::new("a 32-bit integer", &value))
     }
 }
 
 impl FromJson for f64 {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
-        value.as_f64().ok_or_else(|| Mistake::new("a number", &value))
+    fn from_json(value: Value) -> Result<Self, MemberError> {
+        value.as_f64().ok_or_else(|| MemberError::new("a number", &value))
     }
 }
 
 impl FromJson for bool {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
-        value.as_bool().ok_or_else(|| Mistake::new("true or false", &value))
+    fn from_json(value: Value) -> Result<Self, MemberError> {
+        value.as_bool().ok_or_else(|| MemberError::new("true or false", &value))
     }
 }
 
 impl FromJson for String {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         match value {
             Value::String(text) => Ok(text),
-            other => Err(Mistake::new("a string", &other)),
+            other => Err(MemberError::new("a string", &other)),
         }
     }
 }
 
 impl<T: FromJson> FromJson for Vec<T> {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
-        let Value::Array(values) = value else { return Err(Mistake::new("an array", &value)) };
+    fn from_json(value: Value) -> Result<Self, MemberError> {
+        let Value::Array(values) = value else { return Err(MemberError::new("an array", &value)) };
         let mut all = Self::with_capacity(values.len());
         for (index, value) in values.into_iter().enumerate() {
-            all.push(T::from_json(value).map_err(|mistake| mistake.inside(&format!("[{index}]")))?);
+            all.push(T::from_json(value).map_err(|error| error.inside(&format!("[{index}]")))?);
         }
         Ok(all)
     }
 }
 
 impl<const N: usize> FromJson for [f64; N] {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let numbers = Vec::<f64>::from_json(value)?;
         let found = numbers.len();
         let problem = || format!("it has {found} numbers, expected {N}");
-        numbers.try_into().map_err(|_| Mistake { place: String::new(), problem: problem() })
+        numbers.try_into().map_err(|_| MemberError { place: String::new(), problem: problem() })
     }
 }
 
 impl FromJson for BTreeMap<String, usize> {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let Members(members) = Members::of(value)?;
         let mut all = Self::new();
         for (key, value) in members {
-            let number = inside(&key, value)?;
+            let number = read_member(&key, value)?;
             all.insert(key, number);
         }
         Ok(all)

@@ -21,7 +21,7 @@ const MOST_TARGETS: usize = 1 << 20;
 
 /// Everything that moves the vertices of a surface apart from the first four joints of each.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Movers {
+pub(crate) struct VertexInfluences {
     /// (vertex, joint of its skin, weight), ordered by vertex.
     joints: Vec<(usize, u16, f32)>,
     morphs: Vec<Morph>,
@@ -31,7 +31,7 @@ pub(crate) struct Movers {
     weights: Vec<f32>,
 }
 
-impl Movers {
+impl VertexInfluences {
     /// Numbers the morph targets of node `index` of the file, which is `bone` of the skeleton, and stores their weights
     /// at rest.
     pub(crate) fn add_targets(&mut self, data: &Data<'_>, index: usize, bone: usize) -> Range<usize> {
@@ -123,7 +123,7 @@ impl Surface {
         let mut joints = Joints::new(skeleton);
         let mut influences: Vec<Influence> = Vec::with_capacity(self.points().len());
         let mut ends = Vec::with_capacity(self.points().len());
-        let mut more = self.movers.joints.iter().peekable();
+        let mut more = self.influences.joints.iter().peekable();
         for (vertex, point) in self.points().iter().enumerate() {
             let start = influences.len();
             let skin = skeleton.nodes().get(point.node()).and_then(|node| node.skin);
@@ -146,7 +146,7 @@ impl Surface {
         let triangles: Vec<[u32; 3]> = self.triangles().iter().map(|triangle| triangle.vertices.map(narrow)).collect();
         let mesh = Mesh::new(positions, triangles, &influences)
             .and_then(|mesh| mesh.with_normals(self.normals()))
-            .and_then(|mesh| mesh.with_morphs(&*self.movers.morphs));
+            .and_then(|mesh| mesh.with_morphs(&*self.influences.morphs));
         let skin = Skin::with_inverse_rest(skeleton, joints.bones, joints.inverse_rest);
         // Cannot fail: everything was validated when it was read.
         mesh.ok().zip(skin.ok()).unwrap_or_default()
@@ -156,7 +156,7 @@ impl Surface {
     /// node that has some are consecutive.
     #[must_use]
     pub fn morph_weights(&self) -> &[f32] {
-        &self.movers.weights
+        &self.influences.weights
     }
 
     /// Returns the range of a node's morph targets in [`morph_weights`](Self::morph_weights); empty if it has none.
@@ -164,7 +164,7 @@ impl Surface {
     /// [`Document::morph_scalars`](crate::Document::morph_scalars).
     #[must_use]
     pub fn morph_targets(&self, node: usize) -> Range<usize> {
-        let found = self.movers.targets.iter().find(|(of, _)| *of == node);
+        let found = self.influences.targets.iter().find(|(of, _)| *of == node);
         found.map_or(0..0, |(_, targets)| targets.clone())
     }
 }

@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_area_has_no_normal() {
+    fn triangles_without_area_have_no_normal() {
         let line = normals(&[Vec3::ZERO, Vec3::X, Vec3::X * 2.0, Vec3::Y], &[[0, 1, 2]]);
         assert_eq!(line, [Vec3::ZERO; 4]);
         let far = normals(&[Vec3::ZERO, Vec3::X * f32::MAX, Vec3::Y * f32::MAX], &[[0, 1, 2]]);
@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_million_faces_at_one_place_are_no_more_work_than_elsewhere() {
+    fn a_million_faces_at_one_point_take_linear_time() {
         let positions = vec![Vec3::ZERO; 300_000];
         let triangles: Vec<[usize; 3]> = (0..100_000).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
         assert_eq!(normals(&positions, &triangles).len(), positions.len());

@@ -6,7 +6,7 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use crate::error::Error;
-use crate::members::{FromJson, Members, Mistake};
+use crate::members::{FromJson, MemberError, Members};
 
 #[derive(Default)]
 pub(crate) struct Node {
@@ -23,7 +23,7 @@ pub(crate) struct Node {
 }
 
 impl FromJson for Node {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             name: members.optional("name")?,
@@ -45,7 +45,7 @@ pub(crate) struct Skin {
 }
 
 impl FromJson for Skin {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             joints: members.required("joints")?,
@@ -80,7 +80,7 @@ impl Accessor {
 }
 
 impl FromJson for Accessor {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             buffer_view: members.optional("bufferView")?,
@@ -101,7 +101,7 @@ pub(crate) struct Sparse {
 }
 
 impl FromJson for Sparse {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             count: members.required("count")?,
@@ -118,7 +118,7 @@ pub(crate) struct SparseIndices {
 }
 
 impl FromJson for SparseIndices {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             buffer_view: members.required("bufferView")?,
@@ -134,7 +134,7 @@ pub(crate) struct SparseValues {
 }
 
 impl FromJson for SparseValues {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self { buffer_view: members.required("bufferView")?, byte_offset: members.or_default("byteOffset")? })
     }
@@ -148,7 +148,7 @@ pub(crate) struct BufferView {
 }
 
 impl FromJson for BufferView {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             buffer: members.required("buffer")?,
@@ -165,7 +165,7 @@ pub(crate) struct Buffer {
 }
 
 impl FromJson for Buffer {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self { byte_length: members.required("byteLength")?, uri: members.optional("uri")? })
     }
@@ -178,7 +178,7 @@ pub(crate) struct Mesh {
 }
 
 impl FromJson for Mesh {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             primitives: members.required("primitives")?,
@@ -197,7 +197,7 @@ pub(crate) struct Primitive {
 }
 
 impl FromJson for Primitive {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             attributes: members.or_default("attributes")?,
@@ -214,7 +214,7 @@ pub(crate) struct Animation {
 }
 
 impl FromJson for Animation {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             name: members.optional("name")?,
@@ -230,7 +230,7 @@ pub(crate) struct Channel {
 }
 
 impl FromJson for Channel {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self { sampler: members.required("sampler")?, target: members.required("target")? })
     }
@@ -242,7 +242,7 @@ pub(crate) struct ChannelTarget {
 }
 
 impl FromJson for ChannelTarget {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self { node: members.optional("node")?, path: members.required("path")? })
     }
@@ -255,7 +255,7 @@ pub(crate) struct Sampler {
 }
 
 impl FromJson for Sampler {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self {
             input: members.required("input")?,
@@ -270,7 +270,7 @@ pub(crate) struct Scene {
 }
 
 impl FromJson for Scene {
-    fn from_json(value: Value) -> Result<Self, Mistake> {
+    fn from_json(value: Value) -> Result<Self, MemberError> {
         let mut members = Members::of(value)?;
         Ok(Self { nodes: members.or_default("nodes")? })
     }
@@ -328,7 +328,7 @@ impl<'a> Top<'a> {
             return Err(Error::Json(format!("it is nested deeper than {MOST_LEVELS} levels")));
         }
         if !whole.get().starts_with('{') {
-            return Err(Error::Json("expected an object at the top".into()));
+            return Err(Error::Json("expected an object at the top level".into()));
         }
         serde_json::from_str(whole.get()).map(Self).map_err(|e| syntax(&e))
     }
@@ -342,7 +342,7 @@ impl<'a> Top<'a> {
     fn array<T: FromJson>(&mut self, key: &str) -> Result<Vec<T>, Error> {
         let mut typed = Vec::new();
         for (index, element) in self.elements(key)?.into_iter().enumerate() {
-            typed.push(T::from_json(tree(element)?).map_err(|mistake| mistake.at(key, index))?);
+            typed.push(T::from_json(tree(element)?).map_err(|error| error.at(key, index))?);
         }
         Ok(typed)
     }

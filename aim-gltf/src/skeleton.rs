@@ -73,7 +73,7 @@ impl Skeleton {
         let mut given = Vec::with_capacity(raw.nodes.len() + eyes.len());
         for (index, (node, parent)) in raw.nodes.iter().zip(parents).enumerate() {
             let beyond =
-                || Error::invalid(format!("nodes[{index}]"), "its transform is beyond the range of single precision");
+                || Error::invalid(format!("nodes[{index}]"), "its transform exceeds the range of single precision");
             let name = node.name.clone().unwrap_or_else(|| format!("node{index}"));
             given.push(Bone::new(name, parent).with_rest(rest(node).filter(Transform::is_sound).ok_or_else(beyond)?));
         }

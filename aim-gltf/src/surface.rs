@@ -10,7 +10,7 @@ use serde_json::Value;
 use crate::accessor::Data;
 use crate::document::{Document, bytes_of};
 use crate::material::{self, Material};
-use crate::mesh::Movers;
+use crate::mesh::VertexInfluences;
 use crate::normals::normals;
 use crate::raw::{Primitive, Raw};
 use crate::skeleton::Skeleton;
@@ -41,7 +41,7 @@ pub struct Surface {
     triangles: Vec<Triangle>,
     materials: Vec<Material>,
     images: Vec<Arc<[u8]>>,
-    pub(crate) movers: Movers,
+    pub(crate) influences: VertexInfluences,
 }
 
 impl Document {
@@ -67,11 +67,13 @@ impl Document {
         for (node, mesh) in raw.nodes.iter().enumerate().filter_map(|(i, node)| Some((i, node.mesh?))) {
             let is_mirrored = skeleton.bone_of(node).is_some_and(mirrors);
             let bone = skeleton.bone_of(node).unwrap_or_default();
-            let targets = surface.movers.add_targets(&data, node, bone);
+            let targets = surface.influences.add_targets(&data, node, bone);
             for (index, primitive) in raw.meshes[mesh].primitives.iter().enumerate() {
                 let json = &self.json()["meshes"][mesh]["primitives"][index];
-                surface
-                    .add(skeleton, &Part { data: &data, node, primitive, json, is_mirrored, targets: targets.clone() });
+                surface.add(
+                    skeleton,
+                    &ShownPrimitive { data: &data, node, primitive, json, is_mirrored, targets: targets.clone() },
+                );
             }
         }
         surface
@@ -79,7 +81,7 @@ impl Document {
 }
 
 /// A primitive as shown by a node.
-struct Part<'a> {
+struct ShownPrimitive<'a> {
     data: &'a Data<'a>,
     /// The file's index of the node.
     node: usize,
@@ -91,7 +93,7 @@ struct Part<'a> {
     targets: Range<usize>,
 }
 
-impl Part<'_> {
+impl ShownPrimitive<'_> {
     /// Reads an attribute that has a value for each vertex; `None` if it is missing or broken.
     fn attribute<const N: usize>(&self, name: &str, shape: &str, vertices: usize) -> Option<Vec<[f32; N]>> {
         let accessor = *self.primitive.attributes.get(name)?;
@@ -129,7 +131,7 @@ impl Part<'_> {
 }
 
 impl Surface {
-    fn add(&mut self, skeleton: &Skeleton, part: &Part<'_>) {
+    fn add(&mut self, skeleton: &Skeleton, part: &ShownPrimitive<'_>) {
         let count = part.primitive.attributes.get("POSITION").and_then(|at| part.data.accessor(*at, "POSITION").ok());
         if count.is_none_or(|accessor| self.points.len().saturating_add(accessor.count) > MOST_VERTICES) {
             return;
@@ -159,8 +161,8 @@ impl Surface {
         let placed = |triangle: [usize; 3]| Triangle { vertices: triangle.map(|vertex| start + vertex), material };
         self.triangles.extend(triangles.into_iter().map(placed));
         self.points.extend(points.into_iter().map(|point| point.counted(skeleton)));
-        self.movers.add_joints(part.data, part.primitive, start..start + count);
-        self.movers.add_morphs(part.data, part.primitive, part.targets.clone(), start..start + count);
+        self.influences.add_joints(part.data, part.primitive, start..start + count);
+        self.influences.add_morphs(part.data, part.primitive, part.targets.clone(), start..start + count);
     }
 
     /// The triangles.

@@ -26,14 +26,14 @@ pub(crate) enum Uri {
 pub(crate) fn parse(text: &str, place: &str) -> Result<Uri, Error> {
     if text.get(..5).is_some_and(|s| s.eq_ignore_ascii_case("data:")) {
         let (head, body) =
-            text.split_once(',').ok_or_else(|| Error::invalid(place, "a data URI without a comma before its data"))?;
+            text.split_once(',').ok_or_else(|| Error::invalid(place, "the data URI has no comma before its data"))?;
         if !head.to_ascii_lowercase().ends_with(";base64") {
             return Ok(Uri::Data(percent_decode(body)));
         }
         let body = percent_decode(body);
         let bytes = LENIENT
             .decode(body)
-            .map_err(|e| Error::invalid(place, format!("a data URI whose base64 is damaged ({e})")))?;
+            .map_err(|e| Error::invalid(place, format!("the data URI has invalid base64 ({e})")))?;
         return Ok(Uri::Data(bytes));
     }
     if let Some((scheme, _)) = text.split_once("://") {
@@ -45,10 +45,10 @@ pub(crate) fn parse(text: &str, place: &str) -> Result<Uri, Error> {
         });
     }
     let path = String::from_utf8(percent_decode(text))
-        .map_err(|_| Error::invalid(place, "a URI that is not UTF-8 once its percent signs are decoded"))?;
+        .map_err(|_| Error::invalid(place, "the URI is not UTF-8 after percent decoding"))?;
     let path = PathBuf::from(path);
     if path.as_os_str().is_empty() || path.is_absolute() {
-        return Err(Error::invalid(place, "a URI that is no path relative to the file"));
+        return Err(Error::invalid(place, "the URI is not a path relative to the file"));
     }
     Ok(Uri::Relative(path))
 }

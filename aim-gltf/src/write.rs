@@ -37,7 +37,7 @@ impl Document {
     /// # Errors
     /// [`Error::Clip`] if a clip moves nodes or morph targets that the file does not have.
     pub fn with_clips(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
-        self.write(clips, None).and_then(Written::into_glb)
+        self.write(clips, None).and_then(OutputDocument::into_glb)
     }
 
     /// Returns the document as a GLB like [`with_clips`](Self::with_clips), but drops the data that only replaced clips
@@ -52,7 +52,7 @@ impl Document {
     pub fn with_clips_compacted(&self, clips: &[Clip]) -> Result<Vec<u8>, Error> {
         let mut written = self.write(clips, None)?;
         let animations = self.json().get("animations").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-        let is_replaced = |name: &str| clips.iter().filter(moves).any(|clip| clip.name() == name);
+        let is_replaced = |name: &str| clips.iter().filter(has_tracks).any(|clip| clip.name() == name);
         let replaced = self.clips().iter().zip(animations).filter(|(clip, _)| is_replaced(clip.name()));
         let candidates = replaced.flat_map(|(_, animation)| accessors_of(animation)).collect();
         if let Some(chunk) = &mut written.chunk {
@@ -67,40 +67,40 @@ impl Document {
     /// # Errors
     /// As [`with_clips`](Self::with_clips).
     pub fn with_clip_like(&self, clip: &Clip, like: Option<&str>) -> Result<Vec<u8>, Error> {
-        self.write(core::slice::from_ref(clip), like).and_then(Written::into_glb)
+        self.write(core::slice::from_ref(clip), like).and_then(OutputDocument::into_glb)
     }
 
-    fn write(&self, clips: &[Clip], like: Option<&str>) -> Result<Written, Error> {
+    fn write(&self, clips: &[Clip], like: Option<&str>) -> Result<OutputDocument, Error> {
         let mut json = self.json().clone();
         let mut data = Appended::default();
         let mut animations = Vec::with_capacity(clips.len());
-        for clip in clips.iter().filter(moves) {
+        for clip in clips.iter().filter(has_tracks) {
             self.check(clip)?;
             animations.push(data.animation(self, clip, [count(&json, "accessors"), count(&json, "bufferViews")]));
             clip.tracks().iter().for_each(|tracks| self.release_matrix(&mut json, tracks.bone));
         }
         let chunk = self.embed(&mut json, data)?;
-        for (clip, animation) in clips.iter().filter(moves).zip(animations) {
-            self.place(&mut json, (clip.name(), like), animation);
+        for (clip, animation) in clips.iter().filter(has_tracks).zip(animations) {
+            self.insert_animation(&mut json, (clip.name(), like), animation);
         }
-        Ok(Written { json, chunk })
+        Ok(OutputDocument { json, chunk })
     }
 
     /// Puts an animation in the place of the clip of its name, or else after all others. Keeps the other members of
     /// that clip, or else of the one named `like`.
-    fn place(&self, json: &mut Value, (name, like): (&str, Option<&str>), animation: Value) {
+    fn insert_animation(&self, json: &mut Value, (name, like): (&str, Option<&str>), animation: Value) {
         let animations = array(json, "animations");
         let find = |name: &str| self.clips().iter().position(|clip| clip.name() == name);
         let (old, template) = (find(name), like.and_then(find));
-        let said = old.or(template).and_then(|index| animations.get(index)?.as_object());
-        let mut placed = said.cloned().unwrap_or_default();
+        let members_to_keep = old.or(template).and_then(|index| animations.get(index)?.as_object());
+        let mut merged = members_to_keep.cloned().unwrap_or_default();
         if let Value::Object(mut new) = animation {
-            keep_foreign(&placed, &mut new);
-            placed.extend(new);
+            keep_foreign(&merged, &mut new);
+            merged.extend(new);
         }
         match old.and_then(|index| animations.get_mut(index)) {
-            Some(old) => *old = placed.into(),
-            None => animations.push(placed.into()),
+            Some(old) => *old = merged.into(),
+            None => animations.push(merged.into()),
         }
     }
 
@@ -113,7 +113,7 @@ impl Document {
         let targets = self.morph_scalars.values().map(|scalars| scalars.end).max().unwrap_or(0);
         match clip.scalars().iter().find(|(scalar, _)| *scalar >= targets) {
             Some((scalar, _)) => Err(refuse(format!(
-                "clip {:?} moves scalar {scalar}, which is the weight of no morph target",
+                "clip {:?} moves scalar {scalar}, which is not the weight of a morph target",
                 clip.name()
             ))),
             None => Ok(()),
@@ -218,12 +218,12 @@ fn keep_foreign(old: &Map<String, Value>, new: &mut Map<String, Value>) {
 }
 
 /// A document with its new clips, before the GLB is assembled.
-struct Written {
+struct OutputDocument {
     json: Value,
     chunk: Option<Vec<u8>>,
 }
 
-impl Written {
+impl OutputDocument {
     fn into_glb(self) -> Result<Vec<u8>, Error> {
         let text = serde_json::to_vec(&self.json).map_err(|e| Error::Json(e.to_string()))?;
         container::to_glb(&text, self.chunk.as_deref())
@@ -232,7 +232,7 @@ impl Written {
 
 /// Returns `true` if a clip has tracks: glTF does not allow an animation without channels.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "filters hand out references")]
-fn moves(clip: &&Clip) -> bool {
+fn has_tracks(clip: &&Clip) -> bool {
     !(clip.tracks().is_empty() && clip.scalars().is_empty())
 }
 

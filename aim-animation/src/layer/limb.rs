@@ -8,7 +8,7 @@ use aim_runtime::rotation::{inverse, product, slerp};
 
 use crate::fade::Ramp;
 use crate::figure::{Figure, Layer};
-use crate::limb::{Limb, LimbError, Part, TipGoal};
+use crate::limb::{Limb, LimbError, PartialFollow, TipGoal};
 use crate::mask::clamped;
 use crate::pose::{PoseError, check_length};
 use crate::skeleton::Skeleton;
@@ -143,7 +143,7 @@ impl LimbLayer {
     #[must_use]
     pub fn with_target(mut self, target: TipTarget) -> Self {
         self.target = Some(target);
-        self.ramp.lead(1.0, 0.0);
+        self.ramp.set_goal(1.0, 0.0);
         self
     }
 
@@ -161,12 +161,12 @@ impl LimbLayer {
     /// Sets the target. Fades in if there was none or if the layer was released.
     pub fn set_target(&mut self, target: TipTarget) {
         self.target = Some(target);
-        self.ramp.lead(1.0, self.fade_s);
+        self.ramp.set_goal(1.0, self.fade_s);
     }
 
     /// Releases the tip to the animation by fading out. The last target is used until the fade ends.
     pub fn release(&mut self) {
-        self.ramp.lead(0.0, self.fade_s);
+        self.ramp.set_goal(0.0, self.fade_s);
     }
 
     /// Returns the current weight of the fade, 0…1.
@@ -203,7 +203,7 @@ impl Layer for LimbLayer {
         let turn = rotation.zip(tip).map(|(rotation, tip)| product(rotation, tip.rotation.conjugate()));
         let turn = turn.map(|turn| slerp(Quat::IDENTITY, turn, weight));
         let mut goal = TipGoal { point, turn, two_bone: &self.two_bone };
-        let mut part = Part { weight, before: &mut self.before };
+        let mut part = PartialFollow { weight, before: &mut self.before };
         let is_straight = self.joints.len() == 2 && self.two_bone == TwoBone::new();
         if weight < 1.0 && is_straight {
             // Uses the nearest reachable point. With a target out of reach, the limb would be fully stretched at a
@@ -213,7 +213,7 @@ impl Layer for LimbLayer {
             part.weight = 1.0;
             self.error = missed * weight;
         }
-        self.error += self.limb.follow_in_part(&goal, part, &mut self.joints, &mut figure.both())?;
+        self.error += self.limb.follow_partially(&goal, part, &mut self.joints, &mut figure.pose_pair())?;
         Ok(())
     }
 }

@@ -119,7 +119,7 @@ impl Layer for Recoil {
         let kicked = thing.rigid_product(&self.offset()).rigid_product(&hand_in_thing);
         let turn = product(kicked.rotation, hand.rotation.conjugate());
         let goal = TipGoal { point: kicked.translation, turn: Some(turn), two_bone: &TwoBone::new() };
-        self.limb.follow(&goal, &mut self.joints, &mut figure.both())?;
+        self.limb.follow(&goal, &mut self.joints, &mut figure.pose_pair())?;
         Ok(())
     }
 }

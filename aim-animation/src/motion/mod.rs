@@ -136,16 +136,16 @@ impl Motion {
     pub fn delta(&self, step: &Step) -> Transform {
         // A clip that bounces returns along the way it came, so its passes cancel.
         let ends = if step.bounces { 0.0 } else { f64::from(step.ends) };
-        let rounds = if step.is_forward { ends } else { -ends };
+        let cycles = if step.is_forward { ends } else { -ends };
         if let Kind::Steady(steady) = &self.kind {
             if steady.is_screw() {
-                return steady.at(step.to_s - step.from_s + rounds * self.length_s);
+                return steady.at(step.to_s - step.from_s + cycles * self.length_s);
             }
         }
         // delta = M(from)⁻¹ · M(length)ⁿ · M(to), where n is the signed number of ends passed.
         let whole = self.at(self.length_s());
         let whole =
-            power(if rounds < 0.0 { whole.rigid_inverse() } else { whole }, if step.bounces { 0 } else { step.ends });
+            power(if cycles < 0.0 { whole.rigid_inverse() } else { whole }, if step.bounces { 0 } else { step.ends });
         let [from, to] = [step.from_s(), step.to_s()].map(|time| self.at(time));
         from.rigid_inverse().rigid_product(&whole.rigid_product(&to))
     }

@@ -5,7 +5,7 @@ use aim_runtime::rotation::{dot, product, unit};
 
 use crate::track::{Arithmetic, Value};
 
-/// Value of [`Grid::left_out`] for which each key leaves out its own largest component.
+/// Value of [`Grid::omitted_component`] for which each key leaves out its own largest component.
 pub(crate) const LARGEST: u8 = 4;
 
 /// Maximum number of steps from zero, for which every multiple is exact in `f32`.
@@ -19,11 +19,11 @@ pub(crate) struct Grid {
     /// Tangents are multiples of `2^-tangent_exponent`.
     pub(crate) tangent_exponent: i16,
     /// For rotations, the component that is left out, or [`LARGEST`].
-    pub(crate) left_out: u8,
+    pub(crate) omitted_component: u8,
 }
 
 /// A value that can be stored as up to three numbers on a grid, or exactly as its own components.
-pub(crate) trait Parts: Value {
+pub(crate) trait Packable: Value {
     /// Count of numbers of a value on a grid.
     const PARTS: usize;
     /// Count of numbers of a value stored exactly.
@@ -35,15 +35,15 @@ pub(crate) trait Parts: Value {
     fn from_numbers(numbers: [f32; 4]) -> Self;
     /// Index of the component to leave out, the one with the largest magnitude.
     fn largest(self) -> u8;
-    fn parts(self, left_out: u8) -> [f32; 3];
-    fn from_parts(parts: [f32; 3], left_out: u8) -> Self;
+    fn parts(self, omitted_component: u8) -> [f32; 3];
+    fn from_parts(parts: [f32; 3], omitted_component: u8) -> Self;
     /// Converts a tangent at this value to numbers that are the same for `q` and `-q`.
     fn tangent_parts(self, tangent: Self) -> [f32; 3];
     fn tangent_from_parts(self, parts: [f32; 3]) -> Self;
     /// Square of the distance; for rotations of the angle, if that is small.
     fn distance_squared(self, other: Self) -> f32;
     /// Returns the one component to leave out of all values, or [`LARGEST`] if none suits.
-    fn left_out_of(values: &[Self]) -> u8;
+    fn omitted_component_of(values: &[Self]) -> u8;
 }
 
 /// `2^exponent`; exponents are clamped to −126…127.
@@ -85,24 +85,24 @@ fn snapped(parts: [f32; 3], exponent: i16) -> Option<[f32; 3]> {
 
 impl Grid {
     /// Index of the component that is left out of a value.
-    pub(crate) fn left_out_of<T: Parts>(&self, value: T) -> u8 {
-        if self.left_out == LARGEST { value.largest() } else { self.left_out }
+    pub(crate) fn omitted_component_of<T: Packable>(&self, value: T) -> u8 {
+        if self.omitted_component == LARGEST { value.largest() } else { self.omitted_component }
     }
 
     /// Nearest value on the grid; `None` if it is out of range.
-    pub(crate) fn value<T: Parts>(&self, value: T) -> Option<T> {
-        let left_out = self.left_out_of(value);
-        let parts = snapped(value.parts(left_out), self.exponent)?;
-        Some(T::from_parts(parts, left_out).near(value))
+    pub(crate) fn value<T: Packable>(&self, value: T) -> Option<T> {
+        let omitted_component = self.omitted_component_of(value);
+        let parts = snapped(value.parts(omitted_component), self.exponent)?;
+        Some(T::from_parts(parts, omitted_component).near(value))
     }
 
     /// Nearest tangent on the grid; `None` if it is out of range.
-    pub(crate) fn tangent<T: Parts>(&self, value: T, tangent: T) -> Option<T> {
+    pub(crate) fn tangent<T: Packable>(&self, value: T, tangent: T) -> Option<T> {
         Some(value.tangent_from_parts(snapped(value.tangent_parts(tangent), self.tangent_exponent)?))
     }
 }
 
-impl Parts for f32 {
+impl Packable for f32 {
     const PARTS: usize = 1;
     const NUMBERS: usize = 1;
     const FINEST: i16 = 40;
@@ -131,12 +131,12 @@ impl Parts for f32 {
     fn distance_squared(self, other: Self) -> f32 {
         (self - other) * (self - other)
     }
-    fn left_out_of(_: &[Self]) -> u8 {
+    fn omitted_component_of(_: &[Self]) -> u8 {
         0
     }
 }
 
-impl Parts for Vec3 {
+impl Packable for Vec3 {
     const PARTS: usize = 3;
     const NUMBERS: usize = 3;
     const FINEST: i16 = 40;
@@ -166,12 +166,12 @@ impl Parts for Vec3 {
         let d = self - other;
         d.x * d.x + d.y * d.y + d.z * d.z
     }
-    fn left_out_of(_: &[Self]) -> u8 {
+    fn omitted_component_of(_: &[Self]) -> u8 {
         0
     }
 }
 
-impl Parts for Quat {
+impl Packable for Quat {
     const PARTS: usize = 3;
     const NUMBERS: usize = 4;
     const FINEST: i16 = 20;
@@ -194,11 +194,11 @@ impl Parts for Quat {
         largest
     }
 
-    fn parts(self, left_out: u8) -> [f32; 3] {
+    fn parts(self, omitted_component: u8) -> [f32; 3] {
         // The others divided by the one left out, whose size follows from the unit length; its sign is irrelevant,
         // since q and −q are equal.
         let [x, y, z, w] = self.to_array();
-        match left_out {
+        match omitted_component {
             0 => [y / x, z / x, w / x],
             1 => [x / y, z / y, w / y],
             2 => [x / z, y / z, w / z],
@@ -207,8 +207,8 @@ impl Parts for Quat {
     }
 
     #[inline]
-    fn from_parts([a, b, c]: [f32; 3], left_out: u8) -> Self {
-        let numbers = match left_out {
+    fn from_parts([a, b, c]: [f32; 3], omitted_component: u8) -> Self {
+        let numbers = match omitted_component {
             0 => [1.0, a, b, c],
             1 => [a, 1.0, b, c],
             2 => [a, b, 1.0, c],
@@ -233,7 +233,7 @@ impl Parts for Quat {
         4.0 * dot(chord, chord)
     }
 
-    fn left_out_of(values: &[Self]) -> u8 {
+    fn omitted_component_of(values: &[Self]) -> u8 {
         let least = |index: u8| {
             values.iter().fold(1.0_f32, |least, value| least.min(value.to_array()[usize::from(index)].abs()))
         };

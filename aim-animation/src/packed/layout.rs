@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::bits::{BitReader, BitWriter, bits_at, width_of};
-use super::grid::{Grid, LARGEST, Parts, from_steps, steps};
+use super::grid::{Grid, LARGEST, Packable, from_steps, steps};
 use crate::track::{Curve, Track};
 
 /// Property that a track animates.
@@ -120,7 +120,7 @@ enum Form {
     /// Components as full floats.
     Exact,
     /// Quantised values and tangents.
-    Grid { left_out: u8, values: Range, tangents: Range },
+    Grid { omitted_component: u8, values: Range, tangents: Range },
 }
 
 /// Number of tangents stored for each key.
@@ -187,7 +187,7 @@ pub(super) fn time_bits(times: usize) -> u32 {
 }
 
 /// Chooses the encoding of a track's keys: quantised, or exact if they do not fit the grid.
-fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
+fn form<T: Packable>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
     let smooth = |tangents: &[[T; 2]]| {
         // The first arriving and the last leaving tangent have no effect, so they need not match.
         let inner = tangents.get(1..tangents.len().saturating_sub(1)).unwrap_or_default();
@@ -200,8 +200,8 @@ fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
     };
     let form = grid.and_then(|grid| {
         let values = track.values();
-        let left_out = |value: T| grid.left_out_of(value);
-        let parts = values.iter().map(|value| value.parts(left_out(*value)));
+        let omitted_component = |value: T| grid.omitted_component_of(value);
+        let parts = values.iter().map(|value| value.parts(omitted_component(*value)));
         let of_values = Range::of(parts, grid.exponent, T::PARTS)?;
         let of_tangents = if tangents == Tangents::None {
             Range::default()
@@ -211,13 +211,13 @@ fn form<T: Parts>(track: &Track<T>, grid: Option<Grid>) -> (Tangents, Form) {
             });
             Range::of(parts, grid.tangent_exponent, T::PARTS)?
         };
-        Some(Form::Grid { left_out: grid.left_out, values: of_values, tangents: of_tangents })
+        Some(Form::Grid { omitted_component: grid.omitted_component, values: of_values, tangents: of_tangents })
     });
     (tangents, form.unwrap_or(Form::Exact))
 }
 
 /// Returns the tangents of a key that are stored.
-fn kept_tangents<T: Parts>(track: &Track<T>, key: usize, tangents: Tangents) -> Vec<T> {
+fn kept_tangents<T: Packable>(track: &Track<T>, key: usize, tangents: Tangents) -> Vec<T> {
     let [into, out] = track.tangents()[key];
     match tangents {
         Tangents::None => Vec::new(),
@@ -228,19 +228,19 @@ fn kept_tangents<T: Parts>(track: &Track<T>, key: usize, tangents: Tangents) -> 
 }
 
 impl Form {
-    fn stride<T: Parts>(&self, tangents: Tangents) -> u32 {
+    fn stride<T: Packable>(&self, tangents: Tangents) -> u32 {
         let count = tangents.count();
         match self {
             Self::Exact => 32 * u32::try_from(T::NUMBERS).unwrap_or(0) * (1 + count),
-            Self::Grid { left_out, values, tangents } => {
-                values.stride() + 2 * u32::from(*left_out == LARGEST) + count * tangents.stride()
+            Self::Grid { omitted_component, values, tangents } => {
+                values.stride() + 2 * u32::from(*omitted_component == LARGEST) + count * tangents.stride()
             }
         }
     }
 }
 
 /// Number of bits that a track takes.
-pub(crate) fn bits_of<T: Parts>(target: usize, track: &Track<T>, grid: Option<Grid>, times: usize) -> usize {
+pub(crate) fn bits_of<T: Packable>(target: usize, track: &Track<T>, grid: Option<Grid>, times: usize) -> usize {
     let (tangents, form) = form(track, grid);
     let keys = track.times().len();
     let of_form = match form {
@@ -255,7 +255,7 @@ pub(crate) fn bits_of<T: Parts>(target: usize, track: &Track<T>, grid: Option<Gr
 }
 
 /// Writes a track whose values are on the grid; `None` if a number does not fit.
-pub(super) fn write<T: Parts>(
+pub(super) fn write<T: Packable>(
     bits: &mut BitWriter,
     (channel, target): (Channel, usize),
     (track, grid): (&Track<T>, Option<Grid>),
@@ -278,8 +278,8 @@ pub(super) fn write<T: Parts>(
     if !at_all_times {
         push_small(bits, keys)?;
     }
-    if let Form::Grid { left_out, values, tangents: of_tangents } = &form {
-        bits.push(u32::from(*left_out), 3);
+    if let Form::Grid { omitted_component, values, tangents: of_tangents } = &form {
+        bits.push(u32::from(*omitted_component), 3);
         values.write(bits, T::PARTS);
         if tangents != Tangents::None {
             of_tangents.write(bits, T::PARTS);
@@ -300,12 +300,12 @@ pub(super) fn write<T: Parts>(
                     value.numbers().iter().take(T::NUMBERS).for_each(|number| bits.push(number.to_bits(), 32));
                 }
             }
-            Form::Grid { left_out, values, tangents: of_tangents } => {
-                let left_out_here = if *left_out == LARGEST { value.largest() } else { *left_out };
-                if *left_out == LARGEST {
-                    bits.push(u32::from(left_out_here), 2);
+            Form::Grid { omitted_component, values, tangents: of_tangents } => {
+                let omitted = if *omitted_component == LARGEST { value.largest() } else { *omitted_component };
+                if *omitted_component == LARGEST {
+                    bits.push(u32::from(omitted), 2);
                 }
-                values.push(bits, value.parts(left_out_here), T::PARTS);
+                values.push(bits, value.parts(omitted), T::PARTS);
                 for tangent in stored {
                     of_tangents.push(bits, value.tangent_parts(tangent), T::PARTS);
                 }
@@ -344,12 +344,12 @@ impl Header {
         let (form, stride) = if is_exact {
             (Form::Exact, 32 * numbers * (1 + tangents.count()))
         } else {
-            let left_out = u8::try_from(bits.take(3)).unwrap_or(0).min(LARGEST);
+            let omitted_component = u8::try_from(bits.take(3)).unwrap_or(0).min(LARGEST);
             let values = Range::read(&mut bits, parts);
             let of_tangents = if tangents == Tangents::None { Range::default() } else { Range::read(&mut bits, parts) };
-            let of_left_out = 2 * u32::from(left_out == LARGEST);
-            let stride = values.stride() + of_left_out + tangents.count() * of_tangents.stride();
-            (Form::Grid { left_out, values, tangents: of_tangents }, stride)
+            let omitted_bits = 2 * u32::from(omitted_component == LARGEST);
+            let stride = values.stride() + omitted_bits + tangents.count() * of_tangents.stride();
+            (Form::Grid { omitted_component, values, tangents: of_tangents }, stride)
         };
         let times_at = bits.position;
         let keys_at = if at_all_times {
@@ -378,19 +378,23 @@ impl Header {
 
     /// Value of a key.
     #[inline]
-    pub(super) fn value<T: Parts>(&self, bytes: &[u8], key: usize) -> T {
+    pub(super) fn value<T: Packable>(&self, bytes: &[u8], key: usize) -> T {
         self.value_and_tangents(bytes, key).0
     }
 
     /// Value of a key, and a reader positioned at its tangents.
     #[inline]
-    fn value_and_tangents<'a, T: Parts>(&self, bytes: &'a [u8], key: usize) -> (T, BitReader<'a>) {
+    fn value_and_tangents<'a, T: Packable>(&self, bytes: &'a [u8], key: usize) -> (T, BitReader<'a>) {
         let mut bits = BitReader { bytes, position: self.keys_at + key * self.stride as usize };
         let value = match &self.form {
             Form::Exact => exact(&mut bits),
-            Form::Grid { left_out, values, .. } => {
-                let left_out = if *left_out == LARGEST { u8::try_from(bits.take(2)).unwrap_or(3) } else { *left_out };
-                T::from_parts(values.take(&mut bits, T::PARTS), left_out)
+            Form::Grid { omitted_component, values, .. } => {
+                let omitted_component = if *omitted_component == LARGEST {
+                    u8::try_from(bits.take(2)).unwrap_or(3)
+                } else {
+                    *omitted_component
+                };
+                T::from_parts(values.take(&mut bits, T::PARTS), omitted_component)
             }
         };
         (value, bits)
@@ -399,13 +403,13 @@ impl Header {
     /// Returns the sign of a value that is nearer to `other`. Exactly stored values keep their sign, because it gives
     /// the direction of interpolation.
     #[inline]
-    pub(super) fn near<T: Parts>(&self, value: T, other: T) -> T {
+    pub(super) fn near<T: Packable>(&self, value: T, other: T) -> T {
         if self.form == Form::Exact { value } else { value.near(other) }
     }
 
     /// Value of a cubic key, with the sign nearer to `near`, and its arriving and leaving tangents.
     #[inline]
-    pub(super) fn cubic_key<T: Parts>(&self, bytes: &[u8], key: usize, near: Option<T>) -> (T, [T; 2]) {
+    pub(super) fn cubic_key<T: Packable>(&self, bytes: &[u8], key: usize, near: Option<T>) -> (T, [T; 2]) {
         let (value, mut bits): (T, _) = self.value_and_tangents(bytes, key);
         let value = near.map_or(value, |near| self.near(value, near));
         let mut tangent = || match &self.form {
@@ -419,7 +423,7 @@ impl Header {
 }
 
 #[inline]
-fn exact<T: Parts>(bits: &mut BitReader<'_>) -> T {
+fn exact<T: Packable>(bits: &mut BitReader<'_>) -> T {
     let mut numbers = [0.0; 4];
     numbers.iter_mut().take(T::NUMBERS).for_each(|number| *number = f32::from_bits(bits.take(32)));
     T::from_numbers(numbers)

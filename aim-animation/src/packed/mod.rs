@@ -15,7 +15,7 @@ use core::ops::Range;
 use aim_runtime::glam::{Quat, Vec3};
 use bits::BitWriter;
 pub use bytes::PackedError;
-use grid::{Grid, Parts};
+use grid::{Grid, Packable};
 use layout::{Channel, Header, time_bits};
 use segment::Segment;
 
@@ -211,22 +211,22 @@ impl PackedClip {
     fn each_segment(&self, places: Range<usize>, time_s: f32, cursor: &mut Cursor, mut call: impl FnMut(&Segment)) {
         let segments = cursor.segments.of(&self.data);
         let (mut alone, mut aside) = (None, 0);
-        let moment = cursor.keys.first_mut().unwrap_or(&mut aside);
+        let time_index = cursor.keys.first_mut().unwrap_or(&mut aside);
         for (place, position) in self.tracks.iter().enumerate().take(places.end).skip(places.start) {
             let segment = segments.get_mut(place).unwrap_or_else(|| alone.insert(Segment::NONE));
             if !segment.holds_at(time_s) {
-                *segment = self.segment(*position, time_s, moment, segment.key);
+                *segment = self.segment(*position, time_s, time_index, segment.key);
             }
             call(segment);
         }
     }
 
-    /// Decodes the segment of a track at a time. `moment` and `key` are guesses for the indices of the time and the
+    /// Decodes the segment of a track at a time. `time_index` and `key` are guesses for the indices of the time and the
     /// key.
     #[inline(never)]
-    fn segment(&self, position: u32, time_s: f32, moment: &mut usize, key: usize) -> Segment {
+    fn segment(&self, position: u32, time_s: f32, time_index: &mut usize, key: usize) -> Segment {
         let header = self.header(position);
-        let key = self.key_at(&header, self.moment(time_s, moment), key);
+        let key = self.key_at(&header, self.time_index(time_s, time_index), key);
         let (data, width) = (&self.data[..], time_bits(self.times.len()));
         let time = |key: usize| self.times.get(header.time(data, key, width)).copied().filter(|_| key < header.keys);
         let times = [time(key), time(key + 1)];
@@ -242,38 +242,38 @@ impl PackedClip {
         Header::read(&self.data, position as usize, self.times.len())
     }
 
-    /// Index of the last key time that is not after `time_s`, or `None` if there is none. Tries `likely` and its
+    /// Index of the last key time that is not after `time_s`, or `None` if there is none. Tries `guess` and its
     /// successor first.
-    fn moment(&self, time_s: f32, likely: &mut usize) -> Option<usize> {
+    fn time_index(&self, time_s: f32, guess: &mut usize) -> Option<usize> {
         let times = &self.times[..];
         let is_at = |k: usize| {
             times.get(k).is_some_and(|time| *time <= time_s) && times.get(k + 1).is_none_or(|next| time_s < *next)
         };
         // In forward playback the time is in the interval found last, or in the next.
-        if !is_at(*likely) {
-            let next = likely.saturating_add(1);
-            *likely = if is_at(next) { next } else { times.partition_point(|time| *time <= time_s).saturating_sub(1) };
+        if !is_at(*guess) {
+            let next = guess.saturating_add(1);
+            *guess = if is_at(next) { next } else { times.partition_point(|time| *time <= time_s).saturating_sub(1) };
         }
-        Some(*likely).filter(|likely| is_at(*likely))
+        Some(*guess).filter(|guess| is_at(*guess))
     }
 
-    /// Index of the last key that is not after the moment, or else of the first key. Tries `likely` and its successor
-    /// first.
-    fn key_at(&self, header: &Header, moment: Option<usize>, likely: usize) -> usize {
-        let Some(moment) = moment else { return 0 };
+    /// Index of the last key that is not after the time index, or else of the first key. Tries `guess` and its
+    /// successor first.
+    fn key_at(&self, header: &Header, time_index: Option<usize>, guess: usize) -> usize {
+        let Some(time_index) = time_index else { return 0 };
         let width = time_bits(self.times.len());
         let last = header.keys.saturating_sub(1);
         let time_of = |key: usize| header.time(&self.data, key, width);
-        let is_at = |k: usize| k <= last && time_of(k) <= moment && (k == last || moment < time_of(k + 1));
-        let next = likely.saturating_add(1);
-        match [likely, next].into_iter().find(|key| is_at(*key)) {
+        let is_at = |k: usize| k <= last && time_of(k) <= time_index && (k == last || time_index < time_of(k + 1));
+        let next = guess.saturating_add(1);
+        match [guess, next].into_iter().find(|key| is_at(*key)) {
             Some(key) => key,
-            None => key_before(last, |key| time_of(key) <= moment),
+            None => key_before(last, |key| time_of(key) <= time_index),
         }
     }
 
     /// Decodes a track to floats; `None` if the data is invalid.
-    fn track<T: Parts>(&self, header: &Header) -> Option<Track<T>> {
+    fn track<T: Packable>(&self, header: &Header) -> Option<Track<T>> {
         let width = time_bits(self.times.len());
         let times: Option<Vec<f32>> =
             (0..header.keys).map(|key| self.times.get(header.time(&self.data, key, width)).copied()).collect();

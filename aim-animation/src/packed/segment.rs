@@ -3,7 +3,7 @@
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-use super::grid::Parts;
+use super::grid::Packable;
 use super::layout::{Channel, Header};
 use crate::track::{Curve, hermite};
 
@@ -39,7 +39,7 @@ impl Segment {
     };
 
     /// Decodes the segment that starts at a key. `times` are those of the key and of the next one, if there is one.
-    pub(super) fn new<T: Parts>(header: &Header, bytes: &[u8], key: usize, times: [Option<f32>; 2]) -> Self {
+    pub(super) fn new<T: Packable>(header: &Header, bytes: &[u8], key: usize, times: [Option<f32>; 2]) -> Self {
         let [start, end] = times.map(|time| time.unwrap_or(f32::INFINITY));
         let mut segment = Self {
             channel: header.channel,
@@ -78,7 +78,7 @@ impl Segment {
 
     /// Value at a time; identical to that of the unpacked track.
     #[inline]
-    pub(super) fn value<T: Parts>(&self, time_s: f32) -> T {
+    pub(super) fn value<T: Packable>(&self, time_s: f32) -> T {
         let value = T::from_numbers(self.numbers[0]);
         let is_after = time_s > self.start_s;
         let part = (time_s - self.start_s) / (self.to_s - self.start_s);

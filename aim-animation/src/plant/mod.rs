@@ -62,7 +62,7 @@ pub struct Plant {
     /// Point and orientation at which the foot is planted; `None` while it swings.
     anchor: Option<Anchor>,
     fade: Fade,
-    before: Option<Before>,
+    last_frame: Option<LastFrame>,
     /// Position of the tip in this frame and the rotation applied to it, in the world.
     goal: (Vec3, Quat),
 }
@@ -79,7 +79,7 @@ struct Anchor {
 /// State of a frame that the next one needs, in the world. Each pair is a contact point and a rotation vector of the
 /// foot. The component of the vector along up is applied first; the rest then tilts the foot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Before {
+struct LastFrame {
     rotation: Quat,
     free: [Vec3; 2],
     shown: [Vec3; 2],
@@ -111,7 +111,7 @@ impl Plant {
             is_down: false,
             anchor: None,
             fade: Fade::NONE,
-            before: None,
+            last_frame: None,
             goal: (Vec3::ZERO, Quat::IDENTITY),
         })
     }
@@ -157,7 +157,7 @@ impl Plant {
 
     /// Discards the anchor and the velocity of the foot. Call it after the character's place has jumped.
     pub fn reset(&mut self) {
-        (self.is_down, self.anchor, self.fade, self.before) = (false, None, Fade::NONE, None);
+        (self.is_down, self.anchor, self.fade, self.last_frame) = (false, None, Fade::NONE, None);
     }
 
     /// Point in the world at which the foot is planted; `None` while it swings, and as soon as the leg cannot reach the
@@ -189,7 +189,7 @@ impl Plant {
     }
 
     /// Computes the goal of the foot in this frame. `up` is the unit up direction in the world.
-    fn decide(&mut self, figure: &Figure, ground: &mut dyn FnMut(Vec3) -> Ground, up: Vec3, dt_s: f32) {
+    fn update_goal(&mut self, figure: &Figure, ground: &mut dyn FnMut(Vec3) -> Ground, up: Vec3, dt_s: f32) {
         let place = figure.place.to_affine();
         let tip = place * figure.model()[self.limb.tip_bone()];
         let contact = tip.transform_point3(self.contact);
@@ -203,27 +203,34 @@ impl Plant {
         let below = ground(contact).below(contact, up);
         let height = (below.point - figure.place.translation).dot(up);
         let free = [contact + up * height, below.tilt(up, self.most_tilt_rad)];
-        let first =
-            Before { rotation, free, shown: free, ground: below, contact, offset_before: [Vec3::ZERO; 2], rate: 0.0 };
-        let before = self.before.unwrap_or(first);
+        let first = LastFrame {
+            rotation,
+            free,
+            shown: free,
+            ground: below,
+            contact,
+            offset_before: [Vec3::ZERO; 2],
+            rate: 0.0,
+        };
+        let last_frame = self.last_frame.unwrap_or(first);
         self.fade.advance(dt_s);
         let rate = 1.0 / dt_s;
-        let rate = if self.before.is_some() && rate > 0.0 && rate.is_finite() { rate } else { 0.0 };
+        let rate = if self.last_frame.is_some() && rate > 0.0 && rate.is_finite() { rate } else { 0.0 };
         // Angle turned about the vertical since the last frame. The twist of q is 2·atan(q·up / w); for small turns,
         // log(q)·up.
-        let turned_rad = log(product(rotation, before.rotation.conjugate())).dot(up);
+        let turned_rad = log(product(rotation, last_frame.rotation.conjugate())).dot(up);
         if let Some(anchor) = &mut self.anchor {
             anchor.turned_rad += turned_rad;
         } else {
-            self.absorb_step(&before, &first, up);
+            self.absorb_step(&last_frame, &first, up);
         }
-        let mut shown = sum(self.target(free, up), self.fade.left());
-        let offset_before = difference(before.shown, before.free);
+        let mut shown = sum(self.target(free, up), self.fade.offset());
+        let offset_before = difference(last_frame.shown, last_frame.free);
         // Without a time step the velocity is unknown: wait for the next frame. In the first frame the foot is assumed
         // at rest.
-        if self.is_down != self.anchor.is_some() && (rate > 0.0 || self.before.is_none()) {
+        if self.is_down != self.anchor.is_some() && (rate > 0.0 || self.last_frame.is_none()) {
             if self.is_down {
-                let mut velocity = difference(shown, before.shown).map(|way| way * rate);
+                let mut velocity = difference(shown, last_frame.shown).map(|way| way * rate);
                 // Extrapolate the horizontal movement to where it runs out, and query the ground there.
                 let level = velocity[0] - up * velocity[0].dot(up);
                 let at = shown[0] + level * (RUN_OUT * self.fade_s.max(0.0));
@@ -239,11 +246,11 @@ impl Plant {
                 self.anchor = Some(Anchor { point: at.point, tilt, turned_rad: 0.0 });
                 self.fade = Fade::new(difference(shown, [at.point, tilt]), velocity, self.fade_s);
             } else {
-                self.leave(difference(shown, free), offset_before, rate);
+                self.release_with_fade(difference(shown, free), offset_before, rate);
             }
-            shown = sum(self.target(free, up), self.fade.left());
+            shown = sum(self.target(free, up), self.fade.offset());
         }
-        self.before = Some(Before { rotation, free, shown, ground: below, contact, offset_before, rate });
+        self.last_frame = Some(LastFrame { rotation, free, shown, ground: below, contact, offset_before, rate });
         // Put the contact at its position; the tip follows from the foot's rotation about the contact.
         let about = up * shown[1].dot(up);
         let turn = product(exp(shown[1] - about), exp(about));
@@ -251,7 +258,7 @@ impl Plant {
     }
 
     /// Releases the anchor and fades to the animation, from an offset and its rate of change.
-    fn leave(&mut self, offset: [Vec3; 2], offset_before: [Vec3; 2], rate: f32) {
+    fn release_with_fade(&mut self, offset: [Vec3; 2], offset_before: [Vec3; 2], rate: f32) {
         (self.is_down, self.anchor) = (false, None);
         self.fade = Fade::new(offset, difference(offset, offset_before).map(|way| way * rate), self.fade_s);
     }
@@ -263,21 +270,21 @@ impl Plant {
 
     /// Fades in a jump of the ground under a swinging foot. The jump is the rise since the last frame beyond what the
     /// slopes of both grounds explain, and the change of the normal.
-    fn absorb_step(&mut self, before: &Before, now: &Before, up: Vec3) {
-        let rise = (now.ground.point - before.ground.point).dot(up);
-        let way = now.contact - before.contact;
-        let slopes = [before, now].map(|frame| frame.ground.rise(way, up) * rise.signum());
+    fn absorb_step(&mut self, last_frame: &LastFrame, now: &LastFrame, up: Vec3) {
+        let rise = (now.ground.point - last_frame.ground.point).dot(up);
+        let way = now.contact - last_frame.contact;
+        let slopes = [last_frame, now].map(|frame| frame.ground.rise(way, up) * rise.signum());
         let jump = (rise.abs() - slopes[0].min(slopes[1]).max(0.0)).max(0.0);
-        let turn = now.free[1] - before.free[1];
+        let turn = now.free[1] - last_frame.free[1];
         if jump > STEP * self.limb.length() || length(turn.into()) > CREASE_RAD {
             let step = [up * jump.copysign(rise), turn];
-            self.fade = Fade::new(difference(self.fade.left(), step), self.fade.rate(), self.fade_s);
+            self.fade = Fade::new(difference(self.fade.offset(), step), self.fade.rate(), self.fade_s);
         }
     }
 
     /// Distance by which the pelvis must be lowered for the leg to reach its goal with `stretch` times its length;
     /// negative if there is room.
-    fn lack(&self, figure: &Figure, up: Vec3, stretch: f32) -> f32 {
+    fn needed_drop(&self, figure: &Figure, up: Vec3, stretch: f32) -> f32 {
         let hip = (figure.place.to_affine() * figure.model()[self.limb.chain()[0]]).translation;
         let way = Vec3::from(hip) - self.goal.0;
         let reach = stretch * self.limb.reach(figure.model());
@@ -293,14 +300,14 @@ impl Plant {
         let place = made_unit(figure.place.rotation);
         let turn = Some(product(product(place.conjugate(), turn), place));
         let goal = TipGoal { point: to_model.transform_point3(point), turn, two_bone: &self.two_bone };
-        let error = self.limb.follow(&goal, &mut self.joints, &mut figure.both())?;
+        let error = self.limb.follow(&goal, &mut self.joints, &mut figure.pose_pair())?;
         let is_exact = self.joints.len() == 2 && self.two_bone.hinge.is_none();
         let is_missed = self.anchor.is_some() && error > REACHED[usize::from(!is_exact)] * self.limb.length();
         let contact = self.contact(figure).filter(|_| is_missed);
-        if let Some((contact, before)) = contact.zip(self.before.as_mut()) {
-            before.shown[0] = contact;
-            let Before { free, shown, offset_before, rate, .. } = *before;
-            self.leave(difference(shown, free), offset_before, rate);
+        if let Some((contact, last_frame)) = contact.zip(self.last_frame.as_mut()) {
+            last_frame.shown[0] = contact;
+            let LastFrame { free, shown, offset_before, rate, .. } = *last_frame;
+            self.release_with_fade(difference(shown, free), offset_before, rate);
         }
         Ok(())
     }

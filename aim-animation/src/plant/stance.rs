@@ -119,8 +119,8 @@ impl Stance {
         let up_ws = Vec3::from(turned(made_unit(figure.place.rotation), up.into()));
         let mut drop = 0.0;
         for foot in &mut self.feet {
-            foot.decide(figure, ground, up_ws, dt_s);
-            drop = soft_maximum(drop, foot.lack(figure, up_ws, STRETCH), SOFT * foot.limb.length());
+            foot.update_goal(figure, ground, up_ws, dt_s);
+            drop = soft_maximum(drop, foot.needed_drop(figure, up_ws, STRETCH), SOFT * foot.limb.length());
         }
         self.drop = drop.min(self.most_drop).max(0.0);
         figure.shift(self.pelvis, up * -self.drop);

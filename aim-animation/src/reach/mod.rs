@@ -16,7 +16,7 @@ pub use state::ReachState;
 use crate::clip::{Clip, sample_times};
 use crate::cursor::Cursor;
 use crate::limb::{Limb, TipGoal};
-use crate::pose::{Both, PoseError, check_length};
+use crate::pose::{PoseError, PosePair, check_length};
 use crate::skeleton::Skeleton;
 use crate::transform::Transform;
 
@@ -143,7 +143,7 @@ impl Reach {
         let mut points = Vec::with_capacity(times.len());
         for &time in &times {
             posed(skeleton, &clip, time, (&mut pose, &mut model));
-            points.push(limb.seen(&model, limb.tip(&model)));
+            points.push(limb.to_limb_units(&model, limb.tip(&model)));
         }
         if points.iter().any(|point| !point.is_finite()) {
             return Err(ReachError::Place);
@@ -213,9 +213,9 @@ impl Reach {
             }
             // Move the nearest sample to the time of the goal.
             posed(&self.skeleton, &self.clip, goal.at_s, (pose, model));
-            let (point, beyond) = self.limb.within_reach(model, self.limb.seen(model, goal.target));
+            let (point, beyond) = self.limb.within_reach(model, self.limb.to_limb_units(model, goal.target));
             times[frame] = goal.at_s;
-            rest[frame] = self.limb.seen(model, self.limb.tip(model));
+            rest[frame] = self.limb.to_limb_units(model, self.limb.tip(model));
             waypoints.push(Waypoint::new(frame, point).with_weight(goal.weight));
             out_of_reach = out_of_reach.max(beyond);
         }
@@ -250,7 +250,7 @@ impl Reach {
             return Ok(0.0);
         }
         let goal = TipGoal { point: self.limb.tip(model) + offset, turn: None, two_bone: &TwoBone::new() };
-        self.limb.follow(&goal, &mut state.joints, &mut Both { skeleton: &self.skeleton, local, model })
+        self.limb.follow(&goal, &mut state.joints, &mut PosePair { skeleton: &self.skeleton, local, model })
     }
 
     /// Returns the index of the sample to move to a time: the nearest one, except for the ends, which stay.

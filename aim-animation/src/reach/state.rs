@@ -18,9 +18,9 @@ pub struct ReachState {
     /// Fraction of the deformation that is applied, 0…1; NaN is treated as 0. Default 1. In a blend, set it to the
     /// weight of the clip.
     pub weight: f32,
-    shown: Way,
+    shown: PathDeformation,
     /// The deformation that is fading out.
-    from: Way,
+    from: PathDeformation,
     fade_s: f32,
     elapsed_s: f32,
     /// Input and output of a deformation: times, the animated path, the deformed path.
@@ -36,7 +36,7 @@ pub struct ReachState {
 
 /// Deformation of a path, in units of the limb's length: offsets at times, interpolated by cubics.
 #[derive(Clone, Debug)]
-struct Way {
+struct PathDeformation {
     times: Vec<f32>,
     offsets: Vec<Vec3>,
 }
@@ -44,7 +44,7 @@ struct Way {
 impl ReachState {
     pub(super) fn new(times: &[f32], limb: &Limb) -> Self {
         let count = times.len();
-        let still = Way { times: times.to_vec(), offsets: alloc::vec![Vec3::ZERO; count] };
+        let still = PathDeformation { times: times.to_vec(), offsets: alloc::vec![Vec3::ZERO; count] };
         Self {
             weight: 1.0,
             from: still.clone(),
@@ -115,7 +115,7 @@ impl ReachState {
     }
 }
 
-impl Way {
+impl PathDeformation {
     /// Deformation at a time. The cubics have at each sample the velocity of the parabola through it and its
     /// neighbours, and zero velocity at the ends.
     fn at(&self, time_s: f32) -> Vec3 {

@@ -3,39 +3,39 @@
 use alloc::vec::Vec;
 
 use super::samples::Samples;
-use crate::packed::grid::{Grid, Parts};
+use crate::packed::grid::{Grid, Packable};
 use crate::track::{Curve, Track, hermite};
 
 /// Constraints on a fit.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bound {
+pub(super) struct FitBound {
     /// Square of the tolerance: of a distance for vectors, of an angle for rotations.
     pub(super) squared: f32,
     /// Grid on which values and tangents must lie, if any.
     pub(super) grid: Option<Grid>,
 }
 
-impl Bound {
-    fn value<T: Parts>(&self, value: T) -> Option<T> {
+impl FitBound {
+    fn value<T: Packable>(&self, value: T) -> Option<T> {
         self.grid.map_or(Some(value), |grid| grid.value(value))
     }
 
-    fn tangent<T: Parts>(&self, value: T, tangent: T) -> Option<T> {
+    fn tangent<T: Packable>(&self, value: T, tangent: T) -> Option<T> {
         self.grid.map_or(Some(tangent), |grid| grid.tangent(value, tangent))
     }
 
     /// Returns `true` if two values agree within the tolerance.
-    pub(super) fn holds<T: Parts>(&self, value: T, other: T) -> bool {
+    pub(super) fn holds<T: Packable>(&self, value: T, other: T) -> bool {
         value.distance_squared(other) <= self.squared
     }
 }
 
 /// Fits a track with a single key: within the tolerance everywhere, and exact at pins.
-pub(super) fn constant<T: Parts>(
+pub(super) fn constant<T: Packable>(
     track: &Track<T>,
     samples: &Samples<T>,
     pins: &[f32],
-    bound: &Bound,
+    bound: &FitBound,
 ) -> Option<Track<T>> {
     // The value at the pins if there are any, else the first value.
     let pinned: Vec<T> = pins.iter().map(|pin| track.sample(*pin)).collect();
@@ -49,11 +49,11 @@ pub(super) fn constant<T: Parts>(
 }
 
 /// Fits a step track by dropping the steps that change nothing within the tolerance.
-pub(super) fn steps<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Track<T>> {
+pub(super) fn steps<T: Packable>(samples: &Samples<T>, bound: &FitBound) -> Option<Track<T>> {
     let (mut times, mut values) = (Vec::new(), Vec::<T>::new());
     for (k, knot) in samples.knots.iter().enumerate() {
         let exact = samples.value(k);
-        if !knot.is_kept && values.last().is_some_and(|last| bound.holds(*last, exact)) {
+        if !knot.is_required && values.last().is_some_and(|last| bound.holds(*last, exact)) {
             continue;
         }
         let value = bound.value(exact)?;
@@ -67,10 +67,10 @@ pub(super) fn steps<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Tra
 }
 
 /// Fits linear segments between as few knots as possible.
-pub(super) fn lines<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Track<T>> {
+pub(super) fn lines<T: Packable>(samples: &Samples<T>, bound: &FitBound) -> Option<Track<T>> {
     let values: Option<Vec<T>> = (0..samples.knots.len()).map(|k| bound.value(samples.value(k))).collect();
     let values = values?;
-    let knots = chosen(samples, |from, to| {
+    let knots = choose_knots(samples, |from, to| {
         let [first, last] = [from, to].map(|k| samples.knots[k].sample);
         let (start, interval) = (samples.times[first], samples.times[last] - samples.times[first]);
         (first..=last).all(|sample| {
@@ -83,7 +83,7 @@ pub(super) fn lines<T: Parts>(samples: &Samples<T>, bound: &Bound) -> Option<Tra
 }
 
 /// Fits cubic segments between as few knots as possible, with the given velocities at the knots.
-pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], bound: &Bound) -> Option<Track<T>> {
+pub(super) fn cubics<T: Packable>(samples: &Samples<T>, velocities: &[[T; 2]], bound: &FitBound) -> Option<Track<T>> {
     let mut keys: Vec<(T, [T; 2])> = Vec::with_capacity(samples.knots.len());
     for (k, [into, out]) in velocities.iter().enumerate() {
         let value = bound.value(samples.value(k))?;
@@ -91,7 +91,7 @@ pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], boun
         let out = bound.tangent(value, *out)?;
         keys.push((value, [into, out]));
     }
-    let knots = chosen(samples, |from, to| {
+    let knots = choose_knots(samples, |from, to| {
         let [first, last] = [from, to].map(|k| samples.knots[k].sample);
         let (start, interval) = (samples.times[first], samples.times[last] - samples.times[first]);
         let ((a, [_, out]), (b, [into, _])) = (keys[from], keys[to]);
@@ -116,12 +116,12 @@ pub(super) fn cubics<T: Parts>(samples: &Samples<T>, velocities: &[[T; 2]], boun
 }
 
 /// Chooses knots greedily, each segment as long as `fits` allows. `None` if even neighbouring knots do not fit.
-fn chosen<T: Parts>(samples: &Samples<T>, fits: impl Fn(usize, usize) -> bool) -> Option<Vec<usize>> {
+fn choose_knots<T: Packable>(samples: &Samples<T>, fits: impl Fn(usize, usize) -> bool) -> Option<Vec<usize>> {
     let last = samples.knots.len() - 1;
     // For each knot, the next one that must be a key.
     let mut limits: Vec<usize> = alloc::vec![last; last + 1];
     for k in (0..last).rev() {
-        limits[k] = if samples.knots[k + 1].is_kept { k + 1 } else { limits[k + 1] };
+        limits[k] = if samples.knots[k + 1].is_required { k + 1 } else { limits[k + 1] };
     }
     let mut knots = alloc::vec![0];
     let mut from = 0;

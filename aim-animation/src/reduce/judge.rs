@@ -5,10 +5,10 @@ use alloc::vec::Vec;
 use aim_runtime::glam::Quat;
 use aim_runtime::rotation::{dot, length};
 
-use super::ends::{Ends, narrowed};
+use super::bone_ends::{BoneEnds, narrowed};
 use crate::clip::Clip;
 use crate::packed::grid::power_of_two;
-use crate::played::Played;
+use crate::playable::PlayableClip;
 use crate::skeleton::Skeleton;
 use crate::track::{Curve, Track, hermite};
 use crate::transform::Transform;
@@ -68,7 +68,7 @@ pub(super) struct Error {
 
 impl Error {
     /// Keeps the larger error; NaN is treated as the largest.
-    fn raise(&mut self, other: Self) {
+    fn keep_larger(&mut self, other: Self) {
         if !(other.squared <= self.squared) && !self.squared.is_nan() {
             *self = other;
         }
@@ -100,8 +100,8 @@ fn points(keys: &[f32]) -> impl Iterator<Item = f32> {
 pub(super) struct Judge<'a> {
     skeleton: &'a Skeleton,
     original: &'a Clip,
-    ends: Vec<Ends>,
-    /// Times of the keys, of the pins, and around fast turns (see [`whirls`]).
+    ends: Vec<BoneEnds>,
+    /// Times of the keys, of the pins, and around fast turns (see [`fast_turn_times`]).
     keys: Vec<f32>,
     /// Times of the keys alone, if `keys` has more, so that the points between them are measured too.
     own_keys: Vec<f32>,
@@ -122,32 +122,32 @@ impl<'a> Judge<'a> {
         let mut keys = own_keys.clone();
         keys.extend(pins);
         let rotations = original.tracks().iter().filter_map(|tracks| tracks.rotation.as_ref());
-        rotations.for_each(|track| keys.extend(whirls(track)));
+        rotations.for_each(|track| keys.extend(fast_turn_times(track)));
         keys.sort_unstable_by(f32::total_cmp);
         keys.dedup();
         let own_keys = if keys == own_keys { Vec::new() } else { own_keys };
-        Self { skeleton, original, ends: Ends::of(skeleton), keys, own_keys }
+        Self { skeleton, original, ends: BoneEnds::of(skeleton), keys, own_keys }
     }
 
-    pub(super) fn ends(&self) -> &[Ends] {
+    pub(super) fn ends(&self) -> &[BoneEnds] {
         &self.ends
     }
 
     /// Errors at the keys and halfway between them, for at most `most` of the keys.
-    pub(super) fn at_keys(&self, played: &dyn Played, most: usize) -> Errors {
+    pub(super) fn errors_at_keys(&self, clip: &dyn PlayableClip, most: usize) -> Errors {
         let step = self.keys.len().div_ceil(most.max(1)).max(1);
         let between = |pair: &[f32]| pair[0] + 0.5 * (pair[1] - pair[0]);
         let middles = self.keys.windows(2).map(between).chain(self.keys.last().copied());
         let times = self.keys.iter().copied().zip(middles).step_by(step).flat_map(|(key, middle)| [key, middle]);
-        self.errors(played, times)
+        self.errors(clip, times)
     }
 
     /// Errors at all keys, just before each, and at eight points between neighbours.
-    pub(super) fn everywhere(&self, played: &dyn Played) -> Errors {
-        self.errors(played, points(&self.keys).chain(points(&self.own_keys)))
+    pub(super) fn errors_everywhere(&self, clip: &dyn PlayableClip) -> Errors {
+        self.errors(clip, points(&self.keys).chain(points(&self.own_keys)))
     }
 
-    fn errors(&self, played: &dyn Played, times: impl Iterator<Item = f32>) -> Errors {
+    fn errors(&self, clip: &dyn PlayableClip, times: impl Iterator<Item = f32>) -> Errors {
         let bones = self.skeleton.len();
         let rest = self.skeleton.rest();
         let (mut pose, mut other) = (rest.to_vec(), rest.to_vec());
@@ -157,13 +157,13 @@ impl<'a> Judge<'a> {
             bones: alloc::vec![Error::default(); bones],
             scalars: alloc::vec![0.0; self.original.scalars().len()],
         };
-        let (mut cursor, mut played_cursor) = (self.original.cursor(), played.cursor());
+        let (mut cursor, mut clip_cursor) = (self.original.cursor(), clip.cursor());
         let mut keys = alloc::vec![0; errors.scalars.len()];
         for time_s in times {
             pose.copy_from_slice(rest);
             self.original.sample(time_s, &mut cursor, &mut pose);
             other.copy_from_slice(rest);
-            played.sample(time_s, &mut played_cursor, &mut other);
+            clip.sample(time_s, &mut clip_cursor, &mut other);
             for bone in 0..bones {
                 let [local, local_other] = [Map::of(&pose[bone]), Map::of(&other[bone])];
                 let is_local_same = same(&pose[bone], &other[bone]);
@@ -176,11 +176,11 @@ impl<'a> Judge<'a> {
                     }
                 };
                 if !maps[bone].2 {
-                    errors.bones[bone].raise(self.error(bone, &maps[bone], time_s));
+                    errors.bones[bone].keep_larger(self.error(bone, &maps[bone], time_s));
                 }
             }
             for (place, (_, track)) in self.original.scalars().iter().enumerate() {
-                let off = (played.scalar(time_s, place) - track.sample_near(time_s, &mut keys[place])).abs();
+                let off = (clip.scalar(time_s, place) - track.sample_near(time_s, &mut keys[place])).abs();
                 errors.scalars[place] = errors.scalars[place].max(off);
             }
         }
@@ -194,13 +194,13 @@ impl<'a> Judge<'a> {
         for child in &self.ends[bone].children {
             let turn = difference(of_other.turned(*child), of_original.turned(*child));
             let vector = [0, 1, 2].map(|i| origin[i] + turn[i]);
-            worst.raise(Error { squared: square(vector), vector, time_s });
+            worst.keep_larger(Error { squared: square(vector), vector, time_s });
         }
-        for (axis, along) in self.ends[bone].along.into_iter().enumerate() {
+        for (axis, along) in self.ends[bone].axis_distances.into_iter().enumerate() {
             let turn = difference(of_other.columns[axis], of_original.columns[axis]);
             for along in [along, -along] {
                 let vector = [0, 1, 2].map(|i| origin[i] + along * turn[i]);
-                worst.raise(Error { squared: square(vector), vector, time_s });
+                worst.keep_larger(Error { squared: square(vector), vector, time_s });
             }
         }
         worst
@@ -209,7 +209,7 @@ impl<'a> Judge<'a> {
 
 /// Times at which a cubic turns by a large angle in a short time, because its quaternions pass near zero, and times
 /// that converge to each of them from both sides.
-fn whirls(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
+fn fast_turn_times(track: &Track<Quat>) -> impl Iterator<Item = f32> + '_ {
     let times = if track.curve() == Curve::Cubic { track.times() } else { &[] };
     times.windows(2).enumerate().flat_map(|(key, pair)| {
         let (from, interval, segment) = (pair[0], pair[1] - pair[0], track.segment(key));

@@ -1,8 +1,8 @@
-//! [`Reduction`]: fewer and smaller keys within a tolerance in model space. `ends.rs` defines where errors are
+//! [`Reduction`]: fewer and smaller keys within a tolerance in model space. `bone_ends.rs` defines where errors are
 //! measured, `judge.rs` measures them, `samples.rs` and `prepared.rs` prepare a track, `fit.rs` fits a track, and
 //! `parts.rs` fits a whole clip.
 
-mod ends;
+mod bone_ends;
 mod error;
 mod fit;
 mod judge;
@@ -20,7 +20,7 @@ use prepared::Storage;
 use crate::clip::Clip;
 use crate::float::root;
 use crate::packed::{PackedClip, times_of};
-use crate::played::Played;
+use crate::playable::PlayableClip;
 use crate::skeleton::Skeleton;
 
 /// Default tolerance of scalars.
@@ -150,7 +150,7 @@ impl Reduction {
     }
 
     /// Returns the smallest result found that keeps the tolerance, and its errors.
-    fn result<R: Played>(
+    fn result<R: PlayableClip>(
         &self,
         clip: &Clip,
         skeleton: &Skeleton,
@@ -169,7 +169,7 @@ impl Reduction {
         for _ in 0..ROUNDS {
             let fit = tracks.fitted(&factors, storage);
             let result = made(fit).ok_or(ReductionError::Size)?;
-            let errors = judge.at_keys(&result, ROUGH_KEYS);
+            let errors = judge.errors_at_keys(&result, ROUGH_KEYS);
             let worst_below = worst_below(&errors, skeleton);
             let holds = worst_below.iter().all(|squared| *squared <= limits[0] * limits[0])
                 && errors.scalars.iter().all(|error| f64::from(*error) <= limits[1]);
@@ -192,7 +192,7 @@ impl Reduction {
         let mut repairs = alloc::vec![0_u8; bones];
         loop {
             let result = made(tracks.fitted(&factors, storage)).ok_or(ReductionError::Size)?;
-            let errors = judge.everywhere(&result);
+            let errors = judge.errors_everywhere(&result);
             let mut is_good = true;
             for (bone, squared) in worst_below(&errors, skeleton).into_iter().enumerate() {
                 // This also rejects NaN.

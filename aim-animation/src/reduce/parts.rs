@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use aim_runtime::glam::{Quat, Vec3};
 
-use super::ends::Ends;
+use super::bone_ends::BoneEnds;
 use super::prepared::{Fitted, Prepared, Storage};
 use crate::clip::Clip;
 use crate::packed::Grids;
@@ -15,7 +15,7 @@ const STILL: f32 = 1.0 / 64.0;
 
 /// The tracks of one bone of the skeleton.
 #[derive(Debug)]
-struct OfBone<'a> {
+struct PreparedBone<'a> {
     bone: usize,
     translation: Option<Prepared<'a, Vec3>>,
     rotation: Option<Prepared<'a, Quat>>,
@@ -32,7 +32,7 @@ struct OfBone<'a> {
 pub(super) struct Tracks<'a> {
     clip: &'a Clip,
     skeleton: &'a Skeleton,
-    bones: Vec<OfBone<'a>>,
+    bones: Vec<PreparedBone<'a>>,
     scalars: Vec<Prepared<'a, f32>>,
     tolerances: [f32; 2],
 }
@@ -56,15 +56,15 @@ impl<'a> Tracks<'a> {
     pub(super) fn new(
         clip: &'a Clip,
         skeleton: &'a Skeleton,
-        (ends, pins): (&[Ends], &'a [f32]),
+        (ends, pins): (&[BoneEnds], &'a [f32]),
         tolerances: [f32; 2],
     ) -> Self {
         let of_skeleton = clip.tracks().iter().filter(|tracks| tracks.bone < skeleton.len());
-        let mut bones: Vec<OfBone<'a>> = of_skeleton
+        let mut bones: Vec<PreparedBone<'a>> = of_skeleton
             .map(|tracks| {
                 let bone = tracks.bone;
-                let Ends { along, reach, parent_scale, .. } = &ends[bone];
-                let longest = along.iter().fold(0.0, |longest: f64, along| longest.max(*along));
+                let BoneEnds { axis_distances, reach, parent_scale, .. } = &ends[bone];
+                let longest = axis_distances.iter().fold(0.0, |longest: f64, distance| longest.max(*distance));
                 let leverage = [*parent_scale, *reach, (*reach).max(crate::float::narrow(longest))];
                 let vector = |track| Prepared::new(bone, track, pins);
                 let translation = tracks.translation.as_ref().map(vector);
@@ -76,10 +76,10 @@ impl<'a> Tracks<'a> {
                     rotation.as_ref().is_some_and(|track| !track.is_constant(still[1])),
                     scale.as_ref().is_some_and(|track| !track.is_constant(still[2])),
                 ];
-                OfBone { bone, translation, rotation, scale, leverage, moves, share: 1.0 }
+                PreparedBone { bone, translation, rotation, scale, leverage, moves, share: 1.0 }
             })
             .collect();
-        share(&mut bones, skeleton);
+        share_tolerance(&mut bones, skeleton);
         let scalars = clip.scalars().iter().map(|(index, track)| Prepared::new(*index, track, pins)).collect();
         Self { clip, skeleton, bones, scalars, tolerances }
     }
@@ -89,29 +89,29 @@ impl<'a> Tracks<'a> {
         let mut clip = Clip::new(self.clip.name());
         let mut grids = Grids::default();
         let mut times = Vec::new();
-        for of_bone in &self.bones {
-            let bone = of_bone.bone;
+        for bone_tracks in &self.bones {
+            let bone = bone_tracks.bone;
             let rest = &self.skeleton.rest()[bone];
             let tolerance = |channel: usize| {
-                let share = if of_bone.moves[channel] { of_bone.share * factors.bones[bone]? } else { STILL };
-                factors.bones[bone].map(|_| self.tolerances[0] * share / of_bone.leverage[channel])
+                let share = if bone_tracks.moves[channel] { bone_tracks.share * factors.bones[bone]? } else { STILL };
+                factors.bones[bone].map(|_| self.tolerances[0] * share / bone_tracks.leverage[channel])
             };
             if let Some(Fitted { mut track, grid }) =
-                fitted(of_bone.translation.as_ref(), Some(rest.translation), tolerance(0), storage)
+                fitted(bone_tracks.translation.as_ref(), Some(rest.translation), tolerance(0), storage)
             {
                 track.share_times(&mut times);
                 grids.0.push(grid);
                 clip = clip.with_translation(bone, track);
             }
             if let Some(Fitted { mut track, grid }) =
-                fitted(of_bone.rotation.as_ref(), Some(rest.rotation), tolerance(1), storage)
+                fitted(bone_tracks.rotation.as_ref(), Some(rest.rotation), tolerance(1), storage)
             {
                 track.share_times(&mut times);
                 grids.0.push(grid);
                 clip = clip.with_rotation(bone, track);
             }
             if let Some(Fitted { mut track, grid }) =
-                fitted(of_bone.scale.as_ref(), Some(rest.scale), tolerance(2), storage)
+                fitted(bone_tracks.scale.as_ref(), Some(rest.scale), tolerance(2), storage)
             {
                 track.share_times(&mut times);
                 grids.0.push(grid);
@@ -139,7 +139,7 @@ impl<'a> Tracks<'a> {
 }
 
 /// Fits a track, or leaves it unchanged if there is no tolerance; `None` if there is no track or if it is at rest.
-fn fitted<T: crate::packed::grid::Parts>(
+fn fitted<T: crate::packed::grid::Packable>(
     track: Option<&Prepared<'_, T>>,
     rest: Option<T>,
     tolerance: Option<f32>,
@@ -153,14 +153,14 @@ fn fitted<T: crate::packed::grid::Parts>(
 
 /// Divides the tolerance along each chain of bones. A bone with few descendants gets more, because there are more of
 /// those.
-fn share(bones: &mut [OfBone<'_>], skeleton: &Skeleton) {
+fn share_tolerance(bones: &mut [PreparedBone<'_>], skeleton: &Skeleton) {
     let mut weights = alloc::vec![0.0_f32; skeleton.len()];
-    for of_bone in bones.iter() {
-        let below = skeleton.subtree(of_bone.bone).len();
-        let moves = of_bone.moves.iter().filter(|moves| **moves).count();
+    for bone_tracks in bones.iter() {
+        let below = skeleton.subtree(bone_tracks.bone).len();
+        let moves = bone_tracks.moves.iter().filter(|moves| **moves).count();
         #[expect(clippy::cast_precision_loss, reason = "a weight")]
         let weight = moves as f32 / (3.0 + below as f32);
-        weights[of_bone.bone] = weight;
+        weights[bone_tracks.bone] = weight;
     }
     // Find the sum along the heaviest chain through each bone.
     let mut sums = weights.clone();
@@ -174,11 +174,11 @@ fn share(bones: &mut [OfBone<'_>], skeleton: &Skeleton) {
             sums[parent] = sums[parent].max(sums[bone]);
         }
     }
-    for of_bone in bones {
-        let moves = of_bone.moves.iter().filter(|moves| **moves).count().max(1);
-        let whole = sums[of_bone.bone];
+    for bone_tracks in bones {
+        let moves = bone_tracks.moves.iter().filter(|moves| **moves).count().max(1);
+        let whole = sums[bone_tracks.bone];
         #[expect(clippy::cast_precision_loss, reason = "three at most")]
         let moves = moves as f32;
-        of_bone.share = if whole > 0.0 { weights[of_bone.bone] / whole / moves } else { 1.0 };
+        bone_tracks.share = if whole > 0.0 { weights[bone_tracks.bone] / whole / moves } else { 1.0 };
     }
 }

@@ -3,9 +3,9 @@
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-use super::fit::{self, Bound};
+use super::fit::{self, FitBound};
 use super::samples::Samples;
-use crate::packed::grid::{Grid, Parts, exponent_of};
+use crate::packed::grid::{Grid, Packable, exponent_of};
 use crate::packed::layout::bits_of;
 use crate::track::{Curve, Track};
 
@@ -34,7 +34,7 @@ pub(super) struct Prepared<'a, T> {
     /// Candidate velocities at the knots.
     velocities: Vec<Vec<[T; 2]>>,
     pins: &'a [f32],
-    left_out: u8,
+    omitted_component: u8,
     /// Longest segment expected, seconds.
     segment_s: f32,
     /// Index of the bone, or number of the scalar.
@@ -49,7 +49,7 @@ pub(super) struct Fitted<T> {
     pub(super) grid: Option<Grid>,
 }
 
-impl<'a, T: Parts> Prepared<'a, T> {
+impl<'a, T: Packable> Prepared<'a, T> {
     pub(super) fn new(target: usize, track: &'a Track<T>, pins: &'a [f32]) -> Self {
         let samples = Samples::of(track, pins);
         let own: Option<Vec<[T; 2]>> = samples.knots.iter().map(|knot| knot.tangents).collect();
@@ -61,19 +61,19 @@ impl<'a, T: Parts> Prepared<'a, T> {
         let (times, knots) = (track.times(), samples.knots.len());
         #[expect(clippy::cast_precision_loss, reason = "a rough length")]
         let segment_s = 8.0 * (track.end_s() - times[0]) / knots as f32;
-        let left_out = T::left_out_of(&samples.values);
-        Self { track, samples, velocities, pins, left_out, segment_s, target }
+        let omitted_component = T::omitted_component_of(&samples.values);
+        Self { track, samples, velocities, pins, omitted_component, segment_s, target }
     }
 
     /// Returns `true` if every sample is within `tolerance` of the first.
     pub(super) fn is_constant(&self, tolerance: f32) -> bool {
-        let bound = Bound { squared: tolerance * tolerance, grid: None };
+        let bound = FitBound { squared: tolerance * tolerance, grid: None };
         self.samples.values.iter().all(|value| bound.holds(*value, self.samples.values[0]))
     }
 
     /// Returns `true` if every sample is within `tolerance` of `value`.
     pub(super) fn is_everywhere(&self, value: T, tolerance: f32) -> bool {
-        let bound = Bound { squared: tolerance * tolerance, grid: None };
+        let bound = FitBound { squared: tolerance * tolerance, grid: None };
         self.samples.values.iter().all(|sample| bound.holds(value, *sample))
     }
 
@@ -88,7 +88,7 @@ impl<'a, T: Parts> Prepared<'a, T> {
             Storage::Floats => None,
             Storage::Packed(_) => self.grid(tolerance),
         };
-        let bound = Bound { squared: tolerance * tolerance, grid };
+        let bound = FitBound { squared: tolerance * tolerance, grid };
         if let Some(track) = fit::constant(self.track, &self.samples, self.pins, &bound) {
             return Fitted { track, grid };
         }
@@ -123,6 +123,10 @@ impl<'a, T: Parts> Prepared<'a, T> {
         // A tangent contributes at most max u(1−u)² = 4/27 of tangent × interval.
         let tangent_step = TANGENT_ROUNDING * step * 6.75 / self.segment_s;
         let tangent_exponent = exponent_of(tangent_step, T::FINEST + 1).min(T::FINEST);
-        (exponent <= T::FINEST).then_some(Grid { exponent, tangent_exponent, left_out: self.left_out })
+        (exponent <= T::FINEST).then_some(Grid {
+            exponent,
+            tangent_exponent,
+            omitted_component: self.omitted_component,
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use crate::packed::grid::Parts;
+use crate::packed::grid::Packable;
 use crate::track::{Curve, Track};
 
 /// Number of samples between two knots: for linear tracks, for cubic tracks.
@@ -24,12 +24,12 @@ pub(super) struct Knot<T> {
     /// Index among the samples.
     pub(super) sample: usize,
     /// `true` if there must be a key: at ends, jumps and pins.
-    pub(super) is_kept: bool,
+    pub(super) is_required: bool,
     /// Velocities of a cubic track on arriving and on leaving.
     pub(super) tangents: Option<[T; 2]>,
 }
 
-impl<T: Parts> Samples<T> {
+impl<T: Packable> Samples<T> {
     /// Samples a track, with knots at its keys and at pins, which must be sorted. Step tracks have no samples in
     /// between.
     pub(super) fn of(track: &Track<T>, pins: &[f32]) -> Self {
@@ -41,12 +41,13 @@ impl<T: Parts> Samples<T> {
         for (k, &time) in times.iter().enumerate() {
             let next = times.get(k + 1).copied();
             let is_jump = next == Some(time) || k > 0 && times[k - 1] == time;
-            let is_kept = k == 0 || k == last || is_jump || pins.binary_search_by(|pin| pin.total_cmp(&time)).is_ok();
+            let is_required =
+                k == 0 || k == last || is_jump || pins.binary_search_by(|pin| pin.total_cmp(&time)).is_ok();
             // Use the key's own value: at a jump, sampling at that time gives the second of the two keys only.
             let value = track.values()[k];
             let value = if is_cubic { value.value(value) } else { value };
             let tangents = track.tangents().get(k).copied();
-            samples.knot(time, value, is_kept, tangents.map(|tangents| (track.values()[k], tangents)));
+            samples.knot(time, value, is_required, tangents.map(|tangents| (track.values()[k], tangents)));
             let Some(next) = next.filter(|next| *next > time) else { continue };
             // The pins between this key and the next become knots; samples lie between the knots.
             let first = pins.partition_point(|pin| *pin <= time);
@@ -75,7 +76,7 @@ impl<T: Parts> Samples<T> {
         self.values.push(self.values.last().map_or(value, |last| value.near(*last)));
     }
 
-    fn knot(&mut self, time: f32, value: T, is_kept: bool, of_track: Option<(T, [T; 2])>) {
+    fn knot(&mut self, time: f32, value: T, is_required: bool, of_track: Option<(T, [T; 2])>) {
         self.push(time, value);
         let sample = self.times.len() - 1;
         let tangents = of_track.map(|(of_track, tangents)| {
@@ -83,7 +84,7 @@ impl<T: Parts> Samples<T> {
             let sign = if of_track.near(self.values[sample]) == of_track { 1.0 } else { -1.0 };
             tangents.map(|tangent| tangent.times(sign))
         });
-        self.knots.push(Knot { sample, is_kept, tangents });
+        self.knots.push(Knot { sample, is_required, tangents });
     }
 
     pub(super) fn time(&self, knot: usize) -> f32 {

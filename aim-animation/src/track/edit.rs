@@ -90,7 +90,7 @@ impl<T: Value> Track<T> {
             last = *time;
         }
         piece.times = times.into();
-        piece.without_crowds()
+        piece.without_crowded_keys()
     }
 
     /// Returns the track played backwards from `length_s`, or from the last key if that is later.
@@ -109,7 +109,7 @@ impl<T: Value> Track<T> {
             }
         }
         let tangents = self.tangents.iter().rev().map(|[into, out]| [out.times(-1.0), into.times(-1.0)]).collect();
-        Self { times: times.into(), values, tangents, curve: self.curve }.without_crowds()
+        Self { times: times.into(), values, tangents, curve: self.curve }.without_crowded_keys()
     }
 
     /// Returns the track repeated until `end_s`: at every time it has the value of this one at that time modulo
@@ -154,7 +154,7 @@ impl<T: Value> Track<T> {
     }
 
     /// Removes all but the first and last of more than two keys that rounding has moved to the same time.
-    fn without_crowds(self) -> Self {
+    fn without_crowded_keys(self) -> Self {
         let times = &self.times;
         let is_kept = |k: usize| {
             let alike = |other: Option<usize>| other.and_then(|k| times.get(k)).is_some_and(|time| *time == times[k]);

@@ -40,7 +40,7 @@ impl<T: Value> Track<T> {
     /// beginning. `None` for step tracks, which are meant to jump. Of two keys at one end, the later counts at 0, the
     /// earlier at the length.
     pub(crate) fn ends(&self, length_s: f32) -> Option<[[T; 2]; 2]> {
-        let keys = self.spanning(length_s)?;
+        let keys = self.cubic_keys(length_s)?;
         let last = keys.values.len() - 1;
         let (start, end) = (keys.values[0], keys.values[last]);
         let is_same = end.near(start) == end;
@@ -53,7 +53,7 @@ impl<T: Value> Track<T> {
     /// become too large.
     pub(crate) fn mended(&self, length_s: f32, continuity: Continuity, window_s: f32) -> Option<Self> {
         let [[start, leaving], [end, arriving]] = self.ends(length_s)?;
-        let mut keys = self.spanning(length_s)?;
+        let mut keys = self.cubic_keys(length_s)?;
         let window = window_s.min(0.5 * length_s);
         // Test `window_s` too, because `min` has discarded a NaN.
         if !(window_s > 0.0 && window > 0.0) {
@@ -105,7 +105,7 @@ impl<T: Value> Track<T> {
     }
 
     /// Converts the track to cubic keys from 0 to the length; `None` for step tracks.
-    fn spanning(&self, length_s: f32) -> Option<Keys<T>> {
+    fn cubic_keys(&self, length_s: f32) -> Option<Keys<T>> {
         let mut keys = Keys { times: Vec::new(), values: Vec::new(), tangents: Vec::new() };
         let none = self.values[0].times(0.0);
         if self.times[0] > 0.0 {
@@ -113,7 +113,7 @@ impl<T: Value> Track<T> {
         }
         match self.curve {
             Curve::Step => return None,
-            Curve::Linear => self.straight(&mut keys),
+            Curve::Linear => self.push_linear_as_cubic(&mut keys),
             Curve::Cubic => {
                 for (k, &time) in self.times.iter().enumerate() {
                     keys.push(time, self.values[k], self.tangents[k]);
@@ -142,7 +142,7 @@ impl<T: Value> Track<T> {
 
     /// Converts linear segments to cubics. This is exact except for rotations, which move along arcs and are subdivided
     /// so finely that the error is invisible.
-    fn straight(&self, keys: &mut Keys<T>) {
+    fn push_linear_as_cubic(&self, keys: &mut Keys<T>) {
         let none = self.values[0].times(0.0);
         let mut value = keys.values.last().map_or(self.values[0], |last| self.values[0].near(*last));
         let mut into = none;
@@ -155,17 +155,17 @@ impl<T: Value> Track<T> {
                 continue;
             }
             let next = self.values[k + 1].near(value);
-            let pieces = value.pieces(next);
+            let pieces = value.cubic_pieces(next);
             for piece in 0..pieces {
                 let part = f32::from(piece) / f32::from(pieces);
                 let at = if piece == 0 { value } else { value.linear(next, part).near(value) };
-                let (time_at, velocity) = (time + interval * part, at.drift([value, next], interval));
+                let (time_at, velocity) = (time + interval * part, at.linear_velocity([value, next], interval));
                 let crowded = piece > 0 && keys.times.last().is_some_and(|last| *last >= time_at);
                 if !crowded && time_at < self.times[k + 1] {
                     keys.push(time_at, at, [if piece == 0 { into } else { velocity }, velocity]);
                 }
             }
-            into = next.drift([value, next], interval);
+            into = next.linear_velocity([value, next], interval);
             value = next;
         }
     }

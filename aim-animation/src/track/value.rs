@@ -31,9 +31,9 @@ pub(crate) mod sealed {
         fn linear(self, other: Self, part: f32) -> Self;
         /// Number of pieces into which linear interpolation to another value is divided so that a cubic approximates
         /// each.
-        fn pieces(self, other: Self) -> u8;
+        fn cubic_pieces(self, other: Self) -> u8;
         /// Velocity at this point of the linear interpolation from one value to another within `interval` seconds.
-        fn drift(self, way: [Self; 2], interval: f32) -> Self;
+        fn linear_velocity(self, way: [Self; 2], interval: f32) -> Self;
         /// Makes the result of sums a valid value: normalises rotations, or `fallback` if that is not possible.
         fn value(self, fallback: Self) -> Self;
     }
@@ -61,10 +61,10 @@ macro_rules! linear_value {
             fn linear(self, other: Self, part: f32) -> Self {
                 self * (1.0 - part) + other * part
             }
-            fn pieces(self, _: Self) -> u8 {
+            fn cubic_pieces(self, _: Self) -> u8 {
                 1
             }
-            fn drift(self, [from, to]: [Self; 2], interval: f32) -> Self {
+            fn linear_velocity(self, [from, to]: [Self; 2], interval: f32) -> Self {
                 (to - from) / interval
             }
             fn value(self, _: Self) -> Self {
@@ -122,12 +122,12 @@ impl sealed::Arithmetic for Quat {
     }
 
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of an angle up to half a turn")]
-    fn pieces(self, other: Self) -> u8 {
+    fn cubic_pieces(self, other: Self) -> u8 {
         // A cubic over a tenth of a radian has an error of 1e-8.
         1 + (angle(product(other, self.conjugate())) * 10.0) as u8
     }
 
-    fn drift(self, [from, to]: [Self; 2], interval: f32) -> Self {
+    fn linear_velocity(self, [from, to]: [Self; 2], interval: f32) -> Self {
         // q′ = ω/2 · q, with constant ω.
         let half = log(product(to, from.conjugate())) * (0.5 / interval);
         product(Self::from_xyzw(half.x, half.y, half.z, 0.0), self)

@@ -13,7 +13,7 @@ fn pose(rng: &mut Rng) -> [Transform; 3] {
 }
 
 #[test]
-fn two_by_two() {
+fn blends_of_two_poses_agree_with_their_definitions() {
     let mut rng = Rng(1);
     for case in 0..3000 {
         let skeleton = skeleton(&mut rng);
@@ -61,7 +61,7 @@ fn power(rotation: DQuat, exponent: f64) -> DQuat {
 }
 
 #[test]
-fn ends_and_strange_weights() {
+fn weights_outside_zero_to_one_are_clamped() {
     let mut rng = Rng(2);
     let skeleton = skeleton(&mut rng);
     let (a, b) = (pose(&mut rng), pose(&mut rng));
@@ -159,7 +159,7 @@ fn weighted_sums() {
 
 /// `q` and `-q` give the same sum, even half a turn away from the rest pose.
 #[test]
-fn antipodal_inputs() {
+fn both_signs_of_a_quaternion_give_the_same_sum() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
     let blender = Blender::new(&skeleton);
     let mut rng = Rng(5);
@@ -196,7 +196,7 @@ fn antipodal_inputs() {
 }
 
 #[test]
-fn masks() {
+fn masks_weight_each_bone() {
     let mut rng = Rng(6);
     let skeleton = skeleton(&mut rng);
     let mask = Mask::subtree(&skeleton, 0);
@@ -214,7 +214,7 @@ fn masks() {
 }
 
 #[test]
-fn what_does_not_fit() {
+fn poses_of_other_lengths_are_refused() {
     let mut rng = Rng(7);
     let skeleton = skeleton(&mut rng);
     let other = Skeleton::new([]).unwrap();
@@ -234,7 +234,7 @@ fn what_does_not_fit() {
 
 /// Weights too small to be normalised without losing all precision count as 0.
 #[test]
-fn weights_too_small_to_tell() {
+fn denormal_weights_count_as_zero() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
     let turned = [Transform::new(Vec3::X, Quat::from_rotation_y(1.0))];
     for (weight, expected) in [(1e-20, turned[0]), (3e-39, skeleton.rest()[0]), (1e-45, skeleton.rest()[0])] {

@@ -38,7 +38,7 @@ fn no_vertex_is_outside_its_boxes() {
 }
 
 #[test]
-fn boxes_along_bones_are_the_extents_of_vertices_and_their_ways() {
+fn oriented_boxes_are_the_extents_of_vertices_and_morphs() {
     let mut rng = Rng(5);
     for _ in 0..50 {
         let skeleton = skeleton(&mut rng, 3);
@@ -70,7 +70,7 @@ fn boxes_along_bones_are_the_extents_of_vertices_and_their_ways() {
 }
 
 #[test]
-fn ways_of_one_vertex_and_target_are_added() {
+fn displacements_of_one_vertex_and_target_are_added() {
     let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
     let skin = Skin::new(&skeleton, [0]).unwrap();
     let way = Morph { position: Vec3::X, ..Morph::default() };
@@ -301,7 +301,7 @@ fn no_ray_slips_through_a_closed_surface() {
 }
 
 #[test]
-fn what_is_no_ray_meets_nothing() {
+fn invalid_rays_hit_nothing() {
     let mesh = Mesh::new([Vec3::ZERO, Vec3::X, Vec3::Y], [[0, 1, 2]], &[[Influence::new(0, 1.0)]; 3]).unwrap();
     let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
     let skin = Skin::new(&skeleton, [0]).unwrap();
@@ -429,7 +429,7 @@ fn normals_of_hits_are_those_of_the_deformed_surface() {
 
 /// If several bones move a point equally, the hit reports the lowest bone, whichever corner it belongs to.
 #[test]
-fn of_equals_the_lowest_bone_is_hit() {
+fn of_equal_weights_the_lowest_bone_is_reported() {
     let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", None)]).unwrap();
     let skin = Skin::new(&skeleton, [0, 1]).unwrap();
     let corners = [Vec3::ZERO, Vec3::X * 4.0, Vec3::Y * 4.0];

@@ -12,7 +12,7 @@ fn skeleton() -> Skeleton {
 
 /// Each message contains the expected words.
 #[test]
-fn mistakes_are_told() {
+fn error_messages_contain_the_expected_words() {
     let skeleton = skeleton();
     let clip = Clip::new("c").with_length(1.0);
     let nowhere = Transform::from_translation(Vec3::NAN);

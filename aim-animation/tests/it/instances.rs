@@ -100,7 +100,7 @@ fn poses_are_weighted_sums() {
 /// One clip moves the character by its root motion, several by the weighted mean; a clip whose mask excludes the root
 /// has no influence on it.
 #[test]
-fn places_move_by_the_clips() {
+fn the_place_moves_by_the_clips_motion() {
     let model = model(&mut Rng(2));
     let gone = |controls: &[ClipControl], seconds: u16| {
         let mut hero = Instance::new(&model);
@@ -157,7 +157,7 @@ fn masks_of_the_moving_bone_count() {
 }
 
 #[test]
-fn events_of_all_clips() {
+fn events_of_all_clips_are_reported() {
     let model = model(&mut Rng(3));
     let mut hero = Instance::new(&model);
     let numbers = [0, 2, 1].map(|clip| hero.play(ClipControl::new(clip)));
@@ -184,7 +184,7 @@ fn events_of_all_clips() {
 
 /// Attached objects follow their bone in world space.
 #[test]
-fn things_are_carried() {
+fn attached_objects_follow_their_bones() {
     let mut rng = Rng(4);
     let model = model(&mut rng);
     let mut hero = Instance::new(&model);
@@ -211,7 +211,7 @@ fn things_are_carried() {
 }
 
 #[test]
-fn what_does_not_fit() {
+fn poses_of_other_lengths_are_refused() {
     let model = model(&mut Rng(5));
     let other =
         Model::new(Skeleton::new([Bone::new("b", None)]).unwrap(), []).with_motion(0, model.motion(0).unwrap().clone());

@@ -56,7 +56,7 @@ pub(crate) fn assert_consistent(figure: &Figure) {
 }
 
 #[test]
-fn both_poses_stay_consistent() {
+fn local_and_model_poses_stay_consistent() {
     let mut rng = Rng(1);
     for _ in 0..50 {
         let mut figure = Figure::new(body(&mut rng));
@@ -209,7 +209,7 @@ fn limbs_fade_without_jumps_in_place_or_speed() {
 }
 
 #[test]
-fn limbs_of_more_bones_come_there_by_descent() {
+fn limbs_of_more_than_two_bones_reach_their_target() {
     let skeleton = body(&mut Rng(6));
     let mut figure = Figure::new(skeleton.clone());
     let mut arm = LimbLayer::new(&skeleton, [1, 2, 3, 4]).unwrap();
@@ -347,7 +347,7 @@ fn recoil_is_critically_damped_at_any_frame_rate() {
 }
 
 #[test]
-fn whoever_hangs_holds_on() {
+fn a_figure_hung_on_a_grip_stays_on_it() {
     let mut rng = Rng(9);
     for _ in 0..50 {
         let skeleton = body(&mut rng);

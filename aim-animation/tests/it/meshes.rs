@@ -84,7 +84,7 @@ fn blended(mesh: &Mesh, vertex: usize, most: usize, exact: &[DAffine3]) -> DAffi
 }
 
 #[test]
-fn matrices_positions_and_normals_are_those_of_their_definitions() {
+fn matrices_positions_and_normals_agree_with_their_definitions() {
     let mut rng = Rng(1);
     let weights = [0.7, -0.4, 1.3];
     let (mut worst, mut worst_normal, mut judged) = ([0.0_f64; 2], 0.0_f64, 0);
@@ -143,7 +143,7 @@ fn size(matrix: &DAffine3) -> f64 {
 }
 
 #[test]
-fn at_rest_nothing_moves() {
+fn the_rest_pose_leaves_vertices_in_place() {
     let mut rng = Rng(2);
     let skeleton = skeleton(&mut rng, 5);
     let skin = Skin::new(&skeleton, [0, 1, 2, 3, 4]).unwrap();
@@ -241,7 +241,7 @@ fn rows_move_points_as_matrices_do() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn invalid_meshes_are_refused() {
     let one = [[Influence::new(0, 1.0)]];
     let at = |positions: &[Vec3], triangles: &[[u32; 3]], influences: &[&[Influence]]| {
         Mesh::new(positions, triangles, influences).unwrap_err()
@@ -314,7 +314,7 @@ fn targets_are_counted_and_may_move_normals_alone() {
 
 /// Joints whose share rounds to 0 in f32 need no matrix.
 #[test]
-fn shares_below_all_numbers_are_none() {
+fn shares_that_round_to_zero_are_dropped() {
     let influences = [[Influence::new(0, 1e30), Influence::new(7, 1e-30)]];
     assert_eq!(Mesh::new([Vec3::X], [], &influences).unwrap().joints(), 1);
 }

@@ -64,7 +64,7 @@ fn screw(axis: DVec3, point: DVec3, rates: [f64; 2], time: f64) -> DAffine3 {
 
 /// A composite motion recovers a screw exactly; with the motion removed, the root stays where it began.
 #[test]
-fn composite_on_screws() {
+fn a_composite_motion_recovers_screws() {
     let (mut rng, skeleton) = (Rng(1), skeleton());
     for case in 0..300 {
         let axis = rng.vector(1.0).normalize().as_dvec3();
@@ -120,7 +120,7 @@ fn composite_on_screws() {
 /// A very slight curve is still recovered, and so is one of nearly a whole turn. After a whole turn the radius cannot
 /// be determined, so the motion is straight.
 #[test]
-fn gentle_curves_and_whole_turns() {
+fn slight_curves_and_nearly_whole_turns_are_recovered() {
     let (skeleton, start) = (skeleton(), DAffine3::from_translation(DVec3::new(0.1, 0.9, 0.2)));
     let path = |point: DVec3, turn: f64, shift: f64| {
         let rates = [turn, shift].map(|whole| whole / f64::from(LENGTH));
@@ -152,7 +152,7 @@ fn gentle_curves_and_whole_turns() {
 /// At the end of the clip every motion is where the root is, even if the root turned by more than half a circle and
 /// about no fixed axis.
 #[test]
-fn ends_of_windings() {
+fn every_motion_ends_where_the_root_is() {
     let (skeleton, length) = (skeleton(), f64::from(LENGTH));
     for (about_y, about_x) in [(4.0, 0.8), (-5.0, 1.5), (2.0, -1.0), (7.0, 0.3)] {
         let place = |time: f64| {
@@ -173,7 +173,7 @@ fn ends_of_windings() {
 
 /// A straight movement is a screw without rotation, along its own direction.
 #[test]
-fn straight_screws() {
+fn a_straight_movement_is_a_screw_without_rotation() {
     let skeleton = skeleton();
     let way = DVec3::new(0.6, 0.0, -0.8);
     let clip = clip_by(&skeleton, 10, |time| DAffine3::from_translation(way * (1.5 * time)));
@@ -189,7 +189,7 @@ fn straight_screws() {
 
 /// A linear motion recovers a root that moves in a straight line and turns at a constant rate.
 #[test]
-fn linear_on_lines() {
+fn a_linear_motion_recovers_straight_lines() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
     for case in 0..200 {
         let velocity = rng.vector(2.0).as_dvec3();
@@ -239,7 +239,7 @@ fn kinds(path: &RootPath) -> [Motion; 3] {
 /// Placement and remaining pose together reproduce the source clip: over loops, backwards, at any speed, with
 /// interruptions.
 #[test]
-fn extracted_and_applied_again() {
+fn motion_and_remaining_pose_reproduce_the_clip() {
     let (mut rng, skeleton) = (Rng(3), skeleton());
     let clip = clip_by(&skeleton, 60, walk);
     for root in [Root::Bone(PELVIS), Root::Shadow { bone: PELVIS, up: Vec3::Y * 3.0 }] {
@@ -278,7 +278,7 @@ fn extracted_and_applied_again() {
 
 /// A single frame is equally exact, no matter how many ends of the clip it passes.
 #[test]
-fn single_steps() {
+fn a_single_long_step_is_exact() {
     let (mut rng, skeleton) = (Rng(4), skeleton());
     let clip = clip_by(&skeleton, 60, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y }, 120.0).unwrap();
@@ -298,7 +298,7 @@ fn single_steps() {
 
 /// A shadow root takes heading and position on the ground; leaning and bobbing remain in the pose.
 #[test]
-fn the_shadow_on_the_ground() {
+fn a_shadow_root_follows_the_ground() {
     let skeleton = skeleton();
     let clip = clip_by(&skeleton, 2000, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y * 1e-20 }, 200.0).unwrap();
@@ -328,7 +328,7 @@ fn the_shadow_on_the_ground() {
 
 /// Sampling the clip with its motion removed equals removing the motion from each sample.
 #[test]
-fn removed_from_the_clip() {
+fn motion_removed_from_the_clip_keeps_the_root_in_place() {
     let skeleton = skeleton();
     let clip = clip_by(&skeleton, 60, walk);
     let path = RootPath::new(&clip, &skeleton, Root::Shadow { bone: PELVIS, up: Vec3::Y }, 120.0).unwrap();
@@ -353,7 +353,7 @@ fn removed_from_the_clip() {
 
 /// Walk and run in step, blended by weight: the character moves at the weighted mean, whatever the frame rate.
 #[test]
-fn blended_by_shares() {
+fn blended_motion_is_the_weighted_mean() {
     let skeleton = Skeleton::new([Bone::new("root", None)]).unwrap();
     let straight = |length: f32, speed: f32| {
         let track = Track::linear([0.0, length], [Vec3::ZERO, Vec3::Z * (length * speed)]).unwrap();
@@ -389,7 +389,7 @@ fn blended_by_shares() {
 }
 
 #[test]
-fn what_does_not_move() {
+fn invalid_paths_are_refused_and_static_clips_have_no_axis() {
     let skeleton = skeleton();
     let clip = clip_by(&skeleton, 10, walk);
     let bone = Root::Bone(PELVIS);

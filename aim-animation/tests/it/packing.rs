@@ -48,7 +48,7 @@ fn same_bits(a: &Transform, b: &Transform) -> bool {
 }
 
 #[test]
-fn samples_are_those_of_the_floats_whatever_the_cursor() {
+fn samples_equal_those_of_the_unpacked_clip_for_any_cursor() {
     let mut rng = Rng(22);
     for case in 0..40 {
         let (skeleton, clip, _, packed) = packed(&mut rng);
@@ -78,7 +78,7 @@ fn samples_are_those_of_the_floats_whatever_the_cursor() {
 
 /// A cursor's cached keys of one clip are never used for another, even if that clip reuses the same memory.
 #[test]
-fn a_cursor_goes_from_clip_to_clip() {
+fn a_cursor_may_be_used_with_several_clips() {
     let mut rng = Rng(26);
     let mut cursor: Option<Cursor> = None;
     for case in 0..60 {
@@ -96,7 +96,7 @@ fn a_cursor_goes_from_clip_to_clip() {
 
 /// If neighbouring keys are half a turn apart, both signs are equally near; the unpacked clip still takes the same arc.
 #[test]
-fn half_turns_unpack_the_way_they_go() {
+fn half_turns_unpack_to_the_same_arc() {
     let still = Quat::from_xyzw(0.0, 0.0, 0.0, 0.0);
     let keys = [(0.0, -1.0), (0.8, -0.6), (0.6, 0.8)].map(|(x, w)| HermiteKey {
         value: Quat::from_xyzw(x, 0.0, 0.0, w),
@@ -147,7 +147,7 @@ fn instances_play_packed_clips() {
 }
 
 #[test]
-fn bytes_there_and_back() {
+fn written_bytes_read_back_the_same() {
     let mut rng = Rng(23);
     for case in 0..40 {
         let (_, _, _, packed) = packed(&mut rng);
@@ -230,7 +230,7 @@ fn each_damage_has_its_error() {
 }
 
 #[test]
-fn events_are_told_as_by_the_clip() {
+fn a_packed_clip_reports_the_same_events() {
     let clip = Clip::new("c").with_length(2.0).with_event(0.0, "a").unwrap().with_event(1.5, "b").unwrap();
     let skeleton = Skeleton::new([]).unwrap();
     let packed = Reduction::new(0.1).pack(&clip, &skeleton).unwrap().clip;
@@ -258,7 +258,7 @@ fn a_packed_clip_is_small() {
 }
 
 #[test]
-fn version_one_stays_as_it_is() {
+fn the_bytes_of_version_one_do_not_change() {
     let skeleton = Skeleton::new([Bone::new("b", None)]).unwrap();
     let clip = Clip::new("n").with_event(0.5, "e").unwrap();
     let clip = clip.with_translation(0, Track::linear([0.0, 1.0], [Vec3::ZERO, Vec3::X]).unwrap());

@@ -200,12 +200,12 @@ fn assert_climbs(stair: impl Fn(Vec3) -> Ground) {
 }
 
 #[test]
-fn the_edge_of_a_stair_is_taken_in_time() {
+fn the_edge_of_a_stair_is_faded_in() {
     assert_climbs(|at| Ground::new(at.with_y(if at.z > 0.5 { 0.15 } else { 0.0 }), Vec3::Y));
 }
 
 #[test]
-fn what_cannot_stand_is_refused() {
+fn invalid_feet_and_pelvises_are_refused() {
     let skeleton = skeleton();
     assert_eq!(Plant::new(&skeleton, [3, 2], BALL).unwrap_err(), LimbError::Bone(1));
     assert_eq!(Plant::new(&skeleton, [1, 2, 3], Vec3::NAN).unwrap_err(), LimbError::Length);
@@ -243,7 +243,7 @@ fn one_steep_normal_does_not_move_a_foot_off_flat_ground() {
 }
 
 #[test]
-fn the_edge_of_a_stair_is_taken_in_time_whatever_the_normal_of_its_riser() {
+fn the_normal_of_a_riser_does_not_matter_at_the_edge_of_a_stair() {
     for [ny, nz] in STEEP {
         println!("({ny}, {nz})");
         // Just before the edge, the ray hits the riser.
@@ -255,7 +255,7 @@ fn the_edge_of_a_stair_is_taken_in_time_whatever_the_normal_of_its_riser() {
 }
 
 #[test]
-fn a_crease_of_the_ground_is_taken_in_time() {
+fn a_crease_of_the_ground_is_faded_in() {
     let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
     let ramp = |at: Vec3| {
         Ground::new(at.with_y((0.3 * (at.z - 0.5)).max(0.0)), Vec3::Y - Vec3::Z * if at.z > 0.5 { 0.3 } else { 0.0 })
@@ -277,7 +277,7 @@ fn a_crease_of_the_ground_is_taken_in_time() {
 }
 
 #[test]
-fn a_normal_that_points_downward_is_none() {
+fn a_normal_that_points_downward_is_ignored() {
     for normal in [Vec3::NEG_Y, Vec3::new(1e-3, -1.0, 0.0), Vec3::new(-1.0, -0.01, 2.0), Vec3::X, Vec3::ZERO, Vec3::NAN]
     {
         let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
@@ -415,7 +415,7 @@ fn a_frame_without_time_does_not_stop_a_foot() {
 }
 
 #[test]
-fn the_ground_is_asked_only_where_something_is() {
+fn the_ground_is_queried_only_at_finite_points() {
     for dt in [1e-40, 1e-38, 1e-30, f32::MIN_POSITIVE, 0.0, f32::INFINITY] {
         for step in [0.0, 0.02, 1e5] {
             let (mut stance, mut figure) = (stance(), Figure::new(skeleton()));
@@ -473,7 +473,7 @@ fn slowly() -> (Stance, Figure) {
 
 /// A planted foot runs out by 0.4 · speed · fade time over the ground, and stands on the ground found there.
 #[test]
-fn a_foot_comes_to_rest_where_its_way_leads() {
+fn a_foot_comes_to_rest_where_its_movement_runs_out() {
     let slope = |at: Vec3| Ground::new(at.with_y(0.15 * at.z - 0.1 * at.x), Vec3::new(0.1, 1.0, -0.15));
     let (mut stance, mut figure) = slowly();
     let mut ways = Vec::new();

@@ -116,7 +116,7 @@ fn events_in_order_whatever_the_speed() {
 
 /// A repeated clip reports its events in order and loses none, although the times of its rounds are rounded.
 #[test]
-fn repeated_events_are_told() {
+fn a_repeated_clip_reports_all_events() {
     for (period, rounds) in [(0.017, 30_u16), (0.1, 100), (1.0 / 3.0, 77), (0.7, 1000)] {
         let clip = Clip::new("c").with_event(0.0, "s").unwrap().with_event(period, "e").unwrap();
         let long = clip.repeated(period * f32::from(rounds));
@@ -136,7 +136,7 @@ fn repeated_events_are_told() {
 
 /// Cases whose events are easily counted by hand.
 #[test]
-fn events_by_hand() {
+fn events_of_simple_cases_are_as_counted_by_hand() {
     let clip = clip_with(&[0.0, 0.5, 1.0], 1.0);
     let mut control = Control::new();
     assert_eq!(told(&clip, &control.advance(0.0, 1.0)), ["0"], "what is at the beginning, once");
@@ -161,7 +161,7 @@ fn events_by_hand() {
 
 /// Local time is the integral of the speed in f64, wrapped or reflected at the ends.
 #[test]
-fn local_time() {
+fn local_time_is_the_integral_of_the_speed() {
     let mut rng = Rng(2);
     for looping in [Looping::Repeat, Looping::PingPong] {
         let length = 1.3_f32;
@@ -190,7 +190,7 @@ fn local_time() {
 }
 
 #[test]
-fn degenerate_controls() {
+fn invalid_times_and_lengths_are_harmless() {
     let mut control = Control::new().at(0.5);
     for (dt, length) in [(f32::NAN, 1.0), (f32::INFINITY, 1.0), (0.0, 1.0)] {
         control.advance(dt, length);
@@ -236,7 +236,7 @@ fn degenerate_controls() {
 }
 
 #[test]
-fn marks_meet() {
+fn marks_of_synchronised_clips_coincide() {
     let mut rng = Rng(3);
     for _ in 0..300 {
         let length = rng.between(0.5, 2.0);
@@ -315,7 +315,7 @@ fn clips_in_step() {
 
 /// A clip paused on its end stays there, and a step too small to be represented does not wrap around.
 #[test]
-fn what_does_not_move_stays_on_the_end() {
+fn a_clip_paused_on_its_end_stays_there() {
     let clip = clip_with(&[0.0, 0.3, 0.7, 1.0], 1.0);
     for (speed, dt) in [(0.0, 0.1), (1.0, 0.0), (-1e-20, 0.016)] {
         for looping in [Looping::Once, Looping::Repeat, Looping::PingPong] {

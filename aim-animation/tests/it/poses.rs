@@ -16,7 +16,7 @@ fn model_exact(skeleton: &Skeleton, local: &[Transform]) -> Vec<DAffine3> {
 }
 
 #[test]
-fn to_the_model_and_back() {
+fn conversion_to_model_space_is_invertible() {
     let (mut rng, skeleton) = (Rng(1), skeleton());
     for _ in 0..2000 {
         let local: Vec<Transform> = (0..6).map(|_| rng.transform()).collect();
@@ -34,7 +34,7 @@ fn to_the_model_and_back() {
 }
 
 #[test]
-fn below_a_bone_alone() {
+fn only_the_subtree_of_a_bone_is_recomputed() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
     let mut local: Vec<Transform> = (0..6).map(|_| rng.transform()).collect();
     let mut model = [Affine3A::IDENTITY; 6];
@@ -98,7 +98,7 @@ fn turned_under_a_parent_of_uneven_scale() {
 }
 
 #[test]
-fn what_does_not_fit() {
+fn poses_that_do_not_fit_are_refused() {
     let skeleton = Skeleton::new([Bone::new("a", None), Bone::new("b", Some(0))]).unwrap();
     let (mut local, mut model) = ([Transform::IDENTITY; 2], [Affine3A::IDENTITY; 2]);
     let length = PoseError::Length { bones: 2, found: 1 };
@@ -121,7 +121,7 @@ fn what_does_not_fit() {
 }
 
 #[test]
-fn held_and_holding_on() {
+fn attachments_follow_and_hold() {
     let mut rng = Rng(5);
     for _ in 0..2000 {
         let [hand, grip, bridge] = [0; 3].map(|_| rng.transform().to_affine());

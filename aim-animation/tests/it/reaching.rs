@@ -133,7 +133,7 @@ fn goals_are_met_between_samples() {
 /// At samples, the tip follows the trajectory solver for all of its settings; between them, the cubic whose velocities
 /// come from parabolas through three samples.
 #[test]
-fn the_way_is_the_trajectory() {
+fn the_path_is_that_of_the_trajectory() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let size = length(&skeleton, &ARM);
     for (ends, weight, smoothing) in
@@ -197,7 +197,7 @@ fn the_way_is_the_trajectory() {
 
 /// Goals fade in and out without a jump, half of the weight covers half of the distance, and weight 0 changes no bit.
 #[test]
-fn goals_fade() {
+fn changed_goals_fade_in() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
     let mut state = reach.state();
@@ -243,7 +243,7 @@ fn goals_fade() {
 
 /// If a goal is out of reach, the limb gets as near as it can and the remaining distance is reported.
 #[test]
-fn out_of_reach() {
+fn a_goal_out_of_reach_is_approached() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let size = length(&skeleton, &ARM);
     let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
@@ -281,7 +281,7 @@ fn outcomes_are_in_units_of_the_model() {
 /// Near an end of the clip, the neighbouring sample moves instead of the end itself. Without any sample between the
 /// ends, no goal can be met.
 #[test]
-fn ends_stay() {
+fn fixed_ends_do_not_move() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let reach = Reach::new(&clip, &skeleton, ARM, RATE).unwrap();
     let mut state = reach.state();
@@ -335,7 +335,7 @@ fn goals_beyond_reach_count_as_the_nearest_point() {
 /// Under a non-uniform scale, rotations shear and lengths depend on the limb's direction. The solver iterates until the
 /// tip is where it reports it.
 #[test]
-fn uneven_scales() {
+fn goals_are_met_under_uneven_scales() {
     let mut rng = Rng(7);
     let uneven =
         Transform { scale: Vec3::new(1.05, 0.97, 1.0), ..Transform::from_rotation(Quat::from_rotation_z(0.4)) };
@@ -362,7 +362,7 @@ fn uneven_scales() {
 
 /// In a longer limb, a hinge stays within its limits and turns about its bone's own axis.
 #[test]
-fn limits_of_longer_limbs() {
+fn hinges_of_longer_limbs_keep_their_limits() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let elbow = CcdLimit::Hinge { axis: Vec3::Z, least_rad: -0.2, most_rad: 0.1 };
     let reach = Reach::new(&clip, &skeleton, WITH_CLAVICLE, RATE).unwrap().with_limit(2, elbow);
@@ -384,7 +384,7 @@ fn limits_of_longer_limbs() {
 }
 
 #[test]
-fn what_is_no_limb_or_goal() {
+fn invalid_limbs_and_goals_are_refused() {
     let (skeleton, clip) = (skeleton(Transform::IDENTITY), swing());
     let error = |limb: &[usize]| Reach::new(&clip, &skeleton, limb, RATE).err();
     assert_eq!(error(&[]), Some(ReachError::Limb(0)));

@@ -220,18 +220,18 @@ fn assert_packed_holds(seed: u64, bones: usize, exponent: f32) {
 
 /// A pin splits the interval between two keys, but the interval's own check points are still checked.
 #[test]
-fn a_pin_takes_no_point_between_keys_from_the_judge() {
+fn errors_between_keys_are_measured_despite_a_pin() {
     assert_packed_holds(725_979_205_523_519_347, 4, -2.325_768_7);
 }
 
 /// Before its first key a track holds that key's value, even if the track jumps at that key.
 #[test]
-fn what_is_held_before_a_jump_at_the_first_key_is_judged() {
+fn errors_before_a_jump_at_the_first_key_are_measured() {
     assert_packed_holds(5_658_204_085_348_885_501, 1, -5.895_981);
 }
 
 #[test]
-fn what_does_not_move_is_one_key_and_what_is_at_rest_none() {
+fn constant_tracks_have_one_key_and_tracks_at_rest_none() {
     let skeleton = rod();
     let still = |value: Vec3| Track::linear(frames(61), vec![value; 61]).unwrap();
     let clip = Clip::new("c")
@@ -268,7 +268,7 @@ fn straight_movements_have_two_keys_and_curved_ones_few() {
 }
 
 #[test]
-fn a_turn_counts_by_what_hangs_on_it() {
+fn a_rotation_error_counts_by_the_length_of_the_subtree() {
     // 1.5 mm at the ends of the rod, 0.5 mm at a tip bone of a third of its length.
     let wave = |_: usize| turning(|time| 7e-4 * (time * 9.0).sin());
     let skeleton = rod();
@@ -285,7 +285,7 @@ fn a_turn_counts_by_what_hangs_on_it() {
 }
 
 #[test]
-fn pins_and_ends_have_the_very_values() {
+fn pins_and_ends_keep_their_exact_values() {
     let (mut rng, mut kept) = (Rng(5), 0);
     for case in 0..40 {
         let bones = 1 + rng.below(5);
@@ -358,7 +358,7 @@ fn nothing_changes_at_tolerance_zero() {
 }
 
 #[test]
-fn tolerances_and_pins_that_are_none() {
+fn invalid_tolerances_and_pins_are_refused() {
     let clip = Clip::new("c").with_rotation(0, turning(f32::sin));
     for tolerance in [-1.0, f32::NAN, f32::INFINITY] {
         let refused = [Reduction::new(tolerance), Reduction::new(1.0).with_scalar_tolerance(tolerance)];
@@ -396,7 +396,7 @@ fn a_pin_at_negative_zero_is_one_at_zero() {
 }
 
 #[test]
-fn clips_without_length_and_bones_that_are_not_there() {
+fn clips_without_length_and_missing_bones_are_handled() {
     let empty = Reduction::new(1e-3).reduce(&Clip::new("c"), &rod()).unwrap();
     assert_eq!(empty.clip, Clip::new("c"));
     let none = Skeleton::new([]).unwrap();
@@ -419,7 +419,7 @@ fn quaternions_of_either_sign_are_one_rotation() {
 
 /// If the quaternions of a cubic pass near zero, it turns by half a circle within a thousandth of its interval.
 #[test]
-fn a_turn_between_the_points_that_are_judged_is_seen() {
+fn a_fast_turn_between_measured_points_is_measured() {
     let key = |value: [f32; 4], tangent: [f32; 4]| {
         let [value, tangent] = [value, tangent].map(Quat::from_array);
         HermiteKey { value, into: tangent, out: tangent }

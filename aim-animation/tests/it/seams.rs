@@ -162,7 +162,7 @@ fn seams_are_mended() {
 
 /// Jumps inside a clip are preserved: both sides of a jump keep their values.
 #[test]
-fn breaks_stay() {
+fn jumps_inside_a_clip_are_preserved() {
     let times = [0.0, 0.6, 0.6, LENGTH];
     let places = Track::linear(times, [Vec3::ZERO, Vec3::X, Vec3::Y * 3.0, Vec3::Y]).unwrap();
     let turns = [0.0, 0.5, 2.9, 2.0].map(Quat::from_rotation_z);
@@ -183,7 +183,7 @@ fn is_in_order(times: &[f32]) -> bool {
 
 /// Keys so close together that keys added between them would be rounded to the same time.
 #[test]
-fn crowded_keys() {
+fn keys_close_together_are_mended() {
     let late = [3.9, 4.0, 4.0_f32.next_up(), 4.5];
     let turns = [0.0, 0.1, 3.0, 0.2].map(Quat::from_rotation_x);
     let clip = Clip::new("b").with_rotation(0, Track::linear(late, turns).unwrap());
@@ -216,7 +216,7 @@ fn crowded_keys() {
 /// If two keys share an end time, the seam uses the one visible in a loop: the later key at 0, the earlier key at the
 /// end.
 #[test]
-fn seams_at_jumps() {
+fn at_a_jump_the_key_visible_in_the_loop_counts() {
     let linear = |times: &[f32], values: &[f32]| Track::linear(times, values).unwrap();
     let cubic = |times: &[f32], values: &[f32]| {
         let keys: Vec<_> = values.iter().map(|value| HermiteKey::smooth(*value, 0.0)).collect();
@@ -253,7 +253,7 @@ fn seams_at_jumps() {
 }
 
 #[test]
-fn what_is_not_mended() {
+fn seamless_clips_and_invalid_windows_are_unchanged() {
     let clip = clip(&mut Rng(3), 1);
     for window in [0.0, -1.0, f32::NAN] {
         assert_eq!(clip.mended(Continuity::Speed, window), clip);

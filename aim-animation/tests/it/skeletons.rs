@@ -18,7 +18,7 @@ fn forest(rng: &mut Rng, len: usize) -> Vec<Bone> {
 }
 
 #[test]
-fn any_order_of_parents() {
+fn parents_may_come_in_any_order() {
     let mut rng = Rng(1);
     for len in 0..60 {
         let bones = forest(&mut rng, len);
@@ -51,7 +51,7 @@ fn any_order_of_parents() {
 }
 
 #[test]
-fn what_is_no_skeleton() {
+fn invalid_skeletons_are_refused() {
     let bone = |parent| Bone::new("b", parent);
     assert_eq!(Skeleton::new([bone(None), bone(Some(2))]), Err(SkeletonError::Parent { bone: 1, parent: 2 }));
     assert_eq!(Skeleton::new([bone(Some(0))]), Err(SkeletonError::Cycle(0)));
@@ -70,7 +70,7 @@ fn what_is_no_skeleton() {
 }
 
 #[test]
-fn names_that_repeat() {
+fn repeated_names_are_found_in_order() {
     let skeleton = Skeleton::new(["a", "b", "a"].map(|name| Bone::new(name, None))).unwrap();
     assert_eq!((skeleton.find("a"), skeleton.find("b"), skeleton.find("c")), (None, Some(1), None));
     assert_eq!(skeleton.named("a").collect::<Vec<_>>(), [0, 2]);
@@ -80,7 +80,7 @@ fn names_that_repeat() {
 
 /// A skeleton as deep as a linked list needs no recursion.
 #[test]
-fn very_deep() {
+fn very_deep_skeletons_do_not_overflow() {
     let len = 200_000;
     let bones = (0..len).map(|bone| Bone::new("", (bone + 1 < len).then_some(bone + 1)));
     let skeleton = Skeleton::new(bones).unwrap();

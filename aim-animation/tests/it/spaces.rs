@@ -4,7 +4,7 @@ use aim_animation::{BlendLine, BlendPlane, SpaceError};
 use crate::common::Rng;
 
 #[test]
-fn a_line_by_its_definition() {
+fn a_line_agrees_with_its_definition() {
     let mut rng = Rng(1);
     for _ in 0..2000 {
         let count = 1 + rng.below(6);
@@ -93,7 +93,7 @@ fn points(rng: &mut Rng, case: usize) -> Vec<Vec2> {
 }
 
 #[test]
-fn a_plane_by_what_defines_it() {
+fn a_plane_agrees_with_its_definition() {
     let mut rng = Rng(2);
     let mut judged = 0;
     for case in 0..1500 {
@@ -171,7 +171,7 @@ fn a_plane_is_continuous() {
 }
 
 #[test]
-fn what_is_no_plane() {
+fn invalid_planes_are_refused() {
     let [a, b, c] = [Vec2::ZERO, Vec2::new(1.0, 2.0), Vec2::new(2.0, 4.0)];
     assert_eq!(BlendPlane::new([]), Err(SpaceError::Empty));
     assert_eq!(BlendPlane::new([a, b]), Err(SpaceError::Flat));

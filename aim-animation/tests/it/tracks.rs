@@ -21,7 +21,7 @@ fn segment(times: &[f32], time: f32) -> Option<(usize, f64)> {
 }
 
 #[test]
-fn scalars_step_by_step_and_straight() {
+fn step_and_linear_scalars_agree_with_their_definitions() {
     let mut rng = Rng(1);
     for case in 0..300 {
         let times = times(&mut rng, 1 + case % 7);
@@ -74,7 +74,7 @@ fn rotations_turn_at_constant_speed() {
 
 /// A Bézier track equals its Bernstein form in f64, and so does a Hermite track of the same curve.
 #[test]
-fn bezier_and_hermite() {
+fn bezier_and_hermite_keys_agree() {
     let mut rng = Rng(3);
     for _ in 0..300 {
         let times = times(&mut rng, 4);
@@ -172,7 +172,7 @@ fn cubic_rotations() {
 }
 
 #[test]
-fn breaks() {
+fn two_keys_at_one_time_are_a_jump() {
     let track = Track::linear([0.0, 1.0, 1.0, 2.0], [0.0, 1.0, -3.0, -4.0]).unwrap();
     assert_eq!([0.5, 0.75, 1.0, 1.5].map(|time| track.sample(time)), [0.5, 0.75, -3.0, -3.5]);
     let at_end = Track::step([0.0, 2.0, 2.0], [1.0, 2.0, 3.0]).unwrap();
@@ -205,7 +205,7 @@ fn rotations_close_together() {
 /// Rotations that are not unit give the same curve if their tangents are scaled with them; tangents that become too
 /// large are reported.
 #[test]
-fn rotations_of_any_length() {
+fn rotations_of_any_length_give_the_same_curve() {
     let mut rng = Rng(11);
     for _ in 0..100 {
         let keys = [0; 3].map(|_| {
@@ -226,7 +226,7 @@ fn rotations_of_any_length() {
 
 /// For any cursor and any order of times, sampling equals a fresh search.
 #[test]
-fn cursors_change_nothing() {
+fn cursors_do_not_change_samples() {
     let mut rng = Rng(6);
     for case in 0..200 {
         let times = times(&mut rng, 1 + case % 9);
@@ -241,7 +241,7 @@ fn cursors_change_nothing() {
 }
 
 #[test]
-fn what_is_no_track() {
+fn invalid_tracks_are_refused() {
     use TrackError as E;
     let linear = |times: &[f32], values: &[f32]| Track::linear(times, values).map(|_| ());
     assert_eq!(linear(&[], &[]), Err(E::Empty));
@@ -271,7 +271,7 @@ fn what_is_no_track() {
 
 /// A track resampled densely enough is the same, and its last sample is at the end.
 #[test]
-fn resampled() {
+fn a_densely_resampled_track_is_the_same() {
     let mut rng = Rng(7);
     let times = times(&mut rng, 6);
     let values: Vec<Quat> = times.iter().map(|_| rng.rotation()).collect();
@@ -294,7 +294,7 @@ fn resampled() {
 
 /// A rotation cubic has values that are not unit where it is cut; its samples are unit.
 #[test]
-fn pieces_are_unit() {
+fn samples_of_cut_rotations_are_unit() {
     let turns = [0.0, 2.4, 0.3].map(Quat::from_rotation_x);
     let track = Track::catmull_rom([0.0, 1.0, 2.0], turns).unwrap();
     let piece = track.cut(0.5, 1.5);
@@ -348,7 +348,7 @@ fn point(track: &Track<Quat>, time: f32) -> DQuat {
 }
 
 #[test]
-fn cut_and_reversed() {
+fn cut_and_reversed_tracks_keep_the_curve() {
     let mut rng = Rng(8);
     for case in 0..400 {
         let times = times(&mut rng, 2 + case % 6);
@@ -426,7 +426,7 @@ fn final_jumps_are_kept() {
 
 /// If a velocity exceeds the range of f32, a piece is cut without it and stays finite.
 #[test]
-fn pieces_are_finite() {
+fn cut_tracks_are_finite() {
     for interval in [1e-25_f32, 1e-20, 1e-40] {
         let keys = [1e15, -1e15].map(|value| HermiteKey::smooth(value, 0.0));
         let track = Track::hermite([0.0, interval], &keys).unwrap();

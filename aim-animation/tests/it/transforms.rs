@@ -4,7 +4,7 @@ use aim_animation::{Skew, SkewedTransform, Transform};
 use crate::common::{Rng, apart, exact};
 
 #[test]
-fn composed_and_taken_apart() {
+fn composition_and_decomposition_are_inverse() {
     let mut rng = Rng(1);
     for _ in 0..5000 {
         let mut transform = rng.transform();
@@ -36,7 +36,7 @@ fn skew_is_dropped_evenly() {
 }
 
 #[test]
-fn skew_is_kept_apart() {
+fn a_skewed_transform_keeps_the_skew() {
     let mut rng = Rng(3);
     for case in 0..5000 {
         let affine = Affine3A {
@@ -65,7 +65,7 @@ fn skew_is_kept_apart() {
 }
 
 #[test]
-fn hidden_and_broken() {
+fn hidden_bones_decompose_and_invalid_maps_do_not() {
     let turn = Quat::from_rotation_y(0.7);
     for scale in [Vec3::new(0.0, 1.0, 2.0), Vec3::new(1.0, 0.0, 2.0), Vec3::new(3.0, 1.0, 0.0)] {
         let hidden = Transform { scale, ..Transform::from_rotation(turn) };
@@ -82,7 +82,7 @@ fn hidden_and_broken() {
 }
 
 #[test]
-fn rigid_motions() {
+fn rigid_products_and_inverses_are_exact() {
     let mut rng = Rng(4);
     for _ in 0..2000 {
         let [a, b] = [rng.rigid(), rng.rigid()];
@@ -94,7 +94,7 @@ fn rigid_motions() {
 
 /// `Transform::turn` multiplies the map by the rotation from the right, even if the scale mirrors.
 #[test]
-fn turned_in_their_own_space() {
+fn turn_rotates_in_the_bones_own_space() {
     let mut rng = Rng(5);
     for case in 0..2000 {
         let sign = |bit: usize| if case >> bit & 1 == 1 { -1.0 } else { 1.0 };

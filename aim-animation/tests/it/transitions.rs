@@ -40,7 +40,7 @@ fn speeds(a: &Transform, b: &Transform, dt: f64) -> [DVec3; 3] {
 /// Positions and velocities have no jump during a transition, one that interrupts it, and the end of that. Before, the
 /// pose is that of the old animation; after, that of the new one.
 #[test]
-fn places_and_speeds_are_continuous() {
+fn positions_and_velocities_are_continuous() {
     let mut rng = Rng(1);
     for case in 0..100 {
         let animations = [0; 3].map(|_| Waves::random(&mut rng));
@@ -79,7 +79,7 @@ fn places_and_speeds_are_continuous() {
 
 /// The offset follows its definition: from a value and velocity without acceleration to rest at 0.
 #[test]
-fn the_difference_by_its_definition() {
+fn the_offset_agrees_with_its_definition() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
     for _ in 0..300 {
         let [before, now] = [0; 2].map(|_| rng.vector(1.0));
@@ -127,7 +127,7 @@ fn the_difference_by_its_definition() {
 
 /// An offset that passes half a turn, where its rotation vector changes sides, keeps its direction.
 #[test]
-fn over_half_a_turn() {
+fn an_offset_past_half_a_turn_keeps_its_direction() {
     let skeleton = skeleton();
     let shown = [3.1_f32, 3.2].map(|angle| [Transform::from_rotation(Quat::from_rotation_x(angle))]);
     let next = [Transform::IDENTITY];
@@ -141,7 +141,7 @@ fn over_half_a_turn() {
 }
 
 #[test]
-fn what_is_no_transition() {
+fn invalid_transitions_are_cuts_or_errors() {
     let (skeleton, pose) = (skeleton(), [Transform::from_translation(Vec3::X)]);
     let mut inertia = Inertia::new(&skeleton);
     let two = [&pose[..], &pose[..]];

@@ -182,7 +182,7 @@ fn layered(a: &Exact, b: &Exact, reference: &Exact, weights: [f64; BONES]) -> Ex
 /// Random trees give the pose of their definition in f64, evaluate only sources with a weight, and report their shares
 /// in the root bone.
 #[test]
-fn trees_by_their_definition() {
+fn trees_agree_with_their_definition() {
     let (mut rng, skeleton) = (Rng(1), skeleton());
     for case in 0..3000 {
         let poses = poses(&mut rng, &skeleton);
@@ -229,7 +229,7 @@ fn trees_by_their_definition() {
 }
 
 #[test]
-fn methods_reach_every_blend() {
+fn the_method_applies_to_every_blend_of_a_tree() {
     let (mut rng, skeleton) = (Rng(2), skeleton());
     let poses = poses(&mut rng, &skeleton);
     let node = Node::sum([(Node::source(0), 0.3), (Node::source(1), 0.9)]).blend(Node::source(2), 0.4);
@@ -248,7 +248,7 @@ fn methods_reach_every_blend() {
 }
 
 #[test]
-fn what_is_no_tree() {
+fn invalid_trees_are_refused() {
     let skeleton = skeleton();
     let none = Skeleton::new([]).unwrap();
     let source = Node::source;
@@ -282,7 +282,7 @@ fn what_is_no_tree() {
 
 /// A tree that is too deep is rejected, but can still be cloned, compared and dropped on a test thread's stack.
 #[test]
-fn trees_of_any_depth_are_refused_and_dropped() {
+fn very_deep_trees_are_refused_without_overflow() {
     let skeleton = Skeleton::new([Bone::new("a", None)]).unwrap();
     let source = Node::source;
     let nodes: [fn(Node) -> Node; 3] = [

@@ -46,7 +46,7 @@ impl ChainNodes {
         let apart = |pair: &&[usize]| pair[0] == pair[1] || !hangs_on(pair[0], pair[1]);
         if let Some(pair) = joints.windows(2).find(apart) {
             return Err(Error::Chain(format!(
-                "{:?} does not hang on {:?}; list the joints from the effector inward, each below the next in the node tree",
+                "{:?} is not below {:?} in the node tree; list the joints from the effector inward, each below the next",
                 name(pair[0]),
                 name(pair[1])
             )));
@@ -54,7 +54,7 @@ impl ChainNodes {
         let other_eye = other_eye.map(|name| skeleton.find(name)).transpose()?;
         if let Some(other) = other_eye.filter(|&other| hangs_on(joints[0], other) || hangs_on(other, joints[0])) {
             return Err(Error::Chain(format!(
-                "the other eye {:?} and {:?} hang on each other; name the other eye, beside this one",
+                "the other eye {:?} and {:?} are on one branch of the node tree; name the eye on the other side",
                 name(other),
                 name(joints[0])
             )));
@@ -82,20 +82,23 @@ impl ChainNodes {
             let node = skeleton.find(held).map_err(|error| Error::Chain(format!("hold: {error}")))?;
             if !skeleton.ancestry(node).skip(1).any(|at| at == self.joints[joint]) {
                 let joint = name(self.joints[joint]);
-                return fail(node, format!("which does not hang on {joint:?}; name it on the joint that it hangs on"));
+                return fail(
+                    node,
+                    format!("which is not below {joint:?} in the node tree; hold it on the joint that carries it"),
+                );
             }
             if let Some(turned) = self.turned().find(|&turned| skeleton.ancestry(turned).any(|at| at == node)) {
-                return fail(node, format!("which carries {:?}, a bone that is turned; leave it out", name(turned)));
+                return fail(node, format!("which carries {:?}, a bone that is turned; remove it", name(turned)));
             }
             if found.iter().any(|other| other.node == node) {
-                return Err(Error::Chain(format!("hold names {:?} twice; once is enough", name(node))));
+                return Err(Error::Chain(format!("hold names {:?} twice; remove one of them", name(node))));
             }
             found.push(Hold { joint, node });
         }
         for hold in &found {
             let above = |other: &&Hold| skeleton.ancestry(hold.node).skip(1).any(|at| at == other.node);
             if let Some(other) = found.iter().find(above) {
-                let what = format!("which hangs on {:?} and stays with it; leave it out", name(other.node));
+                let what = format!("which is below {:?} and held with it; remove it", name(other.node));
                 return fail(hold.node, what);
             }
         }
@@ -129,6 +132,6 @@ impl ChainNodes {
 /// Returns the node of the first name that matches exactly one node; otherwise the error for the first name.
 fn find_first(skeleton: &Skeleton, names: &[String]) -> Result<usize, Error> {
     let mut found = names.iter().map(|name| Ok(skeleton.find(name)?));
-    let first = found.next().unwrap_or(Err(Error::Chain("a joint without any bone name".into())));
+    let first = found.next().unwrap_or(Err(Error::Chain("a joint has no bone name".into())));
     found.fold(first, |known, next| known.or_else(|error| next.map_err(|_| error)))
 }

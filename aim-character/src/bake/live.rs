@@ -59,7 +59,7 @@ pub struct JointFrame {
     pub pitch: f32,
     /// Heading and pitch, radians, by which the animation turns the joint from its bind pose; `None` unless the joint's
     /// ranges are counted from the bind pose.
-    pub led: Option<[f64; 2]>,
+    pub animated_angles: Option<[f64; 2]>,
     /// `true` if an angle is at an end of its range.
     pub at_limit: bool,
     /// `true` if an angle is outside its range and returning to it.
@@ -106,20 +106,21 @@ impl Live {
     ) -> Result<Self, Error> {
         let skeleton = document.skeleton();
         let description = rig.description();
-        let told = |error: AimChainError| Error::Chain(error.to_string());
+        let to_error = |error: AimChainError| Error::Chain(error.to_string());
         let mut aimed = AimChain::new(skeleton, chain.joints.clone())
             .and_then(|aimed| {
                 let up = standing_up(rig, chain, measurement).as_vec3();
                 aimed.with_standing_up(up, trunk(skeleton, chain, measurement))
             })
-            .map_err(told)?
+            .map_err(to_error)?
             .with_bind(&rounded(&measurement.bind_world))
             .map_err(|error| Error::Chain(error.to_string()))?;
         if let Some(eye) = chain.other_eye {
-            aimed = if both_eyes { aimed.with_other_eye(eye) } else { aimed.with_following_eye(eye) }.map_err(told)?;
+            aimed =
+                if both_eyes { aimed.with_other_eye(eye) } else { aimed.with_following_eye(eye) }.map_err(to_error)?;
         }
         for hold in chain.held(&description, skeleton, measurement) {
-            aimed = aimed.with_held(hold.node, hold.joint, description.carrier(hold.joint)).map_err(told)?;
+            aimed = aimed.with_held(hold.node, hold.joint, description.carrier(hold.joint)).map_err(to_error)?;
         }
         Ok(Self {
             chain: aimed,
@@ -208,7 +209,9 @@ impl Live {
             roll_deg: sights.roll_deg(effector, self.up(animated), [animated, &world]),
             pair_error_deg: sights.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
             outcome,
-            joints: joint_frames(&character.state.joints, outcome, |joint| led(&character.rig, joint, joints)),
+            joints: joint_frames(&character.state.joints, outcome, |joint| {
+                animated_angles(&character.rig, joint, joints)
+            }),
             world,
         };
         if !self.maps.is_empty() {
@@ -238,11 +241,15 @@ pub(crate) fn rounded(world: &[DAffine3]) -> Vec<Affine3A> {
     world.iter().map(DAffine3::as_affine3a).collect()
 }
 
-fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Option<[f64; 2]>) -> Vec<JointFrame> {
+fn joint_frames(
+    joints: &[Joint],
+    outcome: Outcome,
+    animated_angles: impl Fn(usize) -> Option<[f64; 2]>,
+) -> Vec<JointFrame> {
     let joints = joints.iter().enumerate().map(|(i, joint)| JointFrame {
         heading: joint.heading(),
         pitch: joint.pitch(),
-        led: led(i),
+        animated_angles: animated_angles(i),
         at_limit: outcome.at_limit.contains(i),
         recovering: outcome.recovering.contains(i),
     });
@@ -251,7 +258,7 @@ fn joint_frames(joints: &[Joint], outcome: Outcome, led: impl Fn(usize) -> Optio
 
 /// Returns the heading and pitch, radians, by which the animation turns a joint from its bind pose relative to the next
 /// joint inward; `None` unless the joint's ranges are counted from the bind pose.
-fn led(rig: &dyn Rig, joint: usize, animated: &AimFrame) -> Option<[f64; 2]> {
+fn animated_angles(rig: &dyn Rig, joint: usize, animated: &AimFrame) -> Option<[f64; 2]> {
     let description = rig.description();
     let pose = animated.pose();
     let info = description.joints().get(joint).filter(|info| info.limits_from == LimitsFrom::BindPose)?;

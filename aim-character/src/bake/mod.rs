@@ -140,7 +140,7 @@ pub fn bake<R: Rig>(
     let mut places: Vec<Vec<Vec3>> = vec![Vec::with_capacity(times.len()); live.held().count()];
     let mut weights: Vec<Vec<f32>> = vec![Vec::with_capacity(times.len()); live.morphs().scalars().count()];
     let mut frames = Vec::with_capacity(times.len());
-    for pass in 0..if plan.looped { MOST_ROUNDS } else { 1 } {
+    for pass in 0..if plan.looped { MOST_PASSES } else { 1 } {
         rotations.iter_mut().for_each(Vec::clear);
         places.iter_mut().for_each(Vec::clear);
         weights.iter_mut().for_each(Vec::clear);
@@ -153,7 +153,7 @@ pub fn bake<R: Rig>(
             let mut target_ws = target(t, &world);
             let joints = live.animated(&mut pose, &world);
             let was = follows.then(|| rig.state.clone());
-            let mut rounds = if follows { MOST_SEARCHES } else { 0 };
+            let mut searches_left = if follows { MOST_SEARCHES } else { 0 };
             let frame = loop {
                 let goal = target_ws.as_vec3();
                 let outcome = match (before, pass, plan.settle) {
@@ -169,13 +169,13 @@ pub fn bake<R: Rig>(
                 let mut aimed = pose.clone();
                 let frame = live.aimed(rig, skeleton, &mut aimed, &moment);
                 let [eye, _] = live.gazes(effector, &frame.world)[0];
-                let is_now_at = if follows { target(t, &frame.world) } else { target_ws };
-                if rounds == 0 || (is_now_at - eye).angle_between(target_ws - eye) <= FOUND_RAD {
+                let new_target_ws = if follows { target(t, &frame.world) } else { target_ws };
+                if searches_left == 0 || (new_target_ws - eye).angle_between(target_ws - eye) <= SEARCH_TOLERANCE_RAD {
                     pose = aimed;
                     break frame;
                 }
-                rounds -= 1;
-                target_ws = is_now_at;
+                searches_left -= 1;
+                target_ws = new_target_ws;
                 if let Some(was) = &was {
                     rig.state.clone_from(was);
                 }
@@ -196,7 +196,7 @@ pub fn bake<R: Rig>(
             frames.push(frame);
             progress(frames.len(), times.len());
         }
-        if closes(&began, &rig.state.joints) {
+        if is_closed(&began, &rig.state.joints) {
             break;
         }
     }
@@ -216,13 +216,13 @@ pub fn bake<R: Rig>(
 /// Largest number of iterations in the search for a target that aiming moves.
 const MOST_SEARCHES: u32 = 24;
 /// Change of the direction to the target below which the search ends, radians.
-const FOUND_RAD: f64 = 0.01 / 180.0 * core::f64::consts::PI;
+const SEARCH_TOLERANCE_RAD: f64 = 0.01 / 180.0 * core::f64::consts::PI;
 
 /// Largest number of rounds of a loop. A clip or target that jumps at the seam may never end as it begins.
-const MOST_ROUNDS: u32 = 8;
+const MOST_PASSES: u32 = 8;
 
 /// Returns `true` if the joints are back at their first angles, up to whole turns.
-fn closes(began: &[Joint], ended: &[Joint]) -> bool {
+fn is_closed(began: &[Joint], ended: &[Joint]) -> bool {
     const NEAR_RAD: f32 = 1e-5;
     let apart = |a: f32, b: f32| (a - b - TAU * ((a - b) / TAU).round()).abs();
     let pairs = began.iter().zip(ended);
@@ -247,8 +247,8 @@ pub(crate) fn key_times(seconds: f32, fps: f32) -> Result<Arc<[f32]>, Error> {
 
 fn no_keys(seconds: f32, fps: f32) -> Error {
     Error::Clip(format!(
-        "{seconds} s at {fps} frames a second make no clip; give a length and a rate of at least one frame and \
-         at most an hour at 144 Hz"
+        "{seconds} s at {fps} frames per second is not a valid clip; give a length and a rate that make at least one frame \
+         and at most an hour at 144 Hz"
     ))
 }
 

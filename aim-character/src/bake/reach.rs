@@ -37,7 +37,9 @@ impl LimbNodes {
         let mut above = skeleton.ancestry(tip).skip(1);
         match (above.next(), above.next()) {
             (Some(lower), Some(upper)) => Ok(Self { upper, lower, tip }),
-            _ => Err(Error::Chain(format!("{bone:?} has no two bones above it to follow; name a hand or a foot"))),
+            _ => Err(Error::Chain(format!(
+                "{bone:?} has no parent and grandparent that could follow it; name a hand or a foot"
+            ))),
         }
     }
 }
@@ -138,7 +140,7 @@ pub fn reach(plan: &ReachPlan<'_>) -> Result<Reached, Error> {
     let limbs: Vec<[DVec3; 3]> = poses.iter().map(|pose| joints(&skeleton.world_f64(pose), plan.limb)).collect();
     let length = bones(limbs[0]).iter().sum::<f64>();
     if bones(limbs[0]).contains(&0.0) || !length.is_finite() {
-        return Err(Error::Chain("the limb has a bone without length; name a hand or a foot".into()));
+        return Err(Error::Chain("a bone of the limb has no length; name a hand or a foot".into()));
     }
     let arrival = |(&goal, frame): (&Goal, usize)| {
         let (aimed, reach) = within_reach(limbs[frame], goal.target);
@@ -178,7 +180,7 @@ fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> 
     for goal in plan.goals {
         if !(0.0..=seconds).contains(&goal.at) {
             let (at, clip) = (goal.at, plan.clip.name());
-            return fail(format!("{at} s is not within the clip {clip:?}, which ends at {seconds} s"));
+            return fail(format!("{at} s is outside the clip {clip:?}, which ends at {seconds} s"));
         }
         // The first and last keys keep their times.
         let nearest = times.partition_point(|&t| t < goal.at).min(last);
@@ -189,7 +191,10 @@ fn frame_times(plan: &ReachPlan<'_>) -> Result<(Arc<[f32]>, Vec<usize>), Error> 
             k => k,
         };
         if frames.contains(&frame) || (frame == 0 || frame == last) && times[frame] != goal.at {
-            return fail(format!("{} s is less than a frame from another goal or the end; raise --fps", goal.at));
+            return fail(format!(
+                "{} s is less than one frame from another target or an end of the clip; raise --fps",
+                goal.at
+            ));
         }
         times[frame] = goal.at;
         frames.push(frame);

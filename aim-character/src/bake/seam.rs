@@ -56,7 +56,8 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
     let skeleton = document.skeleton();
     let size = size(measurement);
     let travel = Travel::find(document, measurement, clip, size)?;
-    let on_the_spot = travel.as_ref().map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))?;
+    let on_the_spot =
+        travel.as_ref().map_or_else(|| Ok(clip.clone()), |travel| travel.apply(clip, TravelChange::Remove))?;
     let seam = on_the_spot.seam();
     let place = seam.place;
     let jumps = (place.translation / size).max(place.rotation_rad).max(place.scale).max(place.scalar) > CLOSED;
@@ -65,7 +66,7 @@ pub fn mended_loop(document: &Document, measurement: &Measurement, clip: &Clip) 
     }
     let mended = on_the_spot.mended(Continuity::Speed, WINDOW_S);
     let clip = match travel {
-        Some(travel) => travel.moved(&mended, Way::Back)?,
+        Some(travel) => travel.apply(&mended, TravelChange::Restore)?,
         None => mended,
     };
     Ok(Some(MendedLoop { clip, seam }))
@@ -94,7 +95,7 @@ pub fn root_path(document: &Document, measurement: &Measurement, clip: &Clip) ->
 /// See [`root_path`].
 pub fn on_the_spot(document: &Document, measurement: &Measurement, clip: &Clip) -> Result<Clip, Error> {
     let travel = Travel::find(document, measurement, clip, size(measurement))?;
-    travel.map_or_else(|| Ok(clip.clone()), |travel| travel.moved(clip, Way::Out))
+    travel.map_or_else(|| Ok(clip.clone()), |travel| travel.apply(clip, TravelChange::Remove))
 }
 
 /// Returns a clip without a movement of its root, as [`Motion::remove`] removes it from poses.
@@ -106,7 +107,7 @@ pub fn on_the_spot(document: &Document, measurement: &Measurement, clip: &Clip) 
 /// Fails if the clip moves bones to a non-finite position, or if it has more samples than a bake may have keys.
 pub fn in_place(document: &Document, clip: &Clip, motion: Motion) -> Result<Clip, Error> {
     check_length(clip)?;
-    Travel::new(document.skeleton(), clip, motion).moved(clip, Way::Out)
+    Travel::new(document.skeleton(), clip, motion).apply(clip, TravelChange::Remove)
 }
 
 /// Returns the character's height, or 1 if it is unknown.
@@ -126,7 +127,7 @@ fn jerks(skeleton: &Skeleton, clip: &Clip, size: f32) -> bool {
     for time in sample_times(clip.length_s()) {
         let pose = skeleton.pose(clip, time);
         for (steps, (from, to)) in steps.iter_mut().zip(before.iter().flatten().zip(&pose)) {
-            steps.push(way(from, to, size));
+            steps.push(displacement(from, to, size));
         }
         before = Some(pose);
     }
@@ -160,7 +161,7 @@ fn change(from: [Vec3; 2], to: [Vec3; 2]) -> [f32; 2] {
 }
 
 /// Returns the displacement (in units of `size`) and the rotation vector between two transforms.
-fn way(from: &Transform, to: &Transform, size: f32) -> [Vec3; 2] {
+fn displacement(from: &Transform, to: &Transform, size: f32) -> [Vec3; 2] {
     let turn = aim_runtime::rotation::log(product(to.rotation, from.rotation.conjugate()));
     [(to.translation - from.translation) / size, turn]
 }
@@ -175,9 +176,9 @@ fn sample_times(length_s: f32) -> Vec<f32> {
 
 /// Direction of applying the movement of the root: removing it (`Out`) or restoring it (`Back`).
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Way {
-    Out,
-    Back,
+enum TravelChange {
+    Remove,
+    Restore,
 }
 
 /// The travel of the hips in a clip, and the bones that carry it.
@@ -212,16 +213,16 @@ impl<'a> Travel<'a> {
 
     /// Returns the clip with the movement removed or restored: `P⁻¹ · M(t)^∓¹ · P · local` for each carrier, where P is
     /// its parent.
-    fn moved(&self, clip: &Clip, which: Way) -> Result<Clip, Error> {
+    fn apply(&self, clip: &Clip, change: TravelChange) -> Result<Clip, Error> {
         let (length, times) = (clip.length_s(), sample_times(clip.length_s()));
         let step = times[1] - times[0];
-        let mut moved = clip.clone();
+        let mut changed = clip.clone();
         for &(bone, on) in &self.carriers {
             let mut pose = self.skeleton.rest().to_vec();
             let mut at = |time: f32| {
                 clip.sample(time, &mut Cursor::default(), &mut pose);
                 let at = self.motion.at(time);
-                placed(on, if which == Way::Out { at.rigid_inverse() } else { at }, pose[bone])
+                moved_local(on, if change == TravelChange::Remove { at.rigid_inverse() } else { at }, pose[bone])
             };
             let keys: Vec<Transform> = times.iter().map(|&time| at(time)).collect();
             let places: Vec<Vec3> = keys.iter().map(|key| key.translation).collect();
@@ -229,31 +230,31 @@ impl<'a> Travel<'a> {
             keys.iter().for_each(|key| turns.push(continuous(turns.last(), key.rotation)));
             // Values beyond both ends, for the tangents there. While the ends do not match yet, they are extrapolated.
             // After mending, the neighbouring cycles supply them, displaced by the whole movement.
-            let (beyond_places, beyond_turns) = if which == Way::Out {
-                (beyond(&places), beyond(&turns))
+            let (beyond_places, beyond_turns) = if change == TravelChange::Remove {
+                (extrapolate(&places), extrapolate(&turns))
             } else {
                 let whole = self.motion.at(length);
                 let [before, after] = [(whole.rigid_inverse(), length - step), (whole, step)]
-                    .map(|(whole, time)| placed(on, whole, at(time)));
+                    .map(|(whole, time)| moved_local(on, whole, at(time)));
                 let turn = |near: Option<&Quat>, other: Transform| continuous(near, other.rotation);
                 ([before.translation, after.translation], [turn(turns.first(), before), turn(turns.last(), after)])
             };
-            moved = moved
+            changed = changed
                 .with_translation(bone, smooth(&times, &places, beyond_places)?)
                 .with_rotation(bone, smooth(&times, &turns, beyond_turns)?);
         }
-        Ok(moved)
+        Ok(changed)
     }
 }
 
 /// Returns a bone's local transform after a rigid motion of the model; `on` is the transform of its parent.
-fn placed(on: Affine3A, by: Transform, local: Transform) -> Transform {
-    let moved = on.inverse() * by.to_affine() * on * Transform { scale: Vec3::ONE, ..local }.to_affine();
-    Transform { scale: local.scale, ..Transform::from_affine(&moved).unwrap_or(local) }
+fn moved_local(on: Affine3A, by: Transform, local: Transform) -> Transform {
+    let changed = on.inverse() * by.to_affine() * on * Transform { scale: Vec3::ONE, ..local }.to_affine();
+    Transform { scale: local.scale, ..Transform::from_affine(&changed).unwrap_or(local) }
 }
 
 /// Extrapolates values by one step before the first and after the last, on the parabola through the three nearest.
-fn beyond<T: Copy + Sub<Output = T> + Add<Output = T> + Mul<f32, Output = T>>(values: &[T]) -> [T; 2] {
+fn extrapolate<T: Copy + Sub<Output = T> + Add<Output = T> + Mul<f32, Output = T>>(values: &[T]) -> [T; 2] {
     let parabola = |a: T, b: T, c: T| (a - b) * 3.0 + c;
     let last = values.len() - 1;
     [parabola(values[0], values[1], values[2]), parabola(values[last], values[last - 1], values[last - 2])]

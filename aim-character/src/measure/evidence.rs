@@ -22,20 +22,25 @@ pub fn direction(v: DVec3) -> String {
 /// Returns one sentence with the facing, the up direction and the clues that agree on it.
 pub fn facing(measurement: &Measurement, document: &Document) -> String {
     let agree: Vec<String> =
-        measurement.evidence.iter().filter(|said| said.agrees).map(|said| clue(said, document)).collect();
-    format!("Faces {}, up is {}, by {}.", direction(measurement.forward), direction(measurement.up), agree.join(", "))
+        measurement.evidence.iter().filter(|item| item.agrees).map(|item| clue(item, document)).collect();
+    format!(
+        "Faces {}, up is {}, according to {}.",
+        direction(measurement.forward),
+        direction(measurement.up),
+        agree.join(", ")
+    )
 }
 
 /// Returns a sentence for each clue that contradicts the measurement.
 pub fn against(measurement: &Measurement, document: &Document) -> Vec<String> {
-    let against = measurement.evidence.iter().filter(|said| !said.agrees);
+    let against = measurement.evidence.iter().filter(|item| !item.agrees);
     against
-        .map(|said| {
-            let (what, says) = match (said.up, said.forward) {
+        .map(|item| {
+            let (what, says) = match (item.up, item.forward) {
                 (Some(up), _) => ("up is", up),
                 (None, forward) => ("forward is", forward.unwrap_or(DVec3::ZERO)),
             };
-            format!("{} would have it that {what} {}", clue(said, document), direction(says))
+            format!("{what} {} according to {}", direction(says), clue(item, document))
         })
         .collect()
 }
@@ -49,34 +54,34 @@ pub fn doubt(measurement: &Measurement) -> Option<String> {
     if measurement.confidence >= RELIABLE {
         return None;
     }
-    let agrees = |clue: fn(&Clue) -> bool| measurement.evidence.iter().any(|said| said.agrees && clue(&said.clue));
+    let agrees = |clue: fn(&Clue) -> bool| measurement.evidence.iter().any(|item| item.agrees && clue(&item.clue));
     let mut why = Vec::new();
     if agrees(|clue| matches!(clue, Clue::Symmetry)) {
-        why.push("only the symmetry of the joints tells the sides");
+        why.push("only the symmetry of the joints tells left from right");
     } else if agrees(|clue| matches!(clue, Clue::Limbs { .. })) {
-        why.push("no names tell the sides");
+        why.push("no names tell left from right");
     }
     if agrees(|clue| matches!(clue, Clue::Convention)) {
-        why.push("nothing on it tells front from back");
+        why.push("nothing tells front from back");
     } else if !agrees(|clue| matches!(clue, Clue::Names { .. } | Clue::Trunk | Clue::Eyes | Clue::Reach { .. })) {
-        why.push("feet alone tell front from back");
+        why.push("only the feet tell front from back");
     }
-    if measurement.evidence.iter().any(|said| !said.agrees) {
+    if measurement.evidence.iter().any(|item| !item.agrees) {
         why.push("the evidence contradicts itself");
     }
     if why.is_empty() {
         why.push("there is little evidence");
     }
     Some(format!(
-        "The facing is a guess: {}. Look at the drawing of `aim inspect --html`, or state it with --forward AXIS.",
+        "The facing is uncertain: {}. Check the drawings of `aim inspect --html`, or set the facing with --forward AXIS.",
         why.join(", ")
     ))
 }
 
 /// Returns the word for a clue in JSON.
 #[must_use]
-pub fn word(said: &Evidence) -> &'static str {
-    match said.clue {
+pub fn word(evidence: &Evidence) -> &'static str {
+    match evidence.clue {
         Clue::Names { .. } => "names",
         Clue::Limbs { .. } => "limbs",
         Clue::Symmetry => "symmetry",
@@ -91,9 +96,9 @@ pub fn word(said: &Evidence) -> &'static str {
     }
 }
 
-fn clue(said: &Evidence, document: &Document) -> String {
+fn clue(evidence: &Evidence, document: &Document) -> String {
     let name = |node: usize| &document.skeleton().names()[node];
-    match said.clue {
+    match evidence.clue {
         Clue::Names { left, right } => format!("the names {} and {}", name(left), name(right)),
         Clue::Limbs { one, other } => format!("the limbs {} and {}", name(one), name(other)),
         Clue::Symmetry => "the symmetry of the joints".into(),
@@ -102,8 +107,8 @@ fn clue(said: &Evidence, document: &Document) -> String {
         Clue::Soles => "the soles".into(),
         Clue::Eyes => "the eyes".into(),
         Clue::Trunk => "the trunk".into(),
-        Clue::Stated => "what you state".into(),
+        Clue::Stated => "the stated axes".into(),
         Clue::Reach { node } => format!("the reach of {}", name(node)),
-        _ => "glTF's convention alone".into(),
+        _ => "the glTF convention alone".into(),
     }
 }

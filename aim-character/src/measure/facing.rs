@@ -87,25 +87,26 @@ impl Facing {
             None => up(body, &mut evidence),
         };
         let level = |forward: DVec3| forward.reject_from_normalized(up);
-        let told = Self::told(body, up, evidence);
+        let facing = Self::weigh_clues(body, up, evidence);
         match stated.forward.map(level).filter(|level| level.length() > 1e-6) {
-            Some(forward) => told.overruled(forward.normalize()),
-            None => told,
+            Some(forward) => facing.with_stated_forward(forward.normalize()),
+            None => facing,
         }
     }
 
     /// Replaces the forward direction and marks which evidence agrees with it.
-    fn overruled(mut self, forward: DVec3) -> Self {
-        for said in &mut self.evidence {
-            let sign = if matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry) { f64::abs } else { |cos| cos };
-            said.agrees = said.forward.map_or(said.agrees, |told| sign(told.dot(forward)) > ASIDE);
+    fn with_stated_forward(mut self, forward: DVec3) -> Self {
+        for item in &mut self.evidence {
+            let sign = if matches!(item.clue, Clue::Limbs { .. } | Clue::Symmetry) { f64::abs } else { |cos| cos };
+            item.agrees =
+                item.forward.map_or(item.agrees, |forward_of_clue| sign(forward_of_clue.dot(forward)) > ASIDE);
         }
         self.evidence.push(Evidence::ahead(Clue::Stated, forward, true, NAMES));
         Self { forward, left: self.up.cross(forward), ..self }
     }
 
     /// Finds the facing of a body whose up is known.
-    fn told(body: &Body<'_>, up: DVec3, mut evidence: Vec<Evidence>) -> Self {
+    fn weigh_clues(body: &Body<'_>, up: DVec3, mut evidence: Vec<Evidence>) -> Self {
         let mut hints = clues::ahead(body, up);
         let pair = clues::named_pair(body, up).map(|(left, right)| (Clue::Names { left, right }, [left, right]));
         let limbs = || {
@@ -120,7 +121,7 @@ impl Facing {
             let lies = |axis: DVec3| hints.iter().map(|hint| hint.weight * along(hint.ahead, axis).abs()).sum::<f64>();
             *clue != Clue::Symmetry || lies(left.normalize_or_zero()) <= lies(left.cross(up).normalize_or_zero())
         };
-        let (across, denied) = match across {
+        let (across, rejected_symmetry) = match across {
             Some(across) if !is_plausible(&across) => (None, Some(across.1)),
             across => (across, None),
         };
@@ -141,9 +142,9 @@ impl Facing {
                 // glTF's convention decides a tie.
                 let keep = if score == 0.0 { ahead.dot(convention(up)) >= -1e-9 } else { score > 0.0 };
                 let forward = if keep { ahead } else { -ahead };
-                let says = if named.is_some() { ahead } else { forward };
+                let voted = if named.is_some() { ahead } else { forward };
                 let agrees = keep || named.is_none();
-                evidence.push(Evidence::ahead(clue, says, agrees, named.unwrap_or(AXIS)));
+                evidence.push(Evidence::ahead(clue, voted, agrees, named.unwrap_or(AXIS)));
                 forward
             }
             None => match hints.iter().max_by(|a, b| a.weight.total_cmp(&b.weight)) {
@@ -155,10 +156,10 @@ impl Facing {
         for Hint { clue, ahead, weight } in hints {
             evidence.push(Evidence::ahead(clue, ahead, along(ahead, forward) > 0.0, weight));
         }
-        if let Some(left) = denied {
+        if let Some(left) = rejected_symmetry {
             evidence.push(Evidence::ahead(Clue::Symmetry, left.cross(up).normalize_or_zero(), false, AXIS));
         }
-        if !evidence.iter().any(|said| said.agrees && tells_front_from_back(said)) {
+        if !evidence.iter().any(|item| item.agrees && distinguishes_front_from_back(item)) {
             evidence.push(Evidence::ahead(Clue::Convention, forward, true, 0.25));
         }
         Self { up, forward, left: up.cross(forward), evidence }
@@ -167,21 +168,21 @@ impl Facing {
     /// Returns the confidence in the facing, 0…1: the share of the evidence that agrees on which way is front. It is
     /// low if there is little evidence, and reduced if only similar limbs or symmetry reveal the sides.
     pub(crate) fn confidence(&self) -> f64 {
-        let said = |clue: fn(&Clue) -> bool| self.evidence.iter().any(|said| said.agrees && clue(&said.clue));
-        if said(|clue| *clue == Clue::Stated)
-            && self.evidence.iter().any(|said| said.clue == Clue::Stated && said.forward.is_some())
+        let has_agreeing = |clue: fn(&Clue) -> bool| self.evidence.iter().any(|item| item.agrees && clue(&item.clue));
+        if has_agreeing(|clue| *clue == Clue::Stated)
+            && self.evidence.iter().any(|item| item.clue == Clue::Stated && item.forward.is_some())
         {
             return 1.0;
         }
         let weight = |agrees: bool| {
-            let said = self.evidence.iter().filter(|said| said.agrees == agrees && said.forward.is_some());
+            let evidence = self.evidence.iter().filter(|item| item.agrees == agrees && item.forward.is_some());
             // A clue that reveals only the axis between the sides counts if it contradicts, but is no evidence for a
             // front.
-            said.filter(|said| !agrees || tells_front_from_back(said)).map(|said| said.weight).sum::<f64>()
+            evidence.filter(|item| !agrees || distinguishes_front_from_back(item)).map(|item| item.weight).sum::<f64>()
         };
-        let sides = if said(|clue| matches!(clue, Clue::Symmetry)) {
+        let sides = if has_agreeing(|clue| matches!(clue, Clue::Symmetry)) {
             BY_SYMMETRY
-        } else if said(|clue| matches!(clue, Clue::Limbs { .. })) {
+        } else if has_agreeing(|clue| matches!(clue, Clue::Limbs { .. })) {
             BY_LIMBS
         } else {
             1.0
@@ -191,13 +192,13 @@ impl Facing {
 }
 
 /// Returns `true` if a clue distinguishes front from back, rather than only giving the axis between the sides.
-fn tells_front_from_back(said: &Evidence) -> bool {
-    said.forward.is_some() && !matches!(said.clue, Clue::Limbs { .. } | Clue::Symmetry)
+fn distinguishes_front_from_back(evidence: &Evidence) -> bool {
+    evidence.forward.is_some() && !matches!(evidence.clue, Clue::Limbs { .. } | Clue::Symmetry)
 }
 
 /// Returns `true` if the head lies ahead of the hips rather than above them.
-pub(crate) fn is_led_by_head(evidence: &[Evidence]) -> bool {
-    evidence.iter().any(|said| said.clue == Clue::Trunk && said.agrees)
+pub(crate) fn has_head_ahead_of_hips(evidence: &[Evidence]) -> bool {
+    evidence.iter().any(|item| item.clue == Clue::Trunk && item.agrees)
 }
 
 /// Returns +Y, unless the legs clearly stand along another axis.

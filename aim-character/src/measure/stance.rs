@@ -5,7 +5,7 @@ use aim_runtime::glam::DVec3;
 
 use crate::measure::arms::has_named_limbs;
 use crate::measure::clues::Body;
-use crate::measure::facing::{Facing, is_led_by_head};
+use crate::measure::facing::{Facing, has_head_ahead_of_hips};
 use crate::measure::roles::carrying;
 use crate::num::count;
 
@@ -17,7 +17,7 @@ const ASIDE: f64 = 0.15;
 /// coat's hem.
 const AHEAD: f64 = 0.4;
 /// Words in the names of bones that only birds have.
-const OF_BIRDS: &str = "wing wings feather feathers beak";
+const BIRD_WORDS: &str = "wing wings feather feathers beak";
 
 /// A kind of body with its own region budgets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl BodyKind {
             return Self::Quadruped;
         }
         let names = || body.skeleton.names().iter().zip(body.is_bone).filter(|(_, is_bone)| **is_bone);
-        let has_wings = || names().any(|(name, _)| BoneName::new(name).has(OF_BIRDS));
+        let has_wings = || names().any(|(name, _)| BoneName::new(name).has(BIRD_WORDS));
         let [span, length, height] = [facing.left, facing.forward, facing.up].map(|axis| {
             let (low, high) = range(body, axis);
             high - low
@@ -51,7 +51,7 @@ impl BodyKind {
         let flies = standing.is_empty() && span > length && span > 2.0 * height;
         if !has_named_limbs(body.skeleton) && (flies || has_wings()) {
             Self::Bird
-        } else if is_led_by_head(&facing.evidence) {
+        } else if has_head_ahead_of_hips(&facing.evidence) {
             Self::Quadruped
         } else {
             Self::Human

@@ -15,7 +15,7 @@ use crate::rig::proposal::Proposal;
 #[must_use]
 pub fn toml(proposal: &Proposal, about: &str) -> String {
     use Notation::Toml;
-    let written = Written::new(&proposal.spec, Toml);
+    let written = DeclarationWriter::new(&proposal.spec, Toml);
     let mut out = format!("# {}\nname = {}\n", one_line(about), quoted(&proposal.spec.name, Toml));
     for key in written.rig_keys() {
         out += &format!("{key}\n");
@@ -113,7 +113,7 @@ fn bind_pose(
 
 /// Writes the struct with its derive. `first_keys` come before the rig's own keys.
 fn item(proposal: &Proposal, about: &str, first_keys: &[String]) -> String {
-    let written = Written::new(&proposal.spec, Notation::Rust);
+    let written = DeclarationWriter::new(&proposal.spec, Notation::Rust);
     let mut out = format!("/// {}\n#[derive(AimRig)]\n", one_line(about));
     match [first_keys, &written.rig_keys()].concat().as_slice() {
         [] => {}
@@ -151,7 +151,7 @@ enum Notation {
 }
 
 /// Writer of one rig.
-struct Written<'s> {
+struct DeclarationWriter<'s> {
     spec: &'s RigSpec,
     /// 1 for a right-handed rig; −1 if all bones are mirrored.
     hand: f64,
@@ -161,7 +161,7 @@ struct Written<'s> {
     notation: Notation,
 }
 
-impl<'s> Written<'s> {
+impl<'s> DeclarationWriter<'s> {
     fn new(spec: &'s RigSpec, notation: Notation) -> Self {
         let frames = || spec.joints.iter().map(|joint| &joint.frame);
         let hand = if frames().all(|frame| frame.handedness() < 0.0) { -1.0 } else { 1.0 };

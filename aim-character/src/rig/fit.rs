@@ -64,7 +64,7 @@ pub struct Fit<'a> {
 /// whatever the animation does.
 #[must_use]
 pub fn range_in_frame(joint: &JointSpec, at: &JointFrame) -> [[f64; 2]; 2] {
-    let range = joint.range_of_motion(at.led.map(|[heading, pitch]| Angles { heading, pitch }));
+    let range = joint.range_of_motion(at.animated_angles.map(|[heading, pitch]| Angles { heading, pitch }));
     [range.heading.ends(), range.pitch_at(f64::from(at.heading)).ends()]
 }
 
@@ -114,7 +114,7 @@ impl<'a> Fit<'a> {
             match found {
                 Some(Ok(node)) => match measurement.bone(node) {
                     Some(bone) => fit.joints.push(JointFit::new(&joint.name, bone, &joint.frame)),
-                    None => fit.problems.push(format!("{}: {:?} is no bone", joint.name, skeleton.names()[node])),
+                    None => fit.problems.push(format!("{}: {:?} is not a bone", joint.name, skeleton.names()[node])),
                 },
                 Some(Err(error)) => fit.problems.push(format!("{}: {error}", joint.name)),
                 None => {}
@@ -160,7 +160,8 @@ impl<'a> JointFit<'a> {
             (0..3).filter(|at| self.wrong[*at]).map(|at| self.sentence(at, measurement)).collect();
         let is_mirrored = self.declared[0].cross(self.declared[1]).dot(self.declared[2]) < 0.0;
         if is_mirrored != (self.bone.handedness == Handedness::Left) {
-            let (bone, declared) = if is_mirrored { ("not mirrored", "mirrored") } else { ("mirrored", "not") };
+            let (bone, declared) =
+                if is_mirrored { ("not mirrored", "mirrored") } else { ("mirrored", "not mirrored") };
             out.push(format!(
                 "{}: {:?} is {bone} in the file but declared {declared}; set mirrored = {}, or the rig's handedness",
                 self.joint, self.bone.name, !is_mirrored
@@ -208,7 +209,7 @@ fn effector(spec: &RigSpec, joint: &JointFit<'_>, measurement: &Measurement) -> 
     let away = joint.bone.bind_world.transform_vector3(DVec3::from_array(spec.effector.origin)).length();
     if measurement.height > 0.0 && away > FAR * measurement.height {
         out.push(format!(
-            "effector: its origin is {:.1} heights of the character away from {:?}; give it in that bone's own units",
+            "effector: its origin is {:.1} character heights away from {:?}; give it in the units of that bone",
             away / measurement.height,
             joint.bone.name
         ));

@@ -39,7 +39,7 @@ impl Proposal {
 
 /// Habitual ranges and rate of a joint, degrees and degrees per second.
 #[derive(Clone, Copy)]
-struct Habit {
+struct JointDefaults {
     heading: Option<[f64; 2]>,
     pitch: Option<[f64; 2]>,
     rate: f64,
@@ -50,45 +50,45 @@ struct Habit {
 /// Range of an angle without limits.
 const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
-const EYE: Habit = Habit {
+const EYE: JointDefaults = JointDefaults {
     heading: Some([-35.0, 35.0]),
     pitch: Some([-25.0, 20.0]),
     rate: 450.0,
     stiffness: 0.5,
     why: "eyes can turn by about 50 degrees but seldom pass 35; saccades peak at 400 to 700 deg/s",
 };
-const HIPS: Habit = Habit {
+const HIPS: JointDefaults = JointDefaults {
     heading: Some([-20.0, 20.0]),
     pitch: Some([-10.0, 10.0]),
     rate: 70.0,
     stiffness: 4.0,
-    why: "hips carry the legs: what turns them moves the feet",
+    why: "hips carry the legs, so turning them moves the feet",
 };
-const BASE: Habit = Habit {
+const BASE: JointDefaults = JointDefaults {
     heading: Some(FREE),
     pitch: None,
     rate: 120.0,
     stiffness: 1.0,
-    why: "its name says that it turns about the upright axis",
+    why: "its name suggests that it turns about the vertical axis",
 };
-const BARREL: Habit = Habit {
+const BARREL: JointDefaults = JointDefaults {
     heading: None,
     pitch: Some([-10.0, 80.0]),
     rate: 90.0,
     stiffness: 1.0,
-    why: "its name says that it is raised and lowered",
+    why: "its name suggests that it is raised and lowered",
 };
-const HINGE: Habit = Habit {
+const HINGE: JointDefaults = JointDefaults {
     heading: Some([-45.0, 45.0]),
     pitch: Some([-45.0, 45.0]),
     rate: 90.0,
     stiffness: 2.0,
-    why: "nothing tells what it can do: give its own ranges and rate",
+    why: "its abilities are unknown: set its own ranges and rate",
 };
 /// Words in the names of bones that turn about the upright axis.
-const TURNING: [&str; 6] = ["base", "yaw", "pan", "swivel", "turret", "turntable"];
+const YAW_WORDS: [&str; 6] = ["base", "yaw", "pan", "swivel", "turret", "turntable"];
 /// Words in the names of bones that are raised and lowered.
-const RAISING: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cannon", "muzzle"];
+const PITCH_WORDS: [&str; 7] = ["pitch", "tilt", "elevation", "barrel", "gun", "cannon", "muzzle"];
 
 /// Proposes a rig for the `named` nodes (from the effector inward), or for the chain found by roles and names.
 ///
@@ -146,8 +146,9 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         // Only unique names can be declared.
         skeleton.find(&bone.name)?;
         let region = Region::of(roles[at]);
-        let habit = region.map_or_else(|| *habit(bone), |region| of_region(region, part, &budgets));
-        let mut joint = joint(field_name(bone, &bones, at), roles[at], &habit, bone);
+        let defaults =
+            region.map_or_else(|| *defaults_by_name(bone), |region| defaults_in_region(region, part, &budgets));
+        let mut joint = joint(field_name(bone, &bones, at), roles[at], &defaults, bone);
         if at == 0 {
             joint.other_eye = other_eye(measurement, bone).map(|eye| eye.name.clone());
         }
@@ -161,15 +162,15 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
         joint.hold = held.clone().filter(|_| is_declared);
         let reason = || {
             let mut why = match region {
-                _ if mapped.is_some() => because_of_maps(skeleton.is_in_file(bone.node)),
-                Some(region) => because_of_region(region, part, &budgets),
-                None => habit.why.to_owned(),
+                _ if mapped.is_some() => reason_for_maps(skeleton.is_in_file(bone.node)),
+                Some(region) => reason_for_region(region, part, &budgets),
+                None => defaults.why.to_owned(),
             };
             if let Some(rest) = eyes_rest(document, measurement).filter(|_| at == 0 && named.is_none()) {
                 why += "; ";
                 why += rest;
             }
-            why + &because_of_limbs(held.as_deref(), is_declared) + &because_of_frame(bone)
+            why + &reason_for_limbs(held.as_deref(), is_declared) + &reason_for_frame(bone)
         };
         // Small builds write no declarations and do without the texts.
         proposal.reasons.push(if cfg!(aim_small) { String::new() } else { reason() });
@@ -178,31 +179,31 @@ pub fn propose(document: &Document, measurement: &Measurement, named: Option<&[S
     Ok(proposal)
 }
 
-fn because_of_maps(is_in_file: bool) -> String {
-    "the angle to the target, as far as eyes turn; ".to_owned()
+fn reason_for_maps(is_in_file: bool) -> String {
+    "the angle to the target, within the range of an eye; ".to_owned()
         + if is_in_file {
-            "`aim bake` turns the bone by the range maps of the file's lookAt from there"
+            "`aim bake` applies the range maps of the file's lookAt to it and turns the bone by the result"
         } else {
-            "no node of the file: a place amid what its morph targets move, whose weights `aim bake` writes"
+            "not a node of the file, but the centre of what its morph targets move; `aim bake` writes their weights"
         }
 }
 
-fn because_of_limbs(held: Option<&[String]>, is_declared: bool) -> String {
+fn reason_for_limbs(held: Option<&[String]>, is_declared: bool) -> String {
     let Some(names) = held else { return String::new() };
     let what = if is_declared {
-        " and are held on the trunk"
+        ", which are held on the trunk"
     } else {
-        ", which `hold` cannot say, as names repeat; `aim bake` finds them and holds them on the trunk"
+        ", which `hold` cannot name because names repeat; `aim bake` finds them and holds them on the trunk"
     };
-    format!("; {} hang on it{what}", names.join(", "))
+    format!("; it carries {}{what}", names.join(", "))
 }
 
-fn because_of_frame(bone: &BoneAxes) -> String {
+fn reason_for_frame(bone: &BoneAxes) -> String {
     if bone.deviation_deg <= CARDINAL_DEG {
         return String::new();
     }
     let BoneAxes { up, forward, left, deviation_deg, .. } = bone;
-    format!("; {up} {forward} {left} are {deviation_deg:.0} degrees off, hence the exact frame")
+    format!("; {up} {forward} {left} would be {deviation_deg:.0} degrees off, so the exact frame is given")
 }
 
 /// Returns the chain from the outermost bone to the root: an eye, the head, and the bones of neck and trunk above the
@@ -237,7 +238,7 @@ fn chain(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
 
 /// Returns the chain of a pointing part and the bones that carry it.
 fn machine(document: &Document, measurement: &Measurement) -> Option<Vec<usize>> {
-    let pointer = measurement.evidence.iter().find_map(|said| match said.clue {
+    let pointer = measurement.evidence.iter().find_map(|item| match item.clue {
         Clue::Reach { node } => Some(node),
         _ => None,
     })?;
@@ -248,25 +249,25 @@ fn inward_of(document: &Document, measurement: &Measurement, node: usize) -> Vec
     let inward = document.skeleton().ancestry(node).filter(|at| measurement.bone(*at).is_some());
     let mut chain: Vec<usize> = inward.take(MACHINE_JOINTS).collect();
     // A joint that turns without limits carries the rest: no joint further inward is needed.
-    let turns = |at: &usize| measurement.bone(*at).is_some_and(|bone| says(bone, &TURNING));
+    let turns = |at: &usize| measurement.bone(*at).is_some_and(|bone| name_has_word(bone, &YAW_WORDS));
     if let Some(last) = chain.iter().position(turns) {
         chain.truncate(last + 1);
     }
     chain
 }
 
-fn says(bone: &BoneAxes, words: &[&str]) -> bool {
+fn name_has_word(bone: &BoneAxes, words: &[&str]) -> bool {
     let name = bone.name.to_ascii_lowercase();
     name.split(|c: char| !c.is_alphabetic()).any(|word| words.contains(&word))
 }
 
-/// Returns the habit of a joint that belongs to no region.
-fn habit(bone: &BoneAxes) -> &'static Habit {
+/// Returns the defaults of a joint that belongs to no region.
+fn defaults_by_name(bone: &BoneAxes) -> &'static JointDefaults {
     match bone.role {
         Some(Role::LeftEye | Role::RightEye | Role::Eyes) => &EYE,
         Some(Role::Hips) => &HIPS,
-        _ if says(bone, &TURNING) => &BASE,
-        _ if says(bone, &RAISING) => &BARREL,
+        _ if name_has_word(bone, &YAW_WORDS) => &BASE,
+        _ if name_has_word(bone, &PITCH_WORDS) => &BARREL,
         _ => &HINGE,
     }
 }
@@ -278,11 +279,11 @@ fn budget_of(region: Region, budgets: &Budgets) -> &Budget {
     }
 }
 
-/// Returns the habit of a joint that makes `part` of its region's turn.
-fn of_region(region: Region, part: f64, budgets: &Budgets) -> Habit {
+/// Returns the defaults of a joint that makes `part` of its region's turn.
+fn defaults_in_region(region: Region, part: f64, budgets: &Budgets) -> JointDefaults {
     let own = of_budget(budget_of(region, budgets), part);
     let degrees = |ends: [f64; 2]| Some(ends.map(f64::to_degrees));
-    Habit {
+    JointDefaults {
         heading: degrees(own.heading),
         pitch: degrees(own.pitch),
         rate: own.rate.to_degrees(),
@@ -292,7 +293,7 @@ fn of_region(region: Region, part: f64, budgets: &Budgets) -> Habit {
 }
 
 /// Returns the reason for a joint that makes `part` of its region's turn.
-fn because_of_region(region: Region, part: f64, budgets: &Budgets) -> String {
+fn reason_for_region(region: Region, part: f64, budgets: &Budgets) -> String {
     let whole = budget_of(region, budgets);
     let [percent, heading, down, up] =
         [part * 100.0, whole.heading[1].to_degrees(), whole.pitch[0].to_degrees(), whole.pitch[1].to_degrees()];
@@ -302,7 +303,7 @@ fn because_of_region(region: Region, part: f64, budgets: &Budgets) -> String {
         "all of the turn of".to_owned() + " " + region.name()
     };
     format!(
-        "{part}, which the rig's region bounds to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
+        "{part}, which the rig's region limits to {heading:.0} degrees to either side, {:.0} down and {up:.0} up",
         -down
     )
 }
@@ -321,16 +322,15 @@ fn other_eye<'m>(measurement: &'m Measurement, eye: &BoneAxes) -> Option<&'m Bon
 fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static str> {
     let has = |role| measurement.with_role(role).is_some();
     let Some(look) = LookAt::of(document) else {
-        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && document.names_morph_eyes()).then_some(
-            "the file names morph targets that its eyes look by, but its meshes have none, so that the head leads",
-        );
+        return (![Role::LeftEye, Role::RightEye].into_iter().any(has) && document.names_morph_eyes())
+            .then_some("the file names morph targets for the eyes, but its meshes have none, so the head leads");
     };
     let is_still = || !look.left_eye().iter().any(RangeMap::moves);
     match look.kind {
         LookAtKind::Expression if !has(Role::Eyes) => {
-            Some("the file's eyes look by expressions that move no morph targets, so that the head leads")
+            Some("the file's eyes use expressions that move no morph targets, so the head leads")
         }
-        LookAtKind::Bone if is_still() => Some("the file's lookAt keeps the eyes still, so that the head leads"),
+        LookAtKind::Bone if is_still() => Some("the file's lookAt keeps the eyes still, so the head leads"),
         _ => None,
     }
 }
@@ -338,13 +338,13 @@ fn eyes_rest(document: &Document, measurement: &Measurement) -> Option<&'static 
 /// Returns an eye's ranges of heading and pitch, degrees, from its range maps (right, left, down, up): the range of a
 /// human eye or the largest input of the map, whichever is less. `None` for an axis that the maps keep still.
 fn mapped_range([right, left, down, up]: [RangeMap; 4]) -> Option<[Option<[f64; 2]>; 2]> {
-    let end = |map: RangeMap, habit: f64| {
+    let end = |map: RangeMap, usual: f64| {
         // A map without an input range gives its full output at any angle.
-        let input = if map.input_max_value >= 1.0 { map.input_max_value } else { habit.abs() };
-        if map.moves() { input.min(habit.abs()).copysign(habit) } else { 0.0 }
+        let input = if map.input_max_value >= 1.0 { map.input_max_value } else { usual.abs() };
+        if map.moves() { input.min(usual.abs()).copysign(usual) } else { 0.0 }
     };
-    let range = |[low, high]: [RangeMap; 2], habit: Option<[f64; 2]>| {
-        let [lo, hi] = habit?;
+    let range = |[low, high]: [RangeMap; 2], usual: Option<[f64; 2]>| {
+        let [lo, hi] = usual?;
         Some([end(low, lo), end(high, hi)]).filter(|[lo, hi]| lo < hi)
     };
     let ranges = [range([right, left], EYE.heading), range([down, up], EYE.pitch)];
@@ -385,20 +385,20 @@ fn role(bone: &BoneAxes) -> Declared {
     }
 }
 
-fn joint(name: String, role: Declared, habit: &Habit, bone: &BoneAxes) -> JointSpec {
+fn joint(name: String, role: Declared, defaults: &JointDefaults, bone: &BoneAxes) -> JointSpec {
     let range = |range: [f64; 2]| if range == FREE { AngleRange::Free } else { between(range) };
     JointSpec {
         name,
         role,
         bones: vec![bone.name.clone()],
         frame: frame(bone),
-        pitch: habit.pitch.map(range),
-        heading: habit.heading.map(range),
+        pitch: defaults.pitch.map(range),
+        heading: defaults.heading.map(range),
         // What a body can do depends on its build, not on the clip: count from the bind pose.
         limits_from: if role == Declared::None { LimitsFrom::Animation } else { LimitsFrom::BindPose },
-        rate: rounded_rad(habit.rate),
+        rate: rounded_rad(defaults.rate),
         acceleration: None,
-        stiffness: habit.stiffness,
+        stiffness: defaults.stiffness,
         upright: None,
         pitch_taper: None,
         other_eye: None,
@@ -416,11 +416,11 @@ fn field_name(bone: &BoneAxes, bones: &[&BoneAxes], at: usize) -> String {
     }
     // Numbered as the bones are, or from the trunk outward if the bones' numbers are not distinct.
     let numbers: Vec<Option<u32>> = alike.iter().map(|bone| trailing_number(&bone.name)).collect();
-    let tell_apart = (1..numbers.len()).all(|at| !numbers[..at].contains(&numbers[at]));
+    let are_distinct = (1..numbers.len()).all(|at| !numbers[..at].contains(&numbers[at]));
     let place = alike.iter().position(|other| other.node == bone.node).unwrap_or_default();
     match numbers[place] {
-        None if tell_apart => role.to_string(),
-        Some(number) if tell_apart => format!("{role}{number}"),
+        None if are_distinct => role.to_string(),
+        Some(number) if are_distinct => format!("{role}{number}"),
         _ => format!("{role}{}", alike.len() - place),
     }
 }

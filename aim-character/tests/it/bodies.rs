@@ -102,7 +102,7 @@ fn a_dog_whose_root_is_its_chest_looks_with_its_skull() {
 
 /// A neck in which only some bones have recognisable names; and a single bone for neck and head on four legs.
 #[test]
-fn bones_between_neck_and_head_are_the_necks_and_a_neck_alone_tells_an_animal() {
+fn bones_between_neck_and_head_are_neck_bones() {
     let legs = [
         ("ForeLeg_*_01", "Chest", [0.1, 0.8, 0.3]),
         ("ForeLeg_*_02", "ForeLeg_*_01", [0.1, 0.4, 0.3]),
@@ -127,7 +127,7 @@ fn bones_between_neck_and_head_are_the_necks_and_a_neck_alone_tells_an_animal() 
 
 /// In a body without a neck, the bone that carries the legs is not part of the gaze chain.
 #[test]
-fn a_man_of_blocks_turns_his_head_alone() {
+fn a_character_of_blocks_turns_only_its_head() {
     let blocks = with_limbs(
         &[("Player", "", [0.0; 3]), ("Body", "Player", [0.0, 0.7, 0.0]), ("Head", "Body", [0.0, 1.4, 0.0])],
         &[("Arm_*", "Body", [0.3, 1.3, 0.0]), ("Leg_*", "Body", [0.1, 0.7, 0.0])],
@@ -137,7 +137,7 @@ fn a_man_of_blocks_turns_his_head_alone() {
 
 /// In a rig whose control bones are its bones, the skin is bound to the controls.
 #[test]
-fn controls_are_bones_where_no_bone_is_the_head() {
+fn control_bones_count_if_no_bone_is_the_head() {
     let column = |head| {
         [("CTRL_Pelvis", "", [0.0, 0.8, 0.0]), ("CTRL_RibCage", "CTRL_Pelvis", [0.0, 1.0, 0.0])]
             .into_iter()
@@ -256,7 +256,7 @@ fn a_numbered_column_ends_in_the_head_and_forelegs_hang_on_its_trunk() {
 /// A giraffe whose hips have no recognisable name, and whose head is above them rather than ahead; and a coat that
 /// reaches the ground.
 #[test]
-fn limbs_on_the_ground_one_ahead_of_the_other_tell_who_goes_on_all_fours() {
+fn limbs_standing_ahead_of_each_other_make_a_quadruped() {
     let giraffe = [
         ("root", "", [0.0, 1.5, -0.5]),
         ("spine", "root", [0.0, 1.5, -0.2]),
@@ -287,7 +287,7 @@ fn limbs_on_the_ground_one_ahead_of_the_other_tell_who_goes_on_all_fours() {
 
 /// A hen by her bones' names; a gull by its span, with wings attached to the body; and an angel, who also has arms.
 #[test]
-fn wings_instead_of_arms_tell_a_bird() {
+fn wings_instead_of_arms_make_a_bird() {
     let upright = [("Body", "", [0.0, 0.6, 0.0]), ("Neck", "Body", [0.0, 0.9, 0.3]), ("Head", "Neck", [0.0, 1.3, 0.4])];
     let legs = [("Leg_*", "Body", [0.1, 0.5, 0.0]), ("Foot_*", "Leg_*", [0.1, 0.0, 0.0])];
     let wings = [("Wing_*", "Body", [0.2, 0.9, 0.2]), ("WingTip_*", "Wing_*", [0.3, 0.7, 0.0])];

@@ -44,7 +44,7 @@ fn assert_same(found: &RigSpec, wanted: &RigSpec, text: &str) {
 }
 
 #[test]
-fn bundled_rigs_come_back() {
+fn bundled_rigs_round_trip() {
     let shared = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../rigs")).expect("rigs");
     assert_eq!(shared.count(), RIGS.len(), "each bundled rig is written and read");
     for (name, text) in RIGS {
@@ -55,7 +55,7 @@ fn bundled_rigs_come_back() {
 }
 
 #[test]
-fn proposals_come_back_with_their_reasons() {
+fn proposals_round_trip_with_their_reasons() {
     let turn = Quat::from_euler(EulerRot::XYZ, 0.3, -0.4, 0.2);
     for frame in Frame::cardinal() {
         #[expect(clippy::cast_possible_truncation, reason = "whole numbers")]
@@ -139,7 +139,7 @@ fn any_rig(random: &mut fastrand::Rng) -> RigSpec {
 }
 
 #[test]
-fn whatever_can_be_declared_comes_back() {
+fn random_declarations_round_trip() {
     let mut random = fastrand::Rng::with_seed(7);
     for _ in 0..300 {
         assert_comes_back(&without_reasons(any_rig(&mut random)));

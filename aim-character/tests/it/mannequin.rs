@@ -79,7 +79,7 @@ fn a_general_frame_is_measured_to_a_hundredth_of_a_degree() {
 }
 
 #[test]
-fn it_has_the_papers_proportions_and_all_roles() {
+fn the_mannequin_has_the_papers_proportions_and_all_roles() {
     let document = built(PAPER_AXES);
     let measured = Measurement::of(&document);
     let at = |name: &str| measured.bind_world[document.skeleton().find(name).unwrap()].translation;
@@ -105,7 +105,7 @@ fn it_has_the_papers_proportions_and_all_roles() {
 }
 
 #[test]
-fn the_walk_closes() {
+fn the_walk_is_a_seamless_loop() {
     let document = built(PAPER_AXES);
     let walk = document.clip("walk").unwrap();
     assert!((walk.length_s() - 1.2).abs() < 1e-6);
@@ -115,7 +115,7 @@ fn the_walk_closes() {
 }
 
 #[test]
-fn axes_that_are_no_frame_are_refused() {
+fn invalid_axes_are_refused() {
     for bad in
         [[[1.0, 0.0, 0.0]; 3], [[0.0; 3]; 3], [[f32::NAN; 3]; 3], [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 1.0]]]
     {

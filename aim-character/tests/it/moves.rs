@@ -51,7 +51,7 @@ fn soles(document: &Document, moved: &[DAffine3]) -> [[DVec3; 3]; 2] {
 /// Checks at four samples per key that no sole is below the ground or slides on it, and that both feet are up only in a
 /// run and a jump.
 #[test]
-fn feet_stay_where_they_stand() {
+fn standing_feet_do_not_slide() {
     let document = built(Mannequin::new().with_moves());
     for (name, ..) in MOVES {
         let frames = frames(&document, name, 240.0);
@@ -88,7 +88,7 @@ fn feet_stay_where_they_stand() {
 /// The end continues into the beginning after the clip's movement: in position, and with no larger jump in speed than
 /// between any two keys of the clip.
 #[test]
-fn they_are_loops() {
+fn moves_are_loops() {
     let document = built(Mannequin::new().with_moves());
     for (name, ahead, quarters) in MOVES {
         let along = DAffine3::from_rotation_translation(
@@ -151,7 +151,7 @@ fn arms_swing_against_the_legs_and_the_head_is_up() {
 /// Both versions of VRM look the same, except that version 0 faces the other way, and all bones and eyes are
 /// recognised.
 #[test]
-fn as_vrm_files() {
+fn moves_are_the_same_in_vrm_files() {
     let plain = built(Mannequin::new().with_moves());
     for (version, facing) in [(Vrm::V0, DVec3::NEG_Z), (Vrm::V1, DVec3::Z)] {
         let document = built(Mannequin::new().with_moves().with_vrm(version));
@@ -196,7 +196,7 @@ fn as_vrm_files() {
 /// The first clip of its file: a loop on the spot without a jump in speed, walking at its ends and running in its
 /// middle. The other clips are the same as without it.
 #[test]
-fn it_walks_and_runs_in_step() {
+fn the_walk_to_run_blend_stays_in_step() {
     let (document, plain) =
         (built(Mannequin::new().with_walk_to_run().with_moves()), built(Mannequin::new().with_moves()));
     let clip = &document.clips()[0];

@@ -125,7 +125,9 @@ fn renaming_every_field_and_bone_of_every_bundled_rig_changes_no_bit_of_its_moti
             let own: Vec<&str> = spec.joints.iter().map(|joint| &joint.name[..]).collect();
             // Also name each joint like the next one.
             let swapped: Vec<&str> = own.iter().cycle().skip(1).take(own.len()).copied().collect();
-            for names in OTHER_NAMES.iter().map(|names| &names[..own.len()]).chain([&swapped[..]]) {
+            let others = OTHER_NAMES.iter().map(|names| &names[..own.len()]);
+            let others = others.step_by(if crate::in_full() { 1 } else { 2 });
+            for names in others.chain([&swapped[..]]) {
                 let other = declared(&renamed(&declaration, names));
                 assert!(other.joints.iter().map(|joint| &joint.name).eq(names), "{rig}: {names:?}");
                 let is_alike = |a: &JointSpec, b: &JointSpec| a.bones.iter().any(|bone| b.bones.contains(bone));

@@ -25,7 +25,7 @@ fn path(file: &str) -> PathBuf {
 
 #[test]
 #[ignore = "needs AIM_RIGS"]
-fn names_and_roots_may_be_lost_and_the_body_still_tells() {
+fn bodies_are_recognised_without_names_and_roots() {
     use aim_runtime::glam::{DQuat, DVec3};
     use serde_json::json;
     for file in ["dude.glb", "rocketbox_female_adult_01.glb", "khronos_fox.glb", "pab_arnaud.glb"] {
@@ -165,7 +165,7 @@ fn the_rest_pose_is_measured_as_an_independent_script_measures_it() {
 
 #[test]
 #[ignore = "needs AIM_RIGS"]
-fn everyone_faces_where_it_faces_and_all_roles_are_found() {
+fn facing_and_roles_of_real_rigs_are_measured() {
     use aim_runtime::glam::DVec3;
     type Column<'a> = (&'a str, &'a [&'a str], &'a [&'a str], &'a str);
     let files: [(&str, DVec3, Column<'_>); 7] = [
@@ -270,7 +270,7 @@ fn fox_robot_and_arnaud() {
 
 #[test]
 #[ignore = "needs AIM_RIGS"]
-fn awkward_ones_horse_and_the_nameless_walker() {
+fn the_horse_and_the_nameless_walker_are_measured() {
     let file = measured("quaternius_horse.glb");
     expect(&file, "Hips", "+Z +Y -X", 2.0);
     expect(&file, "Neck", "+Y -Z -X", 42.6);

@@ -53,7 +53,7 @@ fn jumps(document: &Document, clip: &Clip, along: DAffine3) -> [f64; 2] {
 
 /// The mannequin's clips are already loops, apart from their travel: they are not changed.
 #[test]
-fn what_closes_is_left_alone() {
+fn a_seamless_loop_is_unchanged() {
     let document = mannequin();
     let measurement = Measurement::of(&document);
     for clip in document.clips() {
@@ -63,7 +63,7 @@ fn what_closes_is_left_alone() {
 
 /// Pieces of clips that are not loops, on the spot, straight ahead and round a bend, written and read again.
 #[test]
-fn what_jumps_is_mended_in_place_and_speed() {
+fn a_jump_is_mended_in_position_and_velocity() {
     let document = mannequin();
     let measurement = Measurement::of(&document);
     for (name, from, to) in [
@@ -103,7 +103,7 @@ fn what_jumps_is_mended_in_place_and_speed() {
 /// A clip with more samples than a bake may have keys, for example because of a stray key, is rejected before it is
 /// sampled.
 #[test]
-fn what_is_too_long_is_refused() {
+fn too_long_clips_are_refused() {
     let document = mannequin();
     let measurement = Measurement::of(&document);
     let walk = document.clip("walk").unwrap();
@@ -111,6 +111,6 @@ fn what_is_too_long_is_refused() {
         let stray = Track::linear([0.0, end], [0.0, 1.0]).unwrap();
         let error = mended_loop(&document, &measurement, &walk.clone().with_scalar(0, stray)).unwrap_err();
         let words = error.to_string();
-        assert!(words.contains("at 60 frames a second") && words.contains(&end.to_string()), "{words}");
+        assert!(words.contains("at 60 frames per second") && words.contains(&end.to_string()), "{words}");
     }
 }

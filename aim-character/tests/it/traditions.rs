@@ -25,7 +25,7 @@ fn expect(names: &[&str], expected: &[(&str, &str)]) {
 }
 
 #[test]
-fn mixamo() {
+fn mixamo_names_are_recognised() {
     expect(
         &[
             "mixamorig:Hips",
@@ -52,7 +52,7 @@ fn mixamo() {
 }
 
 #[test]
-fn unreal() {
+fn unreal_names_are_recognised() {
     expect(
         &[
             "root",
@@ -108,7 +108,7 @@ fn the_thug_has_lids_that_are_called_eyes() {
 }
 
 #[test]
-fn biped() {
+fn biped_names_are_recognised() {
     expect(
         &[
             "Bip01 Pelvis",
@@ -164,7 +164,7 @@ fn rigify_numbers_its_column() {
 }
 
 #[test]
-fn quaternius_and_vroid() {
+fn quaternius_and_vroid_names_are_recognised() {
     expect(
         &["Hips", "Abdomen", "Torso", "Neck", "Head", "UpperArm.L", "Head_end"],
         &[("hips", "Hips"), ("spine", "Abdomen"), ("spine", "Torso"), ("neck", "Neck"), ("head", "Head")],
@@ -182,7 +182,7 @@ fn quaternius_and_vroid() {
 }
 
 #[test]
-fn vrm_of_both_versions_says_it_outright() {
+fn vrm_roles_of_both_versions_are_read() {
     let nodes = json!([{ "children": [1, 2] }, { "name": "Kopf" }, { "name": "Auge", "children": [] }]);
     let bones = [
         json!({ "VRM": { "humanoid": { "humanBones": [{ "bone": "head", "node": 1 }, { "bone": "leftEye", "node": 2 }, { "node": 7 }, 3] } } }),

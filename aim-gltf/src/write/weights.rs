@@ -11,7 +11,7 @@ use super::{Keys, keys};
 
 /// A weight on one side of a time, and its velocity there, per second.
 #[derive(Clone, Copy)]
-struct Side {
+struct OneSidedWeight {
     value: f32,
     velocity: f32,
 }
@@ -27,22 +27,23 @@ pub(super) fn keys_of_weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -
     let mut times: Vec<f32> = known.iter().flat_map(|track| track.times().iter().copied()).collect();
     times.sort_by(f32::total_cmp);
     times.dedup();
-    let rest = |target: usize| Side { value: at_rest.get(target).copied().unwrap_or_default(), velocity: 0.0 };
-    let all_sides = |time: f32| -> Vec<[Side; 2]> {
+    let rest =
+        |target: usize| OneSidedWeight { value: at_rest.get(target).copied().unwrap_or_default(), velocity: 0.0 };
+    let sides_of_all = |time: f32| -> Vec<[OneSidedWeight; 2]> {
         let of_track = |(target, track): (usize, &Option<&Track<f32>>)| {
-            track.map_or_else(|| [rest(target); 2], |track| sides(track, time))
+            track.map_or_else(|| [rest(target); 2], |track| both_sides(track, time))
         };
         tracks.iter().enumerate().map(of_track).collect()
     };
-    let has_jump = |sides: &[[Side; 2]]| sides.iter().any(|[before, after]| before.value != after.value);
+    let has_jump = |sides: &[[OneSidedWeight; 2]]| sides.iter().any(|[before, after]| before.value != after.value);
     let mut keys = Keys { curve: common_curve(&known), times: Vec::new(), values: Vec::new(), width: tracks.len() };
-    let starts_with_jump = times.first().is_some_and(|first| *first > 0.0 && has_jump(&all_sides(*first)));
+    let starts_with_jump = times.first().is_some_and(|first| *first > 0.0 && has_jump(&sides_of_all(*first)));
     if keys.curve == Curve::Step && starts_with_jump {
         // glTF clamps before the first key: add a key at 0 to hold the value from before the jump.
         times.insert(0, 0.0);
     }
     for time in times {
-        let sides = all_sides(time);
+        let sides = sides_of_all(time);
         // Times are not negative, and a step needs no key just before it.
         let before = time.next_down();
         if keys.curve != Curve::Step
@@ -50,9 +51,9 @@ pub(super) fn keys_of_weights(tracks: &[Option<&Track<f32>>], at_rest: &[f32]) -
             && has_jump(&sides)
             && keys.times.last().is_none_or(|last| *last < before)
         {
-            let arriving = sides.iter().map(|[side, _]| [*side, Side { velocity: 0.0, ..*side }]);
+            let arriving = sides.iter().map(|[side, _]| [*side, OneSidedWeight { velocity: 0.0, ..*side }]);
             keys.push(before, &arriving.collect::<Vec<_>>());
-            let leaving = sides.iter().map(|[_, side]| [Side { velocity: 0.0, ..*side }, *side]);
+            let leaving = sides.iter().map(|[_, side]| [OneSidedWeight { velocity: 0.0, ..*side }, *side]);
             keys.push(time, &leaving.collect::<Vec<_>>());
         } else {
             keys.push(time, &sides);
@@ -73,7 +74,7 @@ pub(super) fn weights_at_rest(json: &Value, node: usize) -> Vec<f32> {
 
 impl Keys {
     /// Adds a key of all weights: in-tangents from the first side, values and out-tangents from the second.
-    fn push(&mut self, time: f32, sides: &[[Side; 2]]) {
+    fn push(&mut self, time: f32, sides: &[[OneSidedWeight; 2]]) {
         self.times.push(time);
         let is_cubic = self.curve == Curve::Cubic;
         let into = sides.iter().filter(|_| is_cubic).map(|[before, _]| before.velocity);
@@ -102,20 +103,20 @@ fn common_curve(tracks: &[&Track<f32>]) -> Curve {
 }
 
 /// Returns the value and velocity of a track just before a time, and from that time on.
-fn sides(track: &Track<f32>, time: f32) -> [Side; 2] {
+fn both_sides(track: &Track<f32>, time: f32) -> [OneSidedWeight; 2] {
     let (times, values) = (track.times(), track.values());
     let (reached, passed) = (times.partition_point(|key| *key < time), times.partition_point(|key| *key <= time));
     // A track is constant before its first key and after its last.
     let side = |next: usize| match (next.checked_sub(1), times.get(next)) {
         (Some(key), Some(_)) => in_segment(track, key, time),
-        (None, _) => Side { value: values[0], velocity: 0.0 },
-        (Some(last), None) => Side { value: values[last], velocity: 0.0 },
+        (None, _) => OneSidedWeight { value: values[0], velocity: 0.0 },
+        (Some(last), None) => OneSidedWeight { value: values[last], velocity: 0.0 },
     };
     [side(reached), side(passed)]
 }
 
 /// Returns the value and velocity of a track at a time in the segment from `key` to the next key, both ends included.
-fn in_segment(track: &Track<f32>, key: usize, time: f32) -> Side {
+fn in_segment(track: &Track<f32>, key: usize, time: f32) -> OneSidedWeight {
     let ends = [track.times()[key], track.times()[key + 1]];
     let [a, b] = [track.values()[key], track.values()[key + 1]].map(f64::from);
     let interval = f64::from(ends[1]) - f64::from(ends[0]);
@@ -134,7 +135,7 @@ fn in_segment(track: &Track<f32>, key: usize, time: f32) -> Side {
     };
     let velocity = narrow(slope / interval);
     // The slope of a jump between adjacent times can exceed single precision.
-    Side { value: narrow(value), velocity: if velocity.is_finite() { velocity } else { 0.0 } }
+    OneSidedWeight { value: narrow(value), velocity: if velocity.is_finite() { velocity } else { 0.0 } }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "files have single precision")]

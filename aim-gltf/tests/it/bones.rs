@@ -21,7 +21,7 @@ fn known_of(document: &Document) -> (Skeleton, Vec<Option<Affine3A>>) {
 }
 
 #[test]
-fn the_same_axes_and_rig_as_of_the_file() {
+fn bones_give_the_same_axes_and_rig_as_the_file() {
     const UPRIGHT: [[f32; 3]; 3] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
     for other in [PAPER_AXES, UPRIGHT] {
         let axes = |bone: &str| if bone.len() % 2 == 0 { PAPER_AXES } else { other };
@@ -45,7 +45,7 @@ fn the_same_axes_and_rig_as_of_the_file() {
 
 /// Bones without a bound mesh are measured in their rest pose, and clips are written for them.
 #[test]
-fn without_binds_in_any_order() {
+fn bones_need_no_binds_and_no_order() {
     let at = |y| Transform::from_translation(Vec3::Y * y);
     let bones = [
         Bone::new("Head", Some(2)).with_rest(at(0.2)),
@@ -67,7 +67,7 @@ fn without_binds_in_any_order() {
 }
 
 #[test]
-fn what_is_no_bind_is_told() {
+fn invalid_binds_are_reported() {
     let skeleton = Skeleton::new([Bone::new("Hips", None), Bone::new("Head", Some(0))]).unwrap();
     let message = |binds: &[Option<Affine3A>]| match Document::of_bones(&skeleton, binds) {
         Err(error @ Error::Bones(_)) => error.to_string(),

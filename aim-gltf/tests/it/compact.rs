@@ -128,7 +128,7 @@ fn check(glb: &[u8], name: &str) -> Vec<u8> {
 }
 
 #[test]
-fn what_replaced_clips_alone_used_is_gone_and_nothing_else() {
+fn only_data_of_replaced_clips_is_removed() {
     let glb = character();
     let document = Document::from_bytes(&glb).unwrap();
     assert!(document.clips().len() >= 3);
@@ -151,7 +151,7 @@ fn what_replaced_clips_alone_used_is_gone_and_nothing_else() {
 }
 
 #[test]
-fn what_shares_a_view_with_replaced_keys_stays_aligned() {
+fn data_in_a_shared_view_stays_aligned() {
     let (mut json, bin) = take_apart(&character());
     // A single buffer view over the whole chunk.
     let views = json["bufferViews"].clone();

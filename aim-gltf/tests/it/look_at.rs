@@ -42,13 +42,13 @@ fn each_direction_has_a_map_of_its_own() {
 }
 
 #[test]
-fn expressions_are_told() {
+fn look_at_by_expressions_is_recognised() {
     let look = file("expression", None);
     assert_eq!(look.kind, LookAtKind::Expression);
 }
 
 #[test]
-fn an_input_of_zero_is_a_step_and_nothing_is_no_number() {
+fn an_input_of_zero_is_a_step_without_nan() {
     let map = RangeMap { input_max_value: 0.0, output_scale: 8.0 };
     for (input, expected) in [(0.0, 0.0), (-1.0, 0.0), (1e-9, 8.0), (500.0, 8.0), (f64::NAN, 0.0)] {
         assert_eq!(map.apply(input).to_bits(), f64::to_bits(expected), "at {input}");
@@ -56,7 +56,7 @@ fn an_input_of_zero_is_a_step_and_nothing_is_no_number() {
 }
 
 #[test]
-fn an_input_of_zero_in_a_file_is_not_believed() {
+fn an_input_of_zero_in_a_file_is_replaced() {
     for (name, _, output) in MAPS {
         let look = file("bone", Some(name));
         let maps = [look.horizontal_inner, look.horizontal_outer, look.vertical_down, look.vertical_up];
@@ -66,7 +66,7 @@ fn an_input_of_zero_in_a_file_is_not_believed() {
 }
 
 #[test]
-fn version_0_says_the_same_in_other_words() {
+fn version_0_is_read_like_version_1() {
     let json = r#"{"asset":{"version":"2.0"},"extensions":{"VRM":{"firstPerson":{"lookAtTypeName":"Bone",
         "lookAtHorizontalInner":{"xRange":90,"yRange":10},"lookAtHorizontalOuter":{"xRange":90,"yRange":12},
         "lookAtVerticalDown":{"xRange":90,"yRange":8},"lookAtVerticalUp":{"curve":[]}}}}}"#;

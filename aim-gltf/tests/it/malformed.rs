@@ -42,7 +42,7 @@ fn truncated_anywhere() {
     }
     says(&glb[..0], &["empty"]);
     says(&glb[..10], &["12-byte header"]);
-    says(&glb[..5000], &["promises", "5000"]);
+    says(&glb[..5000], &["declares", "5000"]);
     // With the header's length matching the truncated file, the chunk is too long.
     for end in (12..glb.len()).step_by(997) {
         let mut cut = glb[..end].to_vec();
@@ -85,12 +85,12 @@ fn wrong_containers() {
     says(&old, &["version 1", "glTF 2.0"]);
     let mut long_chunk = glb.clone();
     long_chunk[12..16].copy_from_slice(&u32::MAX.to_le_bytes());
-    says(&long_chunk, &["chunk 0", "claims 4294967295"]);
+    says(&long_chunk, &["chunk 0", "declares 4294967295"]);
     let mut swapped = glb.clone();
     swapped[16..20].copy_from_slice(b"BIN\0");
     says(&swapped, &["first chunk is not JSON"]);
-    says(&glb[..12].iter().copied().chain([0; 8]).collect::<Vec<_>>(), &["promises"]);
-    says(b"{", &["JSON", "does not parse"]);
+    says(&glb[..12].iter().copied().chain([0; 8]).collect::<Vec<_>>(), &["declares"]);
+    says(b"{", &["JSON", "the JSON is invalid"]);
     says(b"{}", &["asset.version"]);
     says(br#"{"asset":{"version":"1.0"}}"#, &["glTF 1.0"]);
     says("[".repeat(100_000).as_bytes(), &["not a glTF file"]);
@@ -153,7 +153,7 @@ fn sizes_beyond_reason() {
         j["accessors"][0].as_object_mut().unwrap().remove("bufferView");
         j["accessors"][0]["count"] = json!(9_000_000_000_u64);
     };
-    says(&changed(no_view), &["accessors[0]", "beyond reason"]);
+    says(&changed(no_view), &["accessors[0]", "implausibly many"]);
     says(&changed(|j| j["accessors"][0]["componentType"] = json!(1)), &["component type 1"]);
     says(&changed(|j| j["accessors"][0]["type"] = json!("VEC9")), &["accessors[0]", "VEC9"]);
 }
@@ -224,10 +224,10 @@ fn small_files_do_not_grow_without_bound() {
         j["animations"][0]["samplers"][0] = json!({ "input": zeros, "output": zeros + 1 });
     };
     says(&changed(many), &["would not fit into memory"]);
-    // A mesh that is used two hundred times is valid and read once.
+    // A mesh that is used fifty times is valid and read once.
     let crowd = |j: &mut Value| {
         let body = j["nodes"][25].clone();
-        j["nodes"].as_array_mut().unwrap().extend(vec![body; 200]);
+        j["nodes"].as_array_mut().unwrap().extend(vec![body; 50]);
     };
     exercise(&changed(crowd)).unwrap();
 }

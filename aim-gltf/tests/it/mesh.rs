@@ -58,7 +58,7 @@ fn judge(document: &Document, pose: &[Transform]) -> usize {
 }
 
 #[test]
-fn the_mannequin_walks() {
+fn the_walking_mannequin_is_deformed_correctly() {
     let document = Document::from_bytes(&mannequin(|_| PAPER_AXES).unwrap()).unwrap();
     for seconds in [0.0, 0.3, 0.7] {
         let pose = document.skeleton().pose(document.clip("walk").unwrap(), seconds);
@@ -148,7 +148,7 @@ fn all_sets_of_joints_and_all_morph_targets_are_read() {
 }
 
 #[test]
-fn what_cannot_be_read_is_left_out() {
+fn unreadable_data_is_left_out() {
     let plain = read(&file());
     let (plain, _) = plain.1.mesh(plain.0.skeleton());
     let changes: [(&str, Value); 7] = [

@@ -64,7 +64,7 @@ fn same_turn(a: Quat, b: Quat) {
 }
 
 #[test]
-fn step_holds_and_linear_mixes() {
+fn step_and_linear_keys_are_sampled() {
     let keys = [0.0, 0.0, 0.0, 4.0, 8.0, -2.0];
     let step = floats("translation", "STEP", &[1.0, 3.0], &keys);
     close(sample(&step, 2.999).translation, [0.0, 0.0, 0.0]);

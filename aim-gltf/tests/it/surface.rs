@@ -68,7 +68,7 @@ fn posed(document: &Document) -> (Surface, Vec<Vec3>, Vec<Vec3>) {
 }
 
 #[test]
-fn a_material_is_what_the_file_says() {
+fn materials_are_read() {
     let plain = changed(|_| {}).surface();
     let [material] = plain.materials() else { panic!("{:?}", plain.materials()) };
     assert_eq!((material.colour, material.alpha, material.is_double_sided), ([1.0; 4], Alpha::Opaque, false));
@@ -95,7 +95,7 @@ fn a_material_is_what_the_file_says() {
 }
 
 #[test]
-fn the_first_extension_for_base_colours_is_understood() {
+fn specular_glossiness_base_colours_are_read() {
     let old = changed(|json| {
         let extension = json!({ "diffuseFactor": [0.1, 0.2, 0.3, 1.0], "diffuseTexture": { "index": 0 } });
         json["materials"][0] = json!({ "extensions": { "KHR_materials_pbrSpecularGlossiness": extension } });
@@ -107,7 +107,7 @@ fn the_first_extension_for_base_colours_is_understood() {
 }
 
 #[test]
-fn pictures_are_found_once_wherever_they_are() {
+fn images_are_read_once_from_any_source() {
     let shared = changed(|json| {
         let first = json["materials"][0].clone();
         push(json, "materials", first);
@@ -136,7 +136,7 @@ fn pictures_are_found_once_wherever_they_are() {
 }
 
 #[test]
-fn what_is_broken_is_left_out() {
+fn broken_data_is_left_out() {
     for (pointer, value) in [
         ("/images/0/bufferView", json!(99)),
         ("/images/0/bufferView", json!(-1)),
@@ -171,7 +171,7 @@ fn what_is_broken_is_left_out() {
 }
 
 #[test]
-fn coordinates_and_colours_come_as_they_are_meant() {
+fn texture_coordinates_and_colours_are_converted() {
     let plain = changed(|_| {}).surface();
     assert_eq!(plain.texture_coordinates(), [Vec2::ZERO, Vec2::X, Vec2::Y]);
     assert_eq!(plain.tints(), [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.2, 1.0, 1.0]]);
@@ -191,7 +191,7 @@ fn coordinates_and_colours_come_as_they_are_meant() {
 }
 
 #[test]
-fn outside_stays_outside_where_a_node_mirrors() {
+fn mirrored_nodes_keep_the_winding() {
     for has_normals in [true, false] {
         for scale in [[1.0_f32, 1.0, 1.0], [-1.0, 1.0, 1.0], [2.0, 3.0, -0.5], [-0.1, -0.2, -0.3]] {
             let document = changed(|json| {
@@ -252,7 +252,7 @@ fn the_mannequin_is_drawn_where_it_is_measured() {
 }
 
 #[test]
-fn broken_indices_leave_the_triangle_out() {
+fn triangles_with_broken_indices_are_left_out() {
     let json = r#"{"asset":{"version":"2.0"},"accessors":[{"componentType":5126,"count":3,"type":"VEC3"}],
         "nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}},
         {"attributes":{"POSITION":0},"indices":7},{"attributes":{"POSITION":0},"indices":"x"}]}]}"#;

@@ -57,7 +57,7 @@ fn a_written_clip_reads_back_the_same() {
 
 /// A cut cubic has keys that are not unit, but a file requires unit keys. The curve between them must stay the same.
 #[test]
-fn a_cut_rotation_turns_as_before() {
+fn a_cut_rotation_is_written_as_the_same_curve() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
     let head = document.skeleton().find("head").unwrap();
     let turns = [0.0, 2.4, 0.3, -2.0].map(Quat::from_rotation_x);
@@ -184,7 +184,7 @@ fn clips_that_do_not_fit_are_refused() {
 
 /// glTF allows only one key per time, tracks allow two: a jump is written as steeply as possible.
 #[test]
-fn what_jumps_is_written_with_increasing_times() {
+fn jumps_are_written_with_increasing_times() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
     let jump = Track::linear([0.0, 0.5, 0.5, 1.0], [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Y]).unwrap();
     let glb = document.with_clips(&[Clip::new("jump").with_translation(0, jump.clone())]).unwrap();
@@ -205,7 +205,7 @@ fn what_jumps_is_written_with_increasing_times() {
 
 /// At a jump, a track read back has the second value at that time, as before, also at the first and last key.
 #[test]
-fn a_jump_is_at_its_time() {
+fn a_written_jump_keeps_its_time() {
     let document = Document::from_bytes(&mannequin_glb()).unwrap();
     let jump =
         Track::linear([0.0, 0.0, 0.5, 0.5, 1.0, 1.0], [Vec3::X, Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::ONE])
@@ -278,7 +278,7 @@ fn written_weights(at_rest: &[f32], tracks: Weights<'_>) -> (String, usize, f32)
 
 /// glTF has one sampler for all weights of a mesh, while each track has its own keys and curve.
 #[test]
-fn weights_of_different_tracks_stay_the_curves_that_they_are() {
+fn morph_weights_of_different_curves_are_preserved() {
     let step = |times: &[f32], values: &[f32]| Some(Track::step(times, values).unwrap());
     let linear = |times: &[f32], values: &[f32]| Some(Track::linear(times, values).unwrap());
     let wave =

@@ -128,13 +128,13 @@ impl Bearings {
     #[cold]
     pub(crate) fn part_way(&self, [from, to]: [Vec3A; 2], part: f32, side: Side) -> Vec3A {
         let [from, to] = [from, to].map(|direction| self.angles(direction));
-        self.direction(from + self.way(from, to, side) * part)
+        self.direction(from + self.angle_change(from, to, side) * part)
     }
 
     /// Returns the change of heading and elevation from one direction to another. A target more than 90° to the side
     /// counts as being on `side`.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(crate) fn way(&self, from: Vec4, to: Vec4, side: Side) -> Vec4 {
+    pub(crate) fn angle_change(&self, from: Vec4, to: Vec4, side: Side) -> Vec4 {
         let ([from_heading, from_elevation, ..], [mut heading, mut elevation, ..]) = (from.to_array(), to.to_array());
         match side {
             Side::Left if heading < -FRAC_PI_2 => heading += TAU,

@@ -12,9 +12,9 @@ use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 /// Distance from the effector, relative to the rig's size, below which a target has no direction.
 pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// Largest deviation of joints' axes from orthogonal and equally long in a rigid pose, summed over joints.
-pub(crate) const OFF: f32 = 1e-4;
+pub(crate) const RIGID_DEVIATION: f32 = 1e-4;
 /// Largest such deviation at which results for orthogonal frames hold for the true pose to within rounding.
-pub(crate) const OFF_BY_NOTHING: f32 = 1e-5;
+pub(crate) const NEGLIGIBLE_DEVIATION: f32 = 1e-5;
 /// Distance, in sizes of the rig, beyond which a target is treated as a direction.
 const FAR: f32 = 1e7;
 
@@ -270,11 +270,11 @@ impl<const C: usize> Chain<C> {
 
     /// Returns the effector in solver space with the joints at these angles: the true forward kinematics.
     pub(crate) fn gaze_of(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> Ray {
-        self.posed(rig, joints).0
+        self.gaze_and_corrections(rig, joints).0
     }
 
     /// Returns the effector in solver space with the joints at these angles, and the joints' corrections.
-    pub(crate) fn posed(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> (Ray, PerJoint<Quat, C>) {
+    pub(crate) fn gaze_and_corrections(&self, rig: &ChainRig<'_, C>, joints: &[Joint]) -> (Ray, PerJoint<Quat, C>) {
         if !self.is_rigid() {
             let corrections = self.corrections(rig, joints);
             return (self.gaze(&corrections), corrections);
@@ -306,7 +306,7 @@ impl<const C: usize> Chain<C> {
     ///
     /// `effector` and `rigid_effector` are the effector by the true forward kinematics and by the rigid links, all in
     /// solver space. Without this correction a search along the rigid links would converge to where *they* aim.
-    pub(crate) fn seen_target(&self, target: Vec3A, effector: Ray, rigid_effector: Ray) -> Vec3A {
+    pub(crate) fn rigid_target(&self, target: Vec3A, effector: Ray, rigid_effector: Ray) -> Vec3A {
         if self.is_rigid() {
             return target;
         }
@@ -352,33 +352,33 @@ pub(crate) fn true_gaze<const C: usize>(
 
 /// Deviation of joints' axes from orthogonal and equally long, summed over joints.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Off(Vec3A);
+pub(crate) struct Deviation(Vec3A);
 
-impl Off {
+impl Deviation {
     /// Returns `true` if joints have only rotation, uniform scale and mirroring. `false` if a number is NaN.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_rigid(self) -> bool {
-        self.0.cmple(Vec3A::splat(OFF)).all()
+        self.0.cmple(Vec3A::splat(RIGID_DEVIATION)).all()
     }
 
     /// Returns `true` if results for orthogonal frames hold for the true pose to within rounding.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(crate) fn is_nothing(self) -> bool {
-        self.0.cmple(Vec3A::splat(OFF_BY_NOTHING)).all()
+    pub(crate) fn is_negligible(self) -> bool {
+        self.0.cmple(Vec3A::splat(NEGLIGIBLE_DEVIATION)).all()
     }
 }
 
 /// Finds each joint's orthogonal frame from `first` on. Returns the deviation of the pose from these frames; `None` if
 /// a joint's axes are linearly dependent.
 #[cfg_attr(not(aim_small), inline(always))]
-pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<Off> {
-    let off = similar(&pose[first..], &mut frames[first..]);
-    if !off.is_rigid() {
+pub(crate) fn orthogonal_frames(pose: &[Affine3A], first: usize, frames: &mut [Mat3A]) -> Option<Deviation> {
+    let deviation = similar(&pose[first..], &mut frames[first..]);
+    if !deviation.is_rigid() {
         for (frame, joint) in frames.iter_mut().zip(pose).skip(first) {
             *frame = math::orthonormal(joint.matrix3)?;
         }
     }
-    Some(off)
+    Some(deviation)
 }
 
 /// Replaces each joint's tilt (the orientation of its upright frame in its bone's space) by its correction.
@@ -402,7 +402,7 @@ pub(crate) fn tilts<const C: usize>(rig: &ChainRig<'_, C>, pose: &[Affine3A], ab
 /// Finds the orthogonal frames of joints that have only rotation, uniform scale and mirroring. Returns the deviation
 /// from that, which is NaN if squares of the numbers overflow or underflow.
 #[cfg_attr(not(aim_small), inline(always))]
-fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
+fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Deviation {
     // Starting the sum from −0 lets the compiler drop the first addition.
     let mut off = Vec3A::splat(-0.0);
     for (joint, frame) in pose.iter().zip(frames) {
@@ -418,7 +418,7 @@ fn similar(pose: &[Affine3A], frames: &mut [Mat3A]) -> Off {
         // Sums, not maxima, because they propagate NaN. A length whose square overflows leaves NaN too.
         off += (squares * (per_length * per_length) - Vec3A::ONE).abs() + products.abs();
     }
-    Off(off)
+    Deviation(off)
 }
 
 /// Returns the square of the scale common to joints that have only rotation, mirroring and one uniform scale. `None` if

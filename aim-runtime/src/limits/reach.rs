@@ -67,7 +67,7 @@ impl Reach {
 
     /// Returns the derivative by the heading of the pitch limit at which the joint is; 0 if its pitch is at neither
     /// limit.
-    pub(crate) fn ride(&self, joint: &Joint) -> f32 {
+    pub(crate) fn pitch_limit_slope(&self, joint: &Joint) -> f32 {
         /// Step towards heading 0, where the pitch range is widest, for the difference quotient, radians.
         const INWARD_RAD: f32 = 0.01;
         if self.taper.is_none() {
@@ -100,13 +100,13 @@ impl Reach {
 
     /// Moves the joint by `part` of the way from `joint`'s angles to those of `goal`, within its reach.
     pub(crate) fn part_way(&self, joint: &Joint, goal: &Joint, motion: &RangeOfMotion, part: f32) -> Joint {
-        let [heading, pitch] = way(joint, goal, motion);
+        let [heading, pitch] = angle_changes(joint, goal, motion);
         self.hold(&Joint { heading: joint.heading + part * heading, pitch: joint.pitch + part * pitch, ..*joint })
     }
 
     /// Returns the part of the way from `joint`'s angles to those of `goal` that one step covers, 0…1.
     pub(crate) fn part_of_way(&self, joint: &Joint, goal: &Joint, motion: &RangeOfMotion) -> f32 {
-        let [heading, pitch] = way(joint, goal, motion);
+        let [heading, pitch] = angle_changes(joint, goal, motion);
         let longest = heading.abs().at_least(pitch.abs());
         if longest > self.step { self.step / longest } else { 1.0 }
     }
@@ -120,9 +120,9 @@ impl Reach {
 }
 
 /// Returns the changes of heading and pitch that lead from `joint` to `goal`. A free angle takes the shorter way round.
-pub(crate) fn way(joint: &Joint, goal: &Joint, motion: &RangeOfMotion) -> [f32; 2] {
-    let shorter = |way: f32, range: Interval| {
-        if range.is_free() { math::wrap_pi(way) } else { way }
+pub(crate) fn angle_changes(joint: &Joint, goal: &Joint, motion: &RangeOfMotion) -> [f32; 2] {
+    let shorter = |change: f32, range: Interval| {
+        if range.is_free() { math::wrap_pi(change) } else { change }
     };
     [shorter(goal.heading - joint.heading, motion.heading), shorter(goal.pitch - joint.pitch, motion.pitch)]
 }

@@ -198,7 +198,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn near_the_library_everywhere() {
+    fn results_agree_with_the_standard_library() {
         for step in -32_000_i16..=32_000 {
             let angle = f32::from(step) * 2e-4;
             let (sin, cos) = sin_cos(angle);
@@ -237,7 +237,7 @@ mod tests {
 
     /// Small angles have a relative error as small as large ones.
     #[test]
-    fn small_angles() {
+    fn small_angles_have_small_relative_errors() {
         for exponent in 1..37 {
             let angle = 0.7 * 10.0_f32.powi(-exponent);
             assert!((sin_cos(angle).0 / angle - 1.0).abs() < 1e-2, "{angle}");
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_the_bits() {
+    fn random_bits_give_bounded_results() {
         for bits in (0..=u32::MAX).step_by(65_521) {
             let x = f32::from_bits(bits);
             let (sin, cos) = sin_cos(x);

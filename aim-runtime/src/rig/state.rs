@@ -176,25 +176,26 @@ fn within_a_turn(angle: f32) -> f32 {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default))]
 pub struct Memory {
-    /// Exact solver: the dual point at which the last frame ended. Natural solver: [`Led::change`].
+    /// Exact solver: the dual point at which the last frame ended. Natural solver: [`HeadGoal::velocity`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) lambda: [f32; 2],
-    /// Exact solver: remaining strain of the last strained frame, 0…1. Natural solver: [`Led::tired`], with
-    /// [`Led::gains`] as its sign.
+    /// Exact solver: remaining strain of the last strained frame, 0…1. Natural solver: [`HeadGoal::slowdown`], with
+    /// [`HeadGoal::is_accelerating`] as its sign.
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) strain: f32,
     /// Exact solver: the target of the last strained frame, in the innermost joint's space. Natural solver:
-    /// [`Led::goal`] and the heading of [`Led::speed`].
+    /// [`HeadGoal::angles`] and the heading of [`HeadGoal::feed_forward`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) target: [f32; 3],
-    /// Exact solver: time for which that target has stood still, seconds. Natural solver: the pitch of [`Led::speed`].
+    /// Exact solver: time for which that target has stood still, seconds. Natural solver: the pitch of
+    /// [`HeadGoal::feed_forward`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) still_s: f32,
     /// Time for which the target has been out of reach, seconds.
     #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) blocked_s: f32,
     /// Time until the supporting joints of a natural gaze start to move, seconds. For a head without eyes:
-    /// [`Memory::leapt`].
+    /// [`Memory::jump_lag`].
     #[cfg_attr(feature = "serde", serde(with = "stored::time"))]
     pub(crate) wait_s: f32,
     /// Heading and pitch of the other eye, radians, about axes parallel to joint 0's; NaN if the last pose had none.
@@ -204,10 +205,10 @@ pub struct Memory {
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     leading_eye: [f32; 2],
     /// Exact solver: the target, in the innermost joint's space, of the last search from all starting points, as the
-    /// upper halves of single-precision numbers. Natural solver: part of [`Memory::more`].
+    /// upper halves of single-precision numbers. Natural solver: part of [`Memory::extra_turn`].
     searched: [u16; 3],
     /// Exact solver: number of blocked frames since that search, at least 1; 0 if there was none. Natural solver: part
-    /// of [`Memory::more`].
+    /// of [`Memory::extra_turn`].
     pub(crate) turn: u16,
     /// Exact solver: number of halvings after which a step is a gain. Natural solver: a hash of the last frame's weight
     /// and attention, which detects that they change.
@@ -277,49 +278,57 @@ impl Memory {
     }
 
     /// Returns the target of the last search from all starting points, to 8 bits.
-    pub(crate) fn searched(&self) -> Vec3A {
+    pub(crate) fn searched_target(&self) -> Vec3A {
         Vec3A::from_array(self.searched.map(|bits| f32::from_bits(u32::from(bits) << 16)))
     }
 
     /// Returns a natural gaze's memory of the head's goal, which is stored in the fields of the exact solver's search.
-    pub(crate) fn led(&self) -> Led {
-        let [goal_0, goal_1, speed_0] = self.target;
-        let (tired, gains) = (self.strain.abs(), self.strain.is_sign_negative());
-        Led { goal: [goal_0, goal_1], speed: [speed_0, self.still_s], change: self.lambda, tired, gains }
+    pub(crate) fn head_goal(&self) -> HeadGoal {
+        let [heading, pitch, heading_rate] = self.target;
+        let (slowdown, is_accelerating) = (self.strain.abs(), self.strain.is_sign_negative());
+        HeadGoal {
+            angles: [heading, pitch],
+            feed_forward: [heading_rate, self.still_s],
+            velocity: self.lambda,
+            slowdown,
+            is_accelerating,
+        }
     }
 
-    pub(crate) fn set_led(&mut self, Led { goal, speed, change, tired, gains }: Led) {
-        self.strain = if gains { -tired } else { tired };
-        (self.target, self.still_s, self.lambda) = ([goal[0], goal[1], speed[0]], speed[1], change);
+    pub(crate) fn set_head_goal(&mut self, goal: HeadGoal) {
+        let HeadGoal { angles, feed_forward, velocity, slowdown, is_accelerating } = goal;
+        self.strain = if is_accelerating { -slowdown } else { slowdown };
+        self.target = [angles[0], angles[1], feed_forward[0]];
+        (self.still_s, self.lambda) = (feed_forward[1], velocity);
     }
 
     /// Returns the heading and elevation that the regions of a natural gaze turn beyond their share, radians, which are
     /// stored in the fields of the exact solver's search.
-    pub(crate) fn more(&self) -> [f32; 2] {
+    pub(crate) fn extra_turn(&self) -> [f32; 2] {
         let [a, b, c] = self.searched.map(u32::from);
         // Stored data may be arbitrary.
         [a << 16 | b, c << 16 | u32::from(self.turn)]
             .map(f32::from_bits)
-            .map(|more| if more.abs() < PI { more } else { 0.0 })
+            .map(|turn| if turn.abs() < PI { turn } else { 0.0 })
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "halves are meant")]
-    pub(crate) fn set_more(&mut self, more: [f32; 2]) {
-        let [[a, b], [c, d]] = more.map(f32::to_bits).map(|bits| [(bits >> 16) as u16, bits as u16]);
+    pub(crate) fn set_extra_turn(&mut self, turn: [f32; 2]) {
+        let [[a, b], [c, d]] = turn.map(f32::to_bits).map(|bits| [(bits >> 16) as u16, bits as u16]);
         (self.searched, self.turn) = ([a, b, c], d);
     }
 
     /// Returns the angle by which jumps of the target have left a head without eyes behind, radians. Stored in the
     /// field for the delay of the supporting joints, which such a head does not use.
-    pub(crate) fn leapt(&self) -> f32 {
+    pub(crate) fn jump_lag(&self) -> f32 {
         self.wait_s
     }
 
-    pub(crate) fn set_leapt(&mut self, leapt: f32) {
-        self.wait_s = leapt;
+    pub(crate) fn set_jump_lag(&mut self, jump_lag: f32) {
+        self.wait_s = jump_lag;
     }
 
-    pub(crate) fn set_searched(&mut self, target: Vec3A) {
+    pub(crate) fn set_searched_target(&mut self, target: Vec3A) {
         let upper_half = |x: f32| (x.to_bits() >> 16) as u16;
         self.searched = target.to_array().map(upper_half);
     }
@@ -336,18 +345,18 @@ const fn is_absent(angles: [f32; 2]) -> bool {
 
 /// Goal of a head in the last frame of a natural gaze; angles are sums over the head's joints.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Led {
+pub(crate) struct HeadGoal {
     /// Heading and pitch of the goal, radians.
-    pub(crate) goal: [f32; 2],
+    pub(crate) angles: [f32; 2],
     /// Feed-forward velocity: the part of the goal's velocity that the head follows, rad/s.
-    pub(crate) speed: [f32; 2],
+    pub(crate) feed_forward: [f32; 2],
     /// Velocity of the goal itself in that frame, including jumps, rad/s.
-    pub(crate) change: [f32; 2],
+    pub(crate) velocity: [f32; 2],
     /// Degree to which the head is slowed down because its goal jumps to and fro or shakes, 0…1.5.
-    pub(crate) tired: f32,
+    pub(crate) slowdown: f32,
     /// `true` if the goal's velocity differed from the feed-forward velocity in that frame; a further change is then no
     /// jerk.
-    pub(crate) gains: bool,
+    pub(crate) is_accelerating: bool,
 }
 
 /// Activity of the joints that support a natural gaze.
@@ -473,20 +482,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes() {
+    fn states_have_the_documented_sizes() {
         assert_eq!((size_of::<Memory>(), size_of::<Joint>()), (64, 24));
         assert_eq!(size_of::<State<[Joint; 3]>>(), 64 + 24 * 3);
     }
 
     #[test]
-    fn optional_angles() {
+    fn absent_angles_are_none() {
         let (mut joint, mut memory) = (Joint::REST, Memory::NONE);
         assert_eq!((joint.destination(), memory.eyes(), joint, memory), (None, None, Joint::REST, Memory::NONE));
         joint.set_destination(Some([0.5, -0.25]));
         memory.set_eyes(Some([[0.5, 0.0], [0.25, -1.0]]));
         assert_eq!((joint.destination(), memory.other_eye()), (Some([0.5, -0.25]), Some([0.5, 0.0])));
         assert!(joint != Joint::REST && memory != Memory::NONE);
-        memory.set_searched(Vec3A::new(1.0, -0.3, 1e-20));
-        assert!((memory.searched() - Vec3A::new(1.0, -0.3, 0.0)).length() < 2e-3);
+        memory.set_searched_target(Vec3A::new(1.0, -0.3, 1e-20));
+        assert!((memory.searched_target() - Vec3A::new(1.0, -0.3, 0.0)).length() < 2e-3);
     }
 }

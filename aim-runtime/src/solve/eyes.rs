@@ -13,7 +13,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::natural::body::Turn;
 use crate::kinematics::bearing::headings_and_pitches;
-use crate::kinematics::chain::{OFF_BY_NOTHING, Ray, Upright, can_lead, common_scale, inverse, tilts};
+use crate::kinematics::chain::{NEGLIGIBLE_DEVIATION, Ray, Upright, can_lead, common_scale, inverse, tilts};
 use crate::kinematics::rotation::{correction, tilted, turn};
 use crate::limits::motion::mirrored;
 use crate::limits::reach::{AT_LIMIT_RAD, Reach};
@@ -23,8 +23,8 @@ use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint, PoseSlices};
 use crate::solve::call::Call;
 use crate::solve::judge::{Verdict, limits_met};
-use crate::solve::solved::{Found, Moved};
-use crate::target::goal::Course;
+use crate::solve::task::{ChainSolution, SolveOutput};
+use crate::target::goal::Movement;
 use crate::{Axes, Joint, JointInfo, Outcome, Status, math};
 
 /// Least distance of a point that the eyes look at, relative to the distance between them: 10 cm for eyes 6 cm apart.
@@ -42,13 +42,13 @@ const PARALLEL_RAD: f32 = 1e-3;
 /// `view` is the direction along forward, left and up before the added rotation, of any length. The heading is chosen
 /// first, then the best pitch at it, which is optimal for separate bounds on the two angles. Straight up or down has
 /// heading 0; for a zero vector both angles are 0.
-pub(crate) fn look(view: [f32; 3], reach: &Reach) -> [f32; 2] {
+pub(crate) fn look_angles(view: [f32; 3], reach: &Reach) -> [f32; 2] {
     let [ahead, left, _] = view;
-    look_along(view, trig::atan2(left, ahead), reach)
+    look_angles_at_heading(view, trig::atan2(left, ahead), reach)
 }
 
 /// [`look`] with a preferred heading.
-fn look_along([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32; 2] {
+fn look_angles_at_heading([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32; 2] {
     let heading = reach.heading.hold(heading);
     let (sin, cos) = trig::sin_cos(heading);
     [heading, reach.pitch_at(heading).hold(trig::atan2(up, ahead * cos + left * sin))]
@@ -74,7 +74,7 @@ pub(crate) struct Eyes<'a, const C: usize> {
     /// The rotation of each joint's upright frame in its bone.
     tilts: PerJoint<Quat, C>,
     /// The distance between the eyes.
-    apart: f32,
+    eye_distance: f32,
     /// 1 if joint 0 is the left eye, −1 if it is the right one.
     side: f32,
 }
@@ -90,8 +90,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
         about: Upright,
     ) -> Option<Self> {
         let (joint, info, own_motion) = (pose.joints.first()?, rig.joints.first()?, declared.first()?);
-        let square = common_scale(pose.joints, OFF_BY_NOTHING);
-        let other_square = common_scale(slice::from_ref(other_eye), OFF_BY_NOTHING);
+        let square = common_scale(pose.joints, NEGLIGIBLE_DEVIATION);
+        let other_square = common_scale(slice::from_ref(other_eye), NEGLIGIBLE_DEVIATION);
         let (from_pose, relation, from_pose_to_other) = match (square, other_square) {
             (Some(own), Some(other)) if info.planes.are_square() => {
                 let from_pose = joint.matrix3.transpose() * (1.0 / own);
@@ -99,15 +99,15 @@ impl<'a, const C: usize> Eyes<'a, C> {
                 (from_pose, relation, None)
             }
             _ => {
-                let (from_pose, relation, to_other) = related(joint, other_eye, info)?;
+                let (from_pose, relation, to_other) = eye_transforms(joint, other_eye, info)?;
                 (from_pose, relation, Some(to_other))
             }
         };
         let middle = 0.5 * joint.translation + 0.5 * other_eye.translation;
         let from_middle = |eye: &Affine3A| Affine3A { matrix3: eye.matrix3, translation: eye.translation - middle };
-        let apart = joint.translation - other_eye.translation;
+        let between_eyes = joint.translation - other_eye.translation;
         let leftward = joint.matrix3 * Vec3A::from(info.axes.left);
-        let side = if apart.dot(leftward) < 0.0 { -1.0 } else { 1.0 };
+        let side = if between_eyes.dot(leftward) < 0.0 { -1.0 } else { 1.0 };
         let eyes = Self {
             rig,
             pose,
@@ -120,10 +120,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
             to_angles: [from_pose, from_pose_to_other.map_or(from_pose, |other| relation.transpose() * other)],
             relation,
             tilts: if rig.has_upright { tilts(rig, pose.joints, about) } else { rig.array(Quat::IDENTITY) },
-            apart: plain_length(apart),
+            eye_distance: length(between_eyes),
             side,
         };
-        (middle.is_finite() && eyes.apart.is_finite()).then_some(eyes)
+        (middle.is_finite() && eyes.eye_distance.is_finite()).then_some(eyes)
     }
 
     /// Runs one call for both eyes and the chain that `solve` moves. `solve` is given the pose and ranges of the
@@ -134,10 +134,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
         &self,
         call: &Call<'_>,
         motions: &mut [RangeOfMotion],
-        Moved { joints, memory, corrections, .. }: Moved<'_, C>,
-        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], Moved<'_, C>) -> Option<Outcome>,
+        SolveOutput { joints, memory, corrections, .. }: SolveOutput<'_, C>,
+        solve: impl Fn(&PoseSlices<'_>, &[RangeOfMotion], SolveOutput<'_, C>) -> Option<Outcome>,
     ) -> Option<Outcome> {
-        let mut found = None;
+        let mut solution = None;
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
         let start = [own, with_angles(&own, other)];
@@ -150,50 +150,51 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let pose = PoseSlices { joints: &transforms, ..*self.pose };
         // The range that convergence leaves depends on the final head pose: a frame takes it from the last frame, a
         // snap iterates.
-        let solved = if call.dt.is_some() {
+        let outcome = if call.dt.is_some() {
             for (index, correction) in corrections.iter_mut().enumerate().skip(1) {
                 *correction = self.correction_of(index, &joints[index]);
             }
             if self.leads {
                 motions[0] = self.leading_motion(call, corrections);
             }
-            solve(&pose, motions, Moved { joints, memory, corrections, found: Some(&mut found) })
+            solve(&pose, motions, SolveOutput { joints, memory, corrections, solution: Some(&mut solution) })
         } else {
             let before = (*joints, *memory);
             corrections.fill(Quat::IDENTITY);
-            let mut solved = None;
+            let mut outcome = None;
             for _ in 0..SNAP_ROUNDS {
                 if self.leads {
                     motions[0] = self.leading_motion(call, corrections);
                 }
                 (*joints, *memory) = before;
-                solved = solve(&pose, motions, Moved { joints, memory, corrections, found: Some(&mut found) });
-                if solved.is_none() {
+                outcome =
+                    solve(&pose, motions, SolveOutput { joints, memory, corrections, solution: Some(&mut solution) });
+                if outcome.is_none() {
                     break;
                 }
             }
-            solved
+            outcome
         };
         motions[0] = self.motions[0];
-        let solved = Solved { outcome: solved?, found: found? };
+        let chain = ChainResult { outcome: outcome?, solution: solution? };
         let lead = joints[0];
-        let to_pose = |point| solved.found.space.to_pose(point);
-        let wanted = match solved.found.seen {
-            Some(seen) => to_pose(seen) - self.middle,
-            None => self.taken_back(corrections, to_pose(solved.found.goal.wanted)),
+        let to_pose = |point| chain.solution.space.to_pose(point);
+        let measured_point = match chain.solution.measured_point {
+            Some(point) => to_pose(point) - self.middle,
+            None => self.undo_corrections(corrections, to_pose(chain.solution.goal.measured_point)),
         };
-        let views = self.views(wanted);
-        let plain = if self.leads
-            && solved.found.goal.course == Course::Aim
-            && solved.found.goal.aimed == solved.found.goal.wanted
+        let views = self.views(measured_point);
+        let unconstrained = if self.leads
+            && chain.solution.goal.movement == Movement::Aim
+            && chain.solution.goal.aim_point == chain.solution.goal.measured_point
         {
-            self.looks_freely(call, wanted, views, &start)
+            self.unconstrained_angles(call, measured_point, views, &start)
         } else {
             None
         };
-        let angles = match plain {
+        let angles = match unconstrained {
             Some(angles) if !self.is_supported(call) => angles,
-            _ => self.looks_otherwise(call, corrections, &lead, &start, &solved)?,
+            _ => self.constrained_angles(call, corrections, &lead, &start, &chain)?,
         };
         let [[h, p], [other_h, other_p]] = angles;
         let angles_of_both = Vec4::new(h, p, other_h, other_p);
@@ -206,10 +207,16 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let info = &self.rig.joints[0];
         let turns = both(|eye| tilted(turn(&info.axes, &info.planes, halves[eye].to_array()), self.tilts[0]));
         corrections[0] = turns[0];
-        let remaining =
-            self.remaining(corrections, turns, halves, [wanted, views[0], views[1]], plain.is_some(), &solved);
-        let turned = Turned { angles, turns, wanted, remaining, at_ease: plain.is_some() };
-        self.outcome(call, joints, &turned, &lead, &solved)
+        let remaining = self.remaining(
+            corrections,
+            turns,
+            halves,
+            [measured_point, views[0], views[1]],
+            unconstrained.is_some(),
+            &chain,
+        );
+        let eye_turns = EyeTurns { angles, turns, measured_point, remaining, within_limits: unconstrained.is_some() };
+        self.outcome(call, joints, &eye_turns, &lead, &chain)
     }
 
     /// Returns `true` if a joint further inward is aimed, so that the eyes rest.
@@ -220,10 +227,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns the ranges of the leading eye within which both eyes can look at its target.
     #[cfg_attr(not(aim_small), inline(always))]
     fn leading_motion(&self, call: &Call<'_>, corrections: &[Quat]) -> RangeOfMotion {
-        let target = self.taken_back(corrections, call.target_ps.into());
-        let distance = plain_length(target).at_least(NEAREST * self.apart);
+        let target = self.undo_corrections(corrections, call.target_ps.into());
+        let distance = length(target).at_least(NEAREST * self.eye_distance);
         // NaN if the distance is 0.
-        let half = (0.5 * self.apart * call.settings.effective_weight() / distance).at_least(0.0).at_most(0.5);
+        let half = (0.5 * self.eye_distance * call.settings.effective_weight() / distance).at_least(0.0).at_most(0.5);
         let inward = self.side * trig::atan2(half, math::sqrt(1.0 - half * half));
         let [own, other] = self.motions;
         let (own_heading, other_heading) = (own.heading.moved(inward), other.heading.moved(-inward));
@@ -251,9 +258,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
         })
     }
 
-    /// Returns a point relative to the animated eyes, with the supporting joints' corrections taken back.
+    /// Returns a point relative to the animated eyes, with the supporting joints' corrections undone.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn taken_back(&self, corrections: &[Quat], point_ps: Vec3A) -> Vec3A {
+    fn undo_corrections(&self, corrections: &[Quat], point_ps: Vec3A) -> Vec3A {
         let mut point = point_ps - self.middle;
         for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1).rev() {
             let place = joint.translation - self.middle;
@@ -268,9 +275,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
 
     /// Moves a point out to the least distance at which the eyes look; `None` if it has no direction.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn no_nearer(&self, point: Vec3A) -> Option<Vec3A> {
-        let near = NEAREST * self.apart;
-        if plain_length(point) < near { Some(math::direction(point)? * near) } else { Some(point) }
+    fn with_min_distance(&self, point: Vec3A) -> Option<Vec3A> {
+        let near = NEAREST * self.eye_distance;
+        if length(point) < near { Some(math::direction(point)? * near) } else { Some(point) }
     }
 
     /// Returns a joint's correction at its angles.
@@ -289,14 +296,14 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns both eyes' headings and pitches towards the target with these `views`; `None` unless both are within
     /// range and rate and the eyes do not diverge.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn looks_freely(
+    fn unconstrained_angles(
         &self,
         call: &Call<'_>,
         target: Vec3A,
         views: [Vec3A; 2],
         start: &[Joint; 2],
     ) -> Option<[[f32; 2]; 2]> {
-        let near = NEAREST * self.apart;
+        let near = NEAREST * self.eye_distance;
         let both = headings_and_pitches(views);
         let [own, other] = &self.motions;
         let ends =
@@ -317,13 +324,13 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns both eyes' headings and pitches in all other cases.
     #[cold]
     #[inline(never)]
-    fn looks_otherwise(
+    fn constrained_angles(
         &self,
         call: &Call<'_>,
         corrections: &[Quat],
         lead: &Joint,
         start: &[Joint; 2],
-        solved: &Solved,
+        chain: &ChainResult,
     ) -> Option<[[f32; 2]; 2]> {
         if call.dt == Some(0.0) {
             return Some(both(|eye| start[eye].angles()));
@@ -331,14 +338,16 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let reaches = self.reaches(call, start);
         Some(if !self.leads {
             [lead.angles(), reaches[1].angles_nearest(lead)]
-        } else if solved.found.goal.course == Course::Rest || self.is_supported(call) {
+        } else if chain.solution.goal.movement == Movement::Rest || self.is_supported(call) {
             // A leading eye that does not rest keeps the gaze on the animation while the head returns.
             both(|eye| reaches[eye].angles_nearest(lead))
-        } else if solved.found.goal.course == Course::Stay {
+        } else if chain.solution.goal.movement == Movement::Stay {
             both(|eye| reaches[eye].angles_nearest(&start[eye]))
         } else {
-            self.looks(
-                self.no_nearer(self.taken_back(corrections, solved.found.space.to_pose(solved.found.goal.aimed)))?,
+            self.eye_angles(
+                self.with_min_distance(
+                    self.undo_corrections(corrections, chain.solution.space.to_pose(chain.solution.goal.aim_point)),
+                )?,
                 lead,
                 &reaches,
                 start,
@@ -351,7 +360,13 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// rates. Each eye looks from its own origin, or in parallel with `lead` if the directions would diverge or are far
     /// out of range.
     #[cold]
-    fn looks(&self, target: Vec3A, lead: &Joint, reaches: &[Reach; 2], start: &[Joint; 2]) -> ([[f32; 2]; 2], bool) {
+    fn eye_angles(
+        &self,
+        target: Vec3A,
+        lead: &Joint,
+        reaches: &[Reach; 2],
+        start: &[Joint; 2],
+    ) -> ([[f32; 2]; 2], bool) {
         let views = self.views(target);
         let parallel = || (both(|eye| reaches[eye].angles_nearest(lead)), false);
         let mut headings = [0.0; 2];
@@ -360,7 +375,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             let Some(direction) = math::direction(views[eye]) else { return parallel() };
             let [ahead, left, up] = direction.to_array();
             headings[eye] = trig::atan2(left, ahead);
-            let [heading, pitch] = look([ahead, left, up], &Reach::range(&self.motions[eye]));
+            let [heading, pitch] = look_angles([ahead, left, up], &Reach::range(&self.motions[eye]));
             let (sin, cos) = trig::sin_cos(heading);
             let beside = (headings[eye] - heading).abs();
             let above = (trig::atan2(up, ahead * cos + left * sin) - pitch).abs();
@@ -381,7 +396,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             if self.motions[eye].heading.is_free() {
                 heading = start[eye].heading + math::wrap_pi(heading - start[eye].heading);
             }
-            let [heading, pitch] = look_along(views[eye].to_array(), heading, &reaches[eye]);
+            let [heading, pitch] = look_angles_at_heading(views[eye].to_array(), heading, &reaches[eye]);
             [if self.motions[eye].heading.is_free() { math::wrap_pi(heading) } else { heading }, pitch]
         });
         (angles, within)
@@ -390,12 +405,12 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns the other eye's correction at this heading and pitch, in its own bone's space.
     #[cold]
     pub(crate) fn correction(&self, angles: &[f32; 2]) -> Quat {
-        self.related(self.correction_of(0, &with_angles(&Joint::REST, *angles)))
+        self.to_other_eye(self.correction_of(0, &with_angles(&Joint::REST, *angles)))
     }
 
     /// Converts a correction of joint 0 to the other eye's bone. A mirrored relation reverses the sense of rotation.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn related(&self, turn: Quat) -> Quat {
+    fn to_other_eye(&self, turn: Quat) -> Quat {
         let Mat3A { x_axis, y_axis, z_axis } = self.relation;
         let sense = if math::cross(x_axis, y_axis).dot(z_axis) < 0.0 { -1.0 } else { 1.0 };
         let axis = self.relation * Vec3A::new(turn.x, turn.y, turn.z) * sense;
@@ -411,21 +426,26 @@ impl<'a, const C: usize> Eyes<'a, C> {
         corrections: &[Quat],
         turns: [Quat; 2],
         halves: [Halves; 2],
-        [wanted, views @ ..]: [Vec3A; 3],
-        at_ease: bool,
-        solved: &Solved,
+        [measured_point, views @ ..]: [Vec3A; 3],
+        within_limits: bool,
+        chain: &ChainResult,
     ) -> [Option<f32>; 2] {
-        if self.square.is_none() || !at_ease {
+        if self.square.is_none() || !within_limits {
             return both(|eye| {
-                self.true_remaining(corrections, eye, turns, solved.found.space.to_pose(solved.found.goal.wanted))
+                self.true_remaining(
+                    corrections,
+                    eye,
+                    turns,
+                    chain.solution.space.to_pose(chain.solution.goal.measured_point),
+                )
             });
         }
-        let [a, b] = both(|eye| Turn::of_halves(halves[eye]).back(views[eye]));
+        let [a, b] = both(|eye| Turn::of_halves(halves[eye]).undo(views[eye]));
         let aside = [a, b].map(|v| math::root(v.y * v.y + v.z * v.z));
         let angles = trig::atan2_of_4(Vec4::new(aside[0], aside[1], 0.0, 0.0), Vec4::new(a.x, b.x, 1.0, 1.0));
-        let least = 1e-4 * self.apart;
+        let least = 1e-4 * self.eye_distance;
         both(|eye| {
-            let away = wanted - self.eyes[eye].translation;
+            let away = measured_point - self.eyes[eye].translation;
             (away.dot(away) > least * least && angles[eye].is_finite()).then_some(angles[eye])
         })
     }
@@ -444,7 +464,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             ray = ray.through(&inverse(&frame)).turned(*turn).through(&frame);
         }
         let to_point = point_ps - self.middle - ray.origin;
-        if !(math::length(to_point) > 1e-4 * self.apart) {
+        if !(math::length(to_point) > 1e-4 * self.eye_distance) {
             return None;
         }
         let angle = math::angle_between(math::direction(ray.direction)?, math::direction(to_point)?);
@@ -457,26 +477,27 @@ impl<'a, const C: usize> Eyes<'a, C> {
         &self,
         call: &Call<'_>,
         joints: &[Joint],
-        turned: &Turned,
+        eye_turns: &EyeTurns,
         lead: &Joint,
-        solved: &Solved,
+        chain: &ChainResult,
     ) -> Option<Outcome> {
         // Joint 0's flags cover both eyes.
-        let other = with_angles(lead, turned.angles[1]);
-        let (mut at_limit, mut recovering) = (solved.outcome.at_limit, solved.outcome.recovering);
-        let met = if turned.at_ease { [false; 2] } else { self.limits_met([joints[0], other]) };
+        let other = with_angles(lead, eye_turns.angles[1]);
+        let (mut at_limit, mut recovering) = (chain.outcome.at_limit, chain.outcome.recovering);
+        let met = if eye_turns.within_limits { [false; 2] } else { self.limits_met([joints[0], other]) };
         at_limit.set(0, met[0]);
         recovering.set(0, met[1]);
-        let [own_remaining, other_eye_remaining] = turned.remaining;
-        let other_eye_correction = Some(self.related(turned.turns[1]));
-        let outcome = Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction, ..solved.outcome };
+        let [own_remaining, other_eye_remaining] = eye_turns.remaining;
+        let other_eye_correction = Some(self.to_other_eye(eye_turns.turns[1]));
+        let outcome = Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction, ..chain.outcome };
         if !self.leads || self.is_supported(call) {
             return Some(outcome);
         }
         let (remaining, tolerance) = (own_remaining?, call.settings.effective_tolerance());
         let farther = remaining.at_least(other_eye_remaining?);
-        let within_reach = farther > tolerance && call.dt.is_some() && self.is_within_reach(call, turned, lead, solved);
-        let verdict = Verdict { remaining: farther, tolerance, behind: solved.found.goal.behind, within_reach };
+        let within_reach =
+            farther > tolerance && call.dt.is_some() && self.is_within_reach(call, eye_turns, lead, chain);
+        let verdict = Verdict { remaining: farther, tolerance, behind: chain.solution.goal.behind, within_reach };
         let status = verdict.status();
         let own = Verdict { remaining, ..verdict }.outcome_at(at_limit, recovering);
         Some(Outcome { aim: own.aim, remaining, status, ..outcome })
@@ -484,14 +505,14 @@ impl<'a, const C: usize> Eyes<'a, C> {
 
     /// Returns `true` if only rates keep the eyes from their target.
     #[cold]
-    fn is_within_reach(&self, call: &Call<'_>, turned: &Turned, lead: &Joint, solved: &Solved) -> bool {
-        match solved.outcome.status {
+    fn is_within_reach(&self, call: &Call<'_>, eye_turns: &EyeTurns, lead: &Joint, chain: &ChainResult) -> bool {
+        match chain.outcome.status {
             Status::RateLimited => true,
             // The leading eye has reached the target: check whether the ranges let both eyes reach it.
-            Status::Reached => self.no_nearer(turned.wanted).is_some_and(|seen| {
-                let near = NEAREST * self.apart * 1.000_01;
-                let start = turned.angles.map(|angles| with_angles(lead, angles));
-                self.looks(seen, lead, &self.reaches(call, &start), &start).1 && math::length(seen) > near
+            Status::Reached => self.with_min_distance(eye_turns.measured_point).is_some_and(|seen| {
+                let near = NEAREST * self.eye_distance * 1.000_01;
+                let start = eye_turns.angles.map(|angles| with_angles(lead, angles));
+                self.eye_angles(seen, lead, &self.reaches(call, &start), &start).1 && math::length(seen) > near
             }),
             _ => false,
         }
@@ -506,30 +527,30 @@ impl<'a, const C: usize> Eyes<'a, C> {
     }
 }
 
-/// The result of solving the chain.
-struct Solved {
+/// The result of solving the chain for the leading eye.
+struct ChainResult {
     outcome: Outcome,
-    found: Found,
+    solution: ChainSolution,
 }
 
 /// The eyes' new angles, and the measurements of the result.
-struct Turned {
+struct EyeTurns {
     /// Headings and pitches, radians.
     angles: [[f32; 2]; 2],
     /// Each eye's correction, in joint 0's bone.
     turns: [Quat; 2],
     /// The point that the eyes are judged by, relative to the animated eyes.
-    wanted: Vec3A,
-    /// The remaining angle of each eye to `wanted`, radians; `None` if it is undefined.
+    measured_point: Vec3A,
+    /// The remaining angle of each eye to `measured_point`, radians; `None` if it is undefined.
     remaining: [Option<f32>; 2],
     /// `true` if neither eye is at a limit.
-    at_ease: bool,
+    within_limits: bool,
 }
 
 /// The transforms of [`Eyes::new`] for eyes that are sheared or scaled non-uniformly: the inverse of joint 0's matrix,
 /// the transform from joint 0's space to the other eye's bone, and the inverse of the other eye's matrix.
 #[cold]
-fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(Mat3A, Mat3A, Mat3A)> {
+fn eye_transforms(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(Mat3A, Mat3A, Mat3A)> {
     if !(joint.is_finite() && other_eye.is_finite()) {
         return None;
     }
@@ -546,7 +567,7 @@ fn related(joint: &Affine3A, other_eye: &Affine3A, info: &JointInfo) -> Option<(
 
 /// Returns a vector's length.
 #[cfg_attr(not(aim_small), inline(always))]
-fn plain_length(v: Vec3A) -> f32 {
+fn length(v: Vec3A) -> f32 {
     let square = v.dot(v);
     if square > 1e-24 && square < 1e24 { math::root(square) } else { extreme_length(v) }
 }

@@ -46,7 +46,7 @@ impl<'a, const C: usize> Frame<'a, C> {
 
     /// Returns the angle between the gaze and the goal, radians; `None` if it is undefined.
     pub(crate) fn angle(&self, joints: &[Joint]) -> Option<f32> {
-        self.chain.gaze_of(self.rig, joints).angle_to(self.goal.aimed)
+        self.chain.gaze_of(self.rig, joints).angle_to(self.goal.aim_point)
     }
 
     /// Moves these joints towards rest as far as one frame allows.

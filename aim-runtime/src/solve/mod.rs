@@ -14,7 +14,7 @@ pub(crate) mod eyes;
 mod frame;
 pub(crate) mod judge;
 mod natural;
-mod solved;
+mod task;
 mod turn_round;
 
 use glam::{Affine3A, Quat};
@@ -27,14 +27,14 @@ use self::exact::{following, single};
 use self::eyes::Eyes;
 use self::frame::Frame;
 use self::judge::degenerate;
-use self::solved::{Moved, Task};
+use self::task::{SolveOutput, Task};
 use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::find_motions;
 use crate::limits::reach::Reach;
-use crate::rig::{ChainRig, Led, Memory, PoseSlices, StateSlices, Support};
+use crate::rig::{ChainRig, HeadGoal, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
-use crate::target::goal::{Course, Goal, Scene};
+use crate::target::goal::{Goal, Movement, Scene};
 use crate::{Behind, Description, Joint, JointInfo, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search: moves `state` and writes the joints' corrections. Returns `None`, with nothing
@@ -83,12 +83,12 @@ pub(crate) fn solve<const C: usize>(
     find_motions(rig, pose, &mut motions);
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
     joints.copy_from_slice(state.joints);
-    let moved = Moved { joints: &mut joints, memory: &mut memory, corrections, found: None };
+    let output = SolveOutput { joints: &mut joints, memory: &mut memory, corrections, solution: None };
     let outcome = match pose.other_eye {
-        Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, moved),
+        Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),
         None => {
-            moved.memory.set_eyes(None);
-            solve_chain(rig, pose, &motions, call, moved)
+            output.memory.set_eyes(None);
+            solve_chain(rig, pose, &motions, call, output)
         }
     };
     match outcome {
@@ -118,10 +118,10 @@ fn aim_eyes<const C: usize>(
     other_eye: &Affine3A,
     motions: &mut [RangeOfMotion],
     call: &Call<'_>,
-    moved: Moved<'_, C>,
+    output: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let eyes = Eyes::new(rig, pose, other_eye, motions, upright_axis(pose, solver(rig, call.settings)))?;
-    eyes.aim(call, motions, moved, |pose, motions, moved| solve_chain(rig, pose, motions, call, moved))
+    eyes.aim(call, motions, output, |pose, motions, output| solve_chain(rig, pose, motions, call, output))
 }
 
 /// Moves a chain by the selected solver.
@@ -131,18 +131,25 @@ fn solve_chain<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    moved: Moved<'_, C>,
+    output: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
-    let Moved { joints, memory, corrections, mut found } = moved;
+    let SolveOutput { joints, memory, corrections, mut solution } = output;
     if moves_by_regions(rig, call.settings) {
         let about = upright_axis(pose, Solver::Natural);
         if call.dt.is_some() {
-            return natural::aim(rig, pose, motions, call, about, Moved { joints, memory, corrections, found });
+            return natural::aim(
+                rig,
+                pose,
+                motions,
+                call,
+                about,
+                SolveOutput { joints, memory, corrections, solution },
+            );
         }
         // A snap that is undefined from rest may be defined from another start, which the search below may find.
         let before = *joints;
-        let moved = Moved { joints, memory, corrections, found: found.as_deref_mut() };
-        let outcome = natural::aim(rig, pose, motions, call, about, moved);
+        let output = SolveOutput { joints, memory, corrections, solution: solution.as_deref_mut() };
+        let outcome = natural::aim(rig, pose, motions, call, about, output);
         if outcome.is_some() {
             return outcome;
         }
@@ -151,10 +158,10 @@ fn solve_chain<const C: usize>(
     if cfg!(aim_natural) {
         return None;
     }
-    let moved = Moved { joints, memory, corrections, found };
+    let output = SolveOutput { joints, memory, corrections, solution };
     match call.dt {
-        Some(dt) => aim_joints(rig, pose, motions, call, dt, moved),
-        None => snap_joints(rig, pose, motions, call, moved),
+        Some(dt) => aim_joints(rig, pose, motions, call, dt, output),
+        None => snap_joints(rig, pose, motions, call, output),
     }
 }
 
@@ -176,8 +183,8 @@ fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) 
 fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     if memory.support != Support::None {
         joints.iter_mut().for_each(|joint| joint.set_destination(None));
-        memory.set_led(Led::default());
-        memory.set_more([0.0; 2]);
+        memory.set_head_goal(HeadGoal::default());
+        memory.set_extra_turn([0.0; 2]);
         (memory.blocked_s, memory.caution) = (0.0, 0);
         memory.support = Support::None;
     }
@@ -190,7 +197,7 @@ fn aim_joints<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
-    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -205,10 +212,10 @@ fn aim_joints<const C: usize>(
     let mut within_reach = true;
     frame.go_to_rest(joints, 0..chain.first);
     forget_natural(joints, memory);
-    match goal.course {
-        Course::Rest => frame.go_to_rest(joints, chain.first..chain.count),
-        Course::Stay => {}
-        Course::Aim => {
+    match goal.movement {
+        Movement::Rest => frame.go_to_rest(joints, chain.first..chain.count),
+        Movement::Stay => {}
+        Movement::Aim => {
             within_reach = match solver {
                 Solver::Ascent => ascent::advance(&frame, joints, dt, &settings.ascent)?,
                 Solver::Exact | Solver::Natural => exact::advance::advance(&frame, joints, dt, memory)?,
@@ -221,7 +228,7 @@ fn aim_joints<const C: usize>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach, well_within: false };
-    task.finish_chain(&chain, Moved { joints, memory, corrections, found })
+    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, solution })
 }
 
 /// Puts `joints` on the target regardless of rates; `None` if there is nothing to aim.
@@ -230,7 +237,7 @@ fn snap_joints<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -242,7 +249,7 @@ fn snap_joints<const C: usize>(
     let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
     let goal = goal(rig, &chain, pose, motions, call, &before)?;
     // A target on the animated effector has no direction, even if the joints could give it one.
-    chain.animated_gaze().angle_to(goal.aimed)?;
+    chain.animated_gaze().angle_to(goal.aim_point)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     forget_natural(joints, memory);
 
@@ -250,13 +257,13 @@ fn snap_joints<const C: usize>(
     from_here.copy_from_slice(joints);
     from_here[..chain.first].fill(Joint::REST);
     joints.fill(Joint::REST);
-    if goal.course == Course::Stay {
+    if goal.movement == Movement::Stay {
         joints.copy_from_slice(&from_here);
     }
     for (joint, motion) in joints.iter_mut().zip(motions) {
         *joint = Reach::range(motion).hold(joint);
     }
-    if goal.course == Course::Aim {
+    if goal.movement == Movement::Aim {
         // The aim may be undefined at rest but defined at the present angles, or the reverse.
         let from_rest = settle_from_rest(rig, &chain, motions, &goal, joints, tolerance).unwrap_or(f32::INFINITY);
         if from_rest > tolerance {
@@ -272,7 +279,7 @@ fn snap_joints<const C: usize>(
     }
     let task =
         Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false, well_within: false };
-    task.finish_chain(&chain, Moved { joints, memory, corrections, found })
+    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, solution })
 }
 
 /// Determines the goal of a chain.

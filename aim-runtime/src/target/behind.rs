@@ -25,7 +25,7 @@ const COS_STILL_BACK: f32 = 0.766_044_4;
 /// Cosine of the largest angle to the side, 80°, at which the plane policy leaves a target unchanged.
 const COS_PLANE: f32 = 0.173_648_18;
 /// Sine and cosine of the angle by which a target has to pass the middle of the back before it changes sides.
-const HELD: (f32, f32) = (0.173_648_18, 0.984_807_7);
+const SIDE_HYSTERESIS_SIN_COS: (f32, f32) = (0.173_648_18, 0.984_807_7);
 
 /// Total turn that several joints allow together, radians: headings right and left, pitches down and up.
 #[derive(Clone, Copy, Debug)]
@@ -86,11 +86,11 @@ impl Front {
     }
 
     /// Returns the distance of a point and its unit direction along forward, left, up; `None` if it has no direction.
-    fn look(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
+    fn distance_and_direction(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
         let to_target = target - self.origin;
         let toward = math::direction(to_target)?;
-        let look = [toward.dot(self.forward), toward.dot(self.left), toward.dot(self.up)];
-        Some((to_target.length(), look))
+        let direction = [toward.dot(self.forward), toward.dot(self.left), toward.dot(self.up)];
+        Some((to_target.length(), direction))
     }
 
     fn point(&self, distance: f32, [forward, left, up]: [f32; 3]) -> Vec3A {
@@ -101,7 +101,7 @@ impl Front {
     pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
         let to_target = target - self.origin;
         let (forward, left) = (to_target.dot(self.forward), to_target.dot(self.left));
-        let (sin, cos) = HELD;
+        let (sin, cos) = SIDE_HYSTERESIS_SIN_COS;
         let middle = forward < 0.0 && left.abs() * cos <= -forward * sin;
         if before != Side::Unseen && (middle || left == 0.0) { before } else { Side::of_coordinate(left) }
     }
@@ -109,7 +109,7 @@ impl Front {
     /// Returns `target` if it lies on `side` or in front. A target behind that is held on the opposite side is moved
     /// just across the middle.
     pub(crate) fn on_side(&self, target: Vec3A, side: Side) -> Vec3A {
-        match self.look(target) {
+        match self.distance_and_direction(target) {
             Some((distance, [forward, left, up])) if forward < 0.0 && left * side.sign() <= 0.0 => {
                 self.point(distance, [forward, 1e-3 * side.sign(), up])
             }
@@ -120,13 +120,13 @@ impl Front {
     /// Returns `true` if `target` is behind. `before` tells whether it was behind in the last frame.
     pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
         let edge = if before { COS_STILL_BACK } else { COS_BACK };
-        self.look(target).is_some_and(|(_, [forward, ..])| forward < -edge)
+        self.distance_and_direction(target).is_some_and(|(_, [forward, ..])| forward < -edge)
     }
 
     /// Moves a `target` inside the cone behind the character to the cone's edge on `side`, keeping distance and height.
     /// Returns any other target unchanged.
     pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Vec3A {
-        match self.look(target) {
+        match self.distance_and_direction(target) {
             Some((distance, [forward, _, up])) if forward < -COS_BACK => {
                 let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
                 self.point(distance, [-COS_BACK, left, up])
@@ -137,14 +137,14 @@ impl Front {
 
     /// Returns `true` if `target` is not in front of the plane.
     pub(crate) fn is_off_plane(&self, target: Vec3A) -> bool {
-        self.look(target).is_some_and(|(_, look)| look[0] < COS_PLANE * level(look))
+        self.distance_and_direction(target).is_some_and(|(_, direction)| direction[0] < COS_PLANE * level(direction))
     }
 
     /// Moves `target` along forward to the plane in front, keeping its distance and elevation. Returns it unchanged if
     /// it is in front of the plane, or straight above or below.
     pub(crate) fn clip_to_plane(&self, target: Vec3A) -> Vec3A {
-        let Some((distance, look)) = self.look(target) else { return target };
-        let ([forward, left, up], level) = (look, level(look));
+        let Some((distance, direction)) = self.distance_and_direction(target) else { return target };
+        let ([forward, left, up], level) = (direction, level(direction));
         let forward = forward.max(COS_PLANE * level);
         let stretch = level / math::sqrt(forward * forward + left * left);
         if stretch.is_finite() { self.point(distance, [stretch * forward, stretch * left, up]) } else { target }

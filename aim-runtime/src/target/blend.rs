@@ -98,15 +98,15 @@ fn blend(origin: Vec3A, targets: &[Target]) -> (Vec3, f32) {
     counted().for_each(|(_, weight)| total.add(weight / most));
     let total = (total.value() * most).min(1.0);
 
-    let seen = || {
+    let blended_from_origin = || {
         counted().filter_map(|(target, weight)| {
             let to_target = Vec3A::from(target.point) - origin;
             Some((math::direction(to_target)?, math::length(to_target), weight / most))
         })
     };
-    let nearest = seen().fold(f32::INFINITY, |nearest, (_, distance, _)| nearest.min(distance));
+    let nearest = blended_from_origin().fold(f32::INFINITY, |nearest, (_, distance, _)| nearest.min(distance));
     let (mut direction, mut nearness, mut share) = ([Sum::default(); 3], Sum::default(), Sum::default());
-    for (toward, distance, weight) in seen() {
+    for (toward, distance, weight) in blended_from_origin() {
         for (sum, along) in direction.iter_mut().zip(toward.to_array()) {
             sum.add(weight * along);
         }
@@ -129,22 +129,22 @@ mod tests {
     const AHEAD: Target = Target::new(Vec3::new(0.0, 0.0, -2.0), 0.5);
     const LEFT: Target = Target::new(Vec3::new(-2.0, 0.0, 0.0), 0.5);
 
-    fn seen(targets: &[Target]) -> (Vec3, f32) {
+    fn blended_from_origin(targets: &[Target]) -> (Vec3, f32) {
         blend(Vec3A::ZERO, targets)
     }
 
     #[test]
-    fn between_two() {
-        let (point, total) = seen(&[AHEAD, LEFT]);
+    fn two_targets_give_a_point_between_them() {
+        let (point, total) = blended_from_origin(&[AHEAD, LEFT]);
         assert!(point.abs_diff_eq(Vec3::new(-1.0, 0.0, -1.0) * 2.0_f32.sqrt(), 1e-6), "{point}");
         assert_eq!(total, 1.0);
         // The mean of 1/d: for 1 m and 3 m the distance is 1.5 m.
-        let (point, _) = seen(&[Target::new(Vec3::X, 1.0), Target::new(3.0 * Vec3::X, 1.0)]);
+        let (point, _) = blended_from_origin(&[Target::new(Vec3::X, 1.0), Target::new(3.0 * Vec3::X, 1.0)]);
         assert!(point.abs_diff_eq(1.5 * Vec3::X, 1e-6), "{point}");
     }
 
     #[test]
-    fn what_is_left_out() {
+    fn invalid_and_weightless_targets_are_ignored() {
         for left_out in [
             Target::new(Vec3::NAN, 1.0),
             Target::new(Vec3::INFINITY, 1.0),
@@ -152,21 +152,24 @@ mod tests {
             Target::new(Vec3::Y, -1.0),
             Target::new(Vec3::Y, f32::NAN),
         ] {
-            assert_eq!(seen(&[left_out, AHEAD]), seen(&[AHEAD]));
-            assert_eq!(seen(&[left_out]).1, 0.0);
+            assert_eq!(blended_from_origin(&[left_out, AHEAD]), blended_from_origin(&[AHEAD]));
+            assert_eq!(blended_from_origin(&[left_out]).1, 0.0);
         }
-        assert_eq!(seen(&[]).1, 0.0);
-        assert_eq!(seen(&[AHEAD]), (AHEAD.point, 0.5));
+        assert_eq!(blended_from_origin(&[]).1, 0.0);
+        assert_eq!(blended_from_origin(&[AHEAD]), (AHEAD.point, 0.5));
     }
 
     #[test]
-    fn opposites_choose() {
+    fn of_opposite_targets_the_heavier_wins() {
         let behind = Target::new(-AHEAD.point, 0.5);
-        assert_eq!(seen(&[AHEAD, behind]).0, AHEAD.point);
-        assert_eq!(seen(&[behind, AHEAD]).0, behind.point);
+        assert_eq!(blended_from_origin(&[AHEAD, behind]).0, AHEAD.point);
+        assert_eq!(blended_from_origin(&[behind, AHEAD]).0, behind.point);
         let heavier = Target { weight: 0.500_01, ..behind };
-        assert_eq!(seen(&[AHEAD, heavier]).0, behind.point);
-        assert_eq!(seen(&[Target::new(Vec3::ZERO, 1.0), AHEAD, LEFT]).0, seen(&[AHEAD, LEFT]).0);
+        assert_eq!(blended_from_origin(&[AHEAD, heavier]).0, behind.point);
+        assert_eq!(
+            blended_from_origin(&[Target::new(Vec3::ZERO, 1.0), AHEAD, LEFT]).0,
+            blended_from_origin(&[AHEAD, LEFT]).0
+        );
     }
 
     #[test]
@@ -176,7 +179,7 @@ mod tests {
             for weight in awkward {
                 for y in awkward {
                     let targets = [Target::new(Vec3::new(x, 0.0, y), weight), Target::new(Vec3::Y * y, x), AHEAD];
-                    let (point, total) = seen(&targets);
+                    let (point, total) = blended_from_origin(&targets);
                     assert!(point.is_finite() && (0.0..=1.0).contains(&total), "{targets:?}: {point} {total}");
                 }
             }

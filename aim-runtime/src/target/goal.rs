@@ -15,11 +15,11 @@ use crate::{Behind, Description, Settings, math};
 pub(crate) struct Goal {
     /// The point that the outcome is measured against: the target, or at a weight below 1 a point on the way from the
     /// animated gaze to it.
-    pub(crate) wanted: Vec3A,
-    /// The point that the joints turn to: `wanted`, or its replacement by the policy for targets behind.
-    pub(crate) aimed: Vec3A,
+    pub(crate) measured_point: Vec3A,
+    /// The point that the joints turn to: `measured_point`, or its replacement by the policy for targets behind.
+    pub(crate) aim_point: Vec3A,
     /// The movement of the joints in this call.
-    pub(crate) course: Course,
+    pub(crate) movement: Movement,
     /// `true` if the policy for targets behind is active.
     pub(crate) behind: bool,
     /// The side on which the target counts as being, with hysteresis.
@@ -28,8 +28,8 @@ pub(crate) struct Goal {
 
 /// The movement of the joints in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Course {
-    /// The joints turn to [`Goal::aimed`].
+pub(crate) enum Movement {
+    /// The joints turn to [`Goal::aim_point`].
     Aim,
     /// The joints keep their angles, except those outside their ranges.
     Stay,
@@ -86,7 +86,7 @@ impl Goal {
         let &Scene { gaze, ref front, bearings, .. } = scene;
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
-        let wanted = match bearings {
+        let measured_point = match bearings {
             _ if weight >= 1.0 => target,
             Some(bearings) => {
                 let to_target = target - gaze.origin;
@@ -101,25 +101,25 @@ impl Goal {
         };
         let behind = match settings.behind {
             Behind::Off => false,
-            Behind::Plane => front.is_off_plane(wanted),
-            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(wanted, before.behind),
+            Behind::Plane => front.is_off_plane(measured_point),
+            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(measured_point, before.behind),
         };
         let behind = behind && front.is_guarded(&scene.span());
-        let (course, aimed) = match settings.behind {
-            Behind::Hold if behind => (Course::Stay, wanted),
-            Behind::Release if behind => (Course::Rest, wanted),
-            Behind::Clip if behind => (Course::Aim, front.clip(wanted, side)),
-            Behind::Plane if behind => (Course::Aim, front.clip_to_plane(wanted)),
-            _ => (Course::Aim, wanted),
+        let (movement, aim_point) = match settings.behind {
+            Behind::Hold if behind => (Movement::Stay, measured_point),
+            Behind::Release if behind => (Movement::Rest, measured_point),
+            Behind::Clip if behind => (Movement::Aim, front.clip(measured_point, side)),
+            Behind::Plane if behind => (Movement::Aim, front.clip_to_plane(measured_point)),
+            _ => (Movement::Aim, measured_point),
         };
-        Self { wanted, aimed, course, behind, side }
+        Self { measured_point, aim_point, movement, behind, side }
     }
 
     /// Returns the goal for weight 0: the animated gaze itself.
     fn animation(gaze: Ray, before: &Memory) -> Self {
         // Far enough away that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
-        Self { wanted: ahead, aimed: ahead, course: Course::Rest, behind: false, side: before.side }
+        Self { measured_point: ahead, aim_point: ahead, movement: Movement::Rest, behind: false, side: before.side }
     }
 
     /// Moves the goal's points away from the effector by the reciprocal of the weight, so that two eyes converge
@@ -128,7 +128,7 @@ impl Goal {
         let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);
         let recede = |point: Vec3A| origin + (point - origin) * further;
-        Self { wanted: recede(self.wanted), aimed: recede(self.aimed), ..self }
+        Self { measured_point: recede(self.measured_point), aim_point: recede(self.aim_point), ..self }
     }
 }
 

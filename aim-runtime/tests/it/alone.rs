@@ -48,7 +48,7 @@ fn least_off(target: [f64; 3], headings: [f64; 2], pitches: [f64; 2]) -> f64 {
 }
 
 #[test]
-fn the_nearest_gaze_within_range_and_rate() {
+fn the_gaze_is_the_nearest_within_range_and_rate() {
     let mut rng = Rng(77);
     let settings = Settings::default().with_solver(Solver::Exact).with_behind(Behind::Off);
     let tolerance = f64::from(0.1 * DEG);
@@ -124,7 +124,7 @@ fn the_nearest_gaze_within_range_and_rate() {
 
 /// A static target is looked at without any movement, and a rate is no way out of a range.
 #[test]
-fn a_target_that_stands_still() {
+fn a_static_target_leaves_the_joint_still() {
     let mut rig = NumericRig::new(vec![NumericRig::thug().infos[0]]);
     let pose = Pose::new(vec![Affine3A::IDENTITY]);
     for target in [[0.2, 1.0, 0.3], [0.9, 1.0, 0.1], [0.1, 1.0, -2.0]].map(Vec3::from) {
@@ -148,7 +148,7 @@ fn a_target_that_stands_still() {
 
 /// Storing and restoring the state does not change what follows.
 #[test]
-fn a_state_put_back_at_the_ends_of_its_range() {
+fn restoring_a_state_at_a_limit_changes_nothing() {
     let mut rig = NumericRig::new(vec![NumericRig::thug().infos[0]]);
     let pose = Pose::new(vec![Affine3A::IDENTITY]);
     let mut at_end = 0;

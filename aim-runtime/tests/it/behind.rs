@@ -43,7 +43,7 @@ fn following(policy: Behind, to_deg: f32) -> NumericRig {
 }
 
 #[test]
-fn hold_stays_as_it_is() {
+fn hold_keeps_the_angles() {
     for side in [1.0, -1.0] {
         let mut rig = following(Behind::Hold, side * 149.0);
         for _ in 0..60 {
@@ -65,7 +65,7 @@ fn hold_stays_as_it_is() {
 
 /// `Behind::Hold` does not keep joints outside a range that has changed.
 #[test]
-fn hold_recovers() {
+fn hold_returns_joints_to_a_shrunken_range() {
     let mut rig = following(Behind::Hold, 149.0);
     rig.infos[1].heading = Some([-60.0 * DEG, 20.0 * DEG]);
     let pose = Pose::new(upright(&rig));
@@ -97,7 +97,7 @@ fn release_returns_to_the_animation() {
 
 /// A target that trembles at the boundary does not switch the policy on and off.
 #[test]
-fn the_edge_has_hysteresis() {
+fn a_target_jittering_at_the_boundary_does_not_toggle_the_policy() {
     for policy in [Behind::Clip, Behind::Hold, Behind::Release] {
         let mut rig = following(policy, 149.0);
         aim(&mut rig, at(152.0), policy);
@@ -111,7 +111,7 @@ fn the_edge_has_hysteresis() {
 /// Without a policy the target counts as merely out of reach, and the joints stay on their side while it trembles
 /// behind.
 #[test]
-fn off_has_no_policy() {
+fn off_reports_a_target_behind_as_out_of_reach() {
     let mut rig = following(Behind::Off, 170.0);
     assert!(rig.joints[1].heading() > 55.0 * DEG);
     let mut rng = Rng(4);
@@ -124,7 +124,7 @@ fn off_has_no_policy() {
 
 /// Orbits in both directions: under every policy the target is followed on the other side, without a jump.
 #[test]
-fn orbits_are_picked_up_on_the_other_side() {
+fn an_orbiting_target_is_followed_again_on_the_other_side() {
     for policy in POLICIES {
         for turn in [1.0, -1.0] {
             let mut rig = NumericRig::thug();
@@ -143,7 +143,7 @@ fn orbits_are_picked_up_on_the_other_side() {
 
 /// A snap applies the policy immediately and forgets that the target was behind.
 #[test]
-fn snap() {
+fn a_snap_applies_the_policy_at_once() {
     let snap = |rig: &mut NumericRig, heading: f32, policy: Behind| {
         let pose = Pose::new(upright(rig));
         rig.snap_with(&pose, at(heading), &Settings::default().with_behind(policy)).status

@@ -119,7 +119,7 @@ const WAYS: [(Mistake, usize); 13] = [
 
 /// Results of several runs.
 #[derive(Debug, Default)]
-struct Seen {
+struct Tally {
     /// Number of frames whose gaze was off by more than [`OFF_DEG`].
     off: usize,
     /// Number of frames in which the mistake was named.
@@ -128,19 +128,19 @@ struct Seen {
     misnamed: Vec<(Option<Mistake>, f32)>,
 }
 
-impl Seen {
+impl Tally {
     fn judge(&mut self, mistake: Mistake, way: usize) {
         // With tiny corrections, a pose that contains the previous ones looks much like one applied a frame late.
         self.misnamed.retain(|&(_, off_deg)| mistake != Mistake::Feedback || off_deg > OFF_DEG);
         assert!(self.misnamed.is_empty(), "{mistake:?} {way}: {:?}", self.misnamed);
         // Unreset bones and time steps in milliseconds do not keep the gaze from reaching the target.
-        let is_seen = self.off > 0 || matches!((mistake, way), (Mistake::Milliseconds, _) | (Mistake::Feedback, 1));
-        assert!(self.named > 0 && is_seen, "{mistake:?} {way}: {self:?}");
+        let shows = self.off > 0 || matches!((mistake, way), (Mistake::Milliseconds, _) | (Mistake::Feedback, 1));
+        assert!(self.named > 0 && shows, "{mistake:?} {way}: {self:?}");
     }
 }
 
 /// Runs a character for some frames, with or without the mistake.
-fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: bool, rng: &mut Rng, seen: &mut Seen) {
+fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: bool, rng: &mut Rng, tally: &mut Tally) {
     let Character { rig, chain, world, .. } = character;
     let count = chain.len();
     let settings = Settings::default();
@@ -243,17 +243,17 @@ fn play(character: &Character, mistake: Option<(Mistake, usize)>, is_in_model: b
             _ => mistake.map(|(mistake, _)| mistake),
         };
         let found = check.check();
-        seen.off += usize::from(off_deg > OFF_DEG);
+        tally.off += usize::from(off_deg > OFF_DEG);
         match found {
             Err(finding) if Some(finding.mistake) == expected => {
-                seen.named += 1;
+                tally.named += 1;
                 let to_target = target - Vec3::from(eye.translation);
                 let is_true = |seen: f32| (seen - forward.angle_between(to_target)).abs() < 2e-3;
                 assert!(finding.seen.map_or(is(Mistake::JointOrder), is_true), "{finding:?}");
                 assert!(finding.to_string().len() > 80);
             }
-            Err(finding) => seen.misnamed.push((Some(finding.mistake), off_deg)),
-            Ok(()) if off_deg > OFF_DEG => seen.misnamed.push((None, off_deg)),
+            Err(finding) => tally.misnamed.push((Some(finding.mistake), off_deg)),
+            Ok(()) if off_deg > OFF_DEG => tally.misnamed.push((None, off_deg)),
             Ok(()) => {}
         }
         shown = Some((bones, applied, corrections.clone()));
@@ -267,14 +267,14 @@ fn each_mistake_is_named() {
     let mut rng = Rng(77);
     for (mistake, ways) in WAYS {
         for way in 0..ways {
-            let mut seen = Seen::default();
+            let mut tally = Tally::default();
             for case in 0..60 {
                 let character = Character::new(2 + rng.below(4), &mut rng);
                 // In model space, rotations about world axes cannot be recognised.
                 let is_in_world = matches!((mistake, way), (Mistake::OntoGlobal, 1) | (Mistake::TargetSpace, 0));
-                play(&character, Some((mistake, way)), case % 3 == 0 && !is_in_world, &mut rng, &mut seen);
+                play(&character, Some((mistake, way)), case % 3 == 0 && !is_in_world, &mut rng, &mut tally);
             }
-            seen.judge(mistake, way);
+            tally.judge(mistake, way);
         }
     }
 }
@@ -292,31 +292,31 @@ fn mistakes_of_one_joint() {
         if has_none {
             continue;
         }
-        let mut seen = Seen::default();
+        let mut tally = Tally::default();
         for case in 0..30 {
             let character = Character::new(1, &mut rng);
             let has_rule = matches!(mistake, Mistake::Inverted | Mistake::Forgotten | Mistake::AppliedTwice);
-            play(&character, Some((mistake, way)), has_rule && case % 2 == 0, &mut rng, &mut seen);
+            play(&character, Some((mistake, way)), has_rule && case % 2 == 0, &mut rng, &mut tally);
         }
-        seen.judge(mistake, way);
+        tally.judge(mistake, way);
     }
 }
 
 /// A correct setup in the same engine is not reported.
 #[test]
-fn a_right_setup_is_not_faulted() {
+fn a_correct_setup_has_no_finding() {
     let mut rng = Rng(79);
-    let mut seen = Seen::default();
+    let mut tally = Tally::default();
     for case in 0..300 {
         let character = Character::new(1 + rng.below(6), &mut rng);
-        play(&character, None, case % 2 == 0, &mut rng, &mut seen);
+        play(&character, None, case % 2 == 0, &mut rng, &mut tally);
     }
-    assert!(seen.off == 0 && seen.misnamed.is_empty(), "{seen:?}");
+    assert!(tally.off == 0 && tally.misnamed.is_empty(), "{tally:?}");
 }
 
 /// Nothing is reported for random rigs, poses, targets, settings and frame times, in any space of the engine.
 #[test]
-fn nothing_is_found_where_nothing_is_wrong() {
+fn random_correct_rigs_have_no_finding() {
     let mut rng = Rng(80);
     for case in 0..600 {
         let rig = random::rig(&mut rng);
@@ -380,7 +380,7 @@ fn nothing_is_found_where_nothing_is_wrong() {
 
 /// Frames that cannot be compared are not reported, and nothing panics.
 #[test]
-fn unusable_frames_are_passed_over() {
+fn unusable_frames_have_no_finding() {
     let mut rng = Rng(81);
     for _ in 0..20_000 {
         let rig = random::rig(&mut rng);

@@ -93,7 +93,7 @@ fn corrections_turn_the_right_way() {
 
 /// A bone whose frame is turned by 20° takes the same path.
 #[test]
-fn general_frames() {
+fn bones_with_general_frames_are_aimed() {
     let turn = Quat::from_axis_angle(Vec3::new(0.6, -0.64, 0.48), 20.0 * DEG);
     for (axes, _) in triples() {
         let [forward, up, left] = [axes.forward, axes.up, axes.left].map(|v| (turn * Vec3::from(v)).to_array());

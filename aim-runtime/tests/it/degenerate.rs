@@ -16,7 +16,7 @@ fn still_works(rig: &mut NumericRig, case: &str) {
 }
 
 #[test]
-fn any_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(77);
     for case in 0..4000 {
         let mut rig = NumericRig::thug();
@@ -81,7 +81,7 @@ fn any_bits() {
 }
 
 #[test]
-fn what_is_degenerate() {
+fn degenerate_inputs_are_reported_as_such() {
     let good = Vec3::new(-1.0, 1.8, -2.0);
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for lane in 0..3 {
@@ -117,7 +117,7 @@ fn what_is_degenerate() {
 
 /// A target at 1e20 is an ordinary direction; rigs of that size and of its inverse are aimed, too.
 #[test]
-fn extreme_but_plain() {
+fn extreme_sizes_and_distances_are_aimed() {
     let mut rig = NumericRig::thug();
     let pose = upright(&rig);
     let outcome = rig.snap(&Pose::new(pose.clone()), Vec3::new(-0.5e20, 0.1e20, -1e20));
@@ -137,7 +137,7 @@ fn extreme_but_plain() {
 }
 
 #[test]
-fn strange_declarations() {
+fn unusual_declarations_are_harmless() {
     let awkward = [[0.0; 3], [f32::NAN; 3], [1.0, 0.0, 0.0], [1e20, 0.0, 0.0], [1e-30, 1e-30, 0.0]];
     for forward in awkward {
         for up in awkward {
@@ -159,7 +159,7 @@ fn strange_declarations() {
 
 /// A rig without joints has nothing to aim and reports so.
 #[test]
-fn no_joints() {
+fn a_rig_without_joints_is_degenerate() {
     let mut rig = NumericRig::thug();
     rig.infos.clear();
     rig.joints.clear();
@@ -170,7 +170,7 @@ fn no_joints() {
 
 /// Slices of wrong lengths: nothing is aimed, nothing moves, and nothing panics.
 #[test]
-fn slices_of_other_lengths() {
+fn slices_of_wrong_lengths_are_degenerate() {
     let (settings, point) = (Settings::default(), Vec3::new(0.3, 1.6, -2.0));
     let weighted = [Target::new(point, 0.7), Target::new(-point, 0.2)];
     for count in [1, 3] {
@@ -196,7 +196,7 @@ fn slices_of_other_lengths() {
 
 /// With only one bone mirrored and another stretched, the remaining angle still agrees with forward kinematics.
 #[test]
-fn odd_parents_inside_the_chain() {
+fn mirrored_and_stretched_parents_inside_the_chain_are_aimed() {
     let mut rng = Rng(31);
     for case in 0..200 {
         let mut rig = NumericRig::thug();

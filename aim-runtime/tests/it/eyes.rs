@@ -68,9 +68,9 @@ fn aim(
     }
     if settings.weight == 1.0 && settings.effector == 0 && dt > 0.0 {
         let (joints, pair) = pose;
-        let left = [remaining64(rig, joints, 0, target), off64(pair_gaze64(rig, joints, pair), target)];
-        for (left, told) in left.into_iter().zip([outcome.remaining, outcome.other_eye_remaining.unwrap()]) {
-            assert!((left - f64::from(told)).abs() < 2e-5, "{case}: {left} but {outcome:?}");
+        let left = [remaining64(rig, joints, 0, target), angle_to64(pair_gaze64(rig, joints, pair), target)];
+        for (left, reported) in left.into_iter().zip([outcome.remaining, outcome.other_eye_remaining.unwrap()]) {
+            assert!((left - f64::from(reported)).abs() < 2e-5, "{case}: {left} but {outcome:?}");
         }
         // A follower does not affect the status.
         if rig.effector.origin != [0.0; 3] {
@@ -116,7 +116,7 @@ fn near_they_converge_and_far_they_are_parallel() {
 
 /// A target nearer than 10 cm is aimed at as if it were at 10 cm, and not reported as reached.
 #[test]
-fn near_clamp() {
+fn targets_nearer_than_ten_centimetres_are_moved_out() {
     for size in [0.01, 1.0, 100.0] {
         let world = Affine3A::from_scale(Vec3::splat(size));
         let mut angles = Vec::new();
@@ -137,7 +137,7 @@ fn near_clamp() {
 
 /// In every convention of the other eye's bone, and in a mirrored world, it looks the same way.
 #[test]
-fn every_convention_of_the_other_eye() {
+fn the_other_eye_may_have_any_convention() {
     let mirror = Affine3A::from_scale(Vec3::new(-1.0, 1.0, 1.0));
     for (heading, pitch, distance) in [(20.0, 8.0, 0.3), (-50.0, -12.0, 2.0)] {
         let target = at(heading, pitch, distance);
@@ -168,7 +168,7 @@ fn every_convention_of_the_other_eye() {
 
 /// Under every parent, at every scale, in any animation.
 #[test]
-fn under_every_parent() {
+fn both_eyes_aim_under_every_parent_transform() {
     let mut rng = Rng(21);
     for (name, parent, similar) in parents() {
         for size in [0.01, 1.0, 100.0] {
@@ -233,7 +233,7 @@ fn limits_and_rates_hold_and_eyes_never_part() {
 /// If one eye reaches a target just outside the other's range, it is not reached yet; the neck turns until both reach
 /// it.
 #[test]
-fn the_neck_makes_room_for_both() {
+fn the_neck_turns_so_that_both_eyes_reach_the_target() {
     for side in [1.0, -1.0] {
         let mut rig = NumericRig::thug();
         let pose = upright_pair(&rig, &THUG);
@@ -315,7 +315,7 @@ fn weight_scales_the_convergence() {
 
 /// With an effector beside the eye, that eye leads alone and the other one turns in parallel.
 #[test]
-fn a_follower() {
+fn an_eye_beside_an_offset_effector_follows_in_parallel() {
     let mut rig = NumericRig::thug();
     rig.effector.origin = [0.0, 0.01, 0.0];
     let axes = triples()[17].0;
@@ -328,7 +328,7 @@ fn a_follower() {
 }
 
 #[test]
-fn without_a_pair_nothing_changes() {
+fn without_another_eye_results_are_unchanged() {
     let mut rng = Rng(23);
     let (mut with, mut without) = (NumericRig::thug(), NumericRig::thug());
     let pose = upright_pair(&with, &THUG);
@@ -350,7 +350,7 @@ fn without_a_pair_nothing_changes() {
 
 /// An invalid transform of the other eye is degenerate: everything is held.
 #[test]
-fn what_is_degenerate() {
+fn an_invalid_other_eye_is_degenerate() {
     let mut rig = NumericRig::thug();
     let (joints, pair) = upright_pair(&rig, &THUG);
     settle(&mut rig, &(joints.clone(), pair), at(30.0, 5.0, 0.5), "before");
@@ -377,7 +377,7 @@ fn what_is_degenerate() {
 }
 
 #[test]
-fn any_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(24);
     let mut rig = NumericRig::thug();
     for _ in 0..5000 {

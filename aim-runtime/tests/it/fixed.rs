@@ -50,7 +50,7 @@ impl AimRig for Thug {
 }
 
 #[test]
-fn the_contract() {
+fn a_compiled_rig_aims_with_fixed_arrays() {
     let [eye, neck, spine]: [Affine3A; 3] = upright(&NumericRig::thug()).try_into().unwrap();
     let (mut thug, settings) = (Aim::<Thug>::new(), Settings::default());
     let target = Vec3::new(-1.0, 1.8, -2.0);

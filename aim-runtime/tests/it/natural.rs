@@ -153,7 +153,7 @@ fn the_eye_leads_and_returns() {
 
 /// Positions at given times do not depend on the frame rate.
 #[test]
-fn at_any_frame_rate() {
+fn positions_do_not_depend_on_the_frame_rate() {
     let necks = |hz: f32| {
         let frames = step(&mut thug(), at(60.0, 10.0), hz, &Settings::default()).1;
         [0.1, 0.2, 0.3, 0.4].map(|t| frames[(t * hz).round() as usize - 1][1])
@@ -185,7 +185,7 @@ fn an_oblique_gaze_keeps_to_its_arc() {
 
 /// Once the gaze is on the target it stays there, however target and body move.
 #[test]
-fn it_follows() {
+fn the_gaze_follows_a_moving_target_and_body() {
     let mut rng = Rng(5);
     for hz in FRAME_RATES {
         let mut rig = thug();
@@ -230,7 +230,7 @@ fn attention_turns_the_head() {
 
 /// When targets, weights and attention jump, velocities still change only within the acceleration limits.
 #[test]
-fn nothing_jerks() {
+fn accelerations_are_limited_when_inputs_jump() {
     let mut rng = Rng(8);
     for hz in FRAME_RATES {
         let mut rig = thug();
@@ -251,7 +251,7 @@ fn nothing_jerks() {
 
 /// At weight 0 the joints return to the exact identity. The gaze returns first, and nothing jerks.
 #[test]
-fn weight_out_and_in() {
+fn at_weight_zero_the_joints_return_to_the_identity() {
     let mut rig = thug();
     let (pose, target) = (upright(&rig), at(55.0, -10.0));
     rig.snap(&Pose::new(pose.clone()), target);
@@ -274,7 +274,7 @@ fn weight_out_and_in() {
 
 /// An orbiting target is followed on the other side, in either direction and for every policy behind.
 #[test]
-fn orbits() {
+fn an_orbiting_target_is_followed_on_the_other_side() {
     for policy in [Behind::Off, Behind::Clip, Behind::Plane, Behind::Hold, Behind::Release] {
         for turn_s in [6.0, -6.0, 15.0, -15.0_f32] {
             let mut rig = thug();
@@ -298,7 +298,7 @@ fn orbits() {
 /// If the target is out of reach to the side, the gaze keeps its elevation; above or below, its heading. The status
 /// says so.
 #[test]
-fn out_of_reach() {
+fn a_target_out_of_reach_is_followed_level() {
     let gaze = |rig: &NumericRig, pose: &[Affine3A]| {
         let [x, y, z] = gaze64(rig, pose, 0).1.map(|x| x as f32);
         [(-x).atan2(-z) / DEG, y.asin() / DEG]
@@ -345,7 +345,7 @@ fn out_of_reach() {
 
 /// A target whose heading and elevation each fit the joints' combined ranges is within reach.
 #[test]
-fn within_reach() {
+fn targets_that_fit_the_ranges_are_reached() {
     let mut rng = Rng(12);
     let mut failed = Vec::new();
     for case in 0..1500 {
@@ -387,10 +387,10 @@ fn within_reach() {
         let target = from + turn * WORLD[0] * rng.between(3.0, 30.0);
         let settings = Settings::default().with_behind(Behind::Off);
         let pose = Pose::new(joints).with_up(Vec3::Y);
-        let told = rig.clone().aim_with(&pose, target, 1.0 / 60.0, &settings).status;
+        let status = rig.clone().aim_with(&pose, target, 1.0 / 60.0, &settings).status;
         let snapped = rig.snap_with(&pose, target, &settings);
-        if snapped.status != Status::Reached || told == Status::AtLimit {
-            failed.push((case, heading, pitch, snapped.status, snapped.remaining / DEG, told));
+        if snapped.status != Status::Reached || status == Status::AtLimit {
+            failed.push((case, heading, pitch, snapped.status, snapped.remaining / DEG, status));
         }
     }
     // Except for one in a thousand, where all but one or two joints are at their limits.
@@ -399,7 +399,7 @@ fn within_reach() {
 
 /// A snap gives the pose in which the gaze would come to rest, and it stays there.
 #[test]
-fn snap_is_the_end_of_the_way() {
+fn a_snap_gives_the_final_pose() {
     let mut rng = Rng(11);
     for _ in 0..100 {
         let target = at(rng.between(-70.0, 70.0), rng.between(-30.0, 30.0));
@@ -450,7 +450,7 @@ fn engagement_has_two_thresholds() {
 }
 
 #[test]
-fn a_delay_is_the_heads_alone() {
+fn a_delay_holds_back_the_head_only() {
     let delayed = Settings::default().with_sharing(GazeSharing::default().with_delay(0.1));
     let lag_s = |settings: &Settings| {
         let frames = step(&mut thug(), at(50.0, 0.0), 60.0, settings).1;
@@ -463,7 +463,7 @@ fn a_delay_is_the_heads_alone() {
 
 /// Accelerations declared by a rig take effect.
 #[test]
-fn accelerations_are_declared() {
+fn declared_accelerations_take_effect() {
     let reach_s = |acceleration: f32| {
         let mut rig = thug();
         for info in &mut rig.infos[1..] {
@@ -481,7 +481,7 @@ fn accelerations_are_declared() {
 
 /// Unusual rigs: hinges, an effector that is not the eye's own, a leaning neck, a stretched pose, a free base.
 #[test]
-fn any_rig() {
+fn unusual_rigs_are_aimed() {
     let eye = JointInfo::new(THUG, 450.0 * DEG).with_heading(-35.0 * DEG, 35.0 * DEG).with_role(Role::Eye);
     let yaw = JointInfo::new(THUG, 170.0 * DEG).with_heading(-60.0 * DEG, 60.0 * DEG);
     let nod = JointInfo::new(THUG, 120.0 * DEG).with_pitch(-40.0 * DEG, 40.0 * DEG);
@@ -521,7 +521,7 @@ fn any_rig() {
 
 /// After a change of solver, supporting joints start without their former velocity.
 #[test]
-fn other_solvers_leave_no_speed_behind() {
+fn switching_the_solver_leaves_no_velocity() {
     let mut rig = thug();
     let pose = upright(&rig);
     for _ in 0..8 {
@@ -541,7 +541,7 @@ fn other_solvers_leave_no_speed_behind() {
 
 /// A single eye moves exactly as with the exact solver.
 #[test]
-fn an_eye_alone_is_the_exact_solvers() {
+fn a_single_eye_is_solved_by_the_exact_solver() {
     let mut rigs = [Solver::Natural, Solver::Exact].map(|solver| (thug(), Settings::default().with_solver(solver)));
     for frame in 0..60 {
         for (rig, settings) in &mut rigs {
@@ -556,7 +556,7 @@ fn an_eye_alone_is_the_exact_solvers() {
 
 /// Both eyes converge while the head follows, and come to rest together.
 #[test]
-fn both_eyes() {
+fn both_eyes_converge_while_the_head_follows() {
     let mut rig = thug();
     let joints = upright(&rig);
     let mut other = joints[0];
@@ -568,7 +568,7 @@ fn both_eyes() {
     for frame in 0..120 {
         let outcome = rig.aim(&pose, target, 1.0 / 60.0);
         jerk.watch(&rig, 1.0 / 60.0);
-        let left = remaining64(&rig, &joints, 0, target).max(off64(pair_gaze64(&rig, &joints, &other), target));
+        let left = remaining64(&rig, &joints, 0, target).max(angle_to64(pair_gaze64(&rig, &joints, &other), target));
         if arrived.is_none() && outcome.status == Status::Reached {
             arrived = Some(frame);
         }
@@ -586,7 +586,7 @@ fn both_eyes() {
 
 /// Settings, poses, targets and declarations with arbitrary bits do no harm.
 #[test]
-fn any_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(77);
     for _ in 0..3000 {
         let mut rig = thug();
@@ -622,7 +622,7 @@ fn any_bits() {
 
 /// Frames after a snap do not move the joints, also out of reach.
 #[test]
-fn what_was_snapped_stays() {
+fn frames_after_a_snap_do_not_move_the_joints() {
     for (heading, pitch) in [(20.0, 0.0), (60.0, 10.0), (130.0, 60.0), (130.0, 45.0), (115.0, -60.0), (0.0, 85.0)] {
         let mut rig = thug();
         let pose = upright(&rig);
@@ -694,7 +694,7 @@ fn a_free_neck_with_a_budget_keeps_its_side() {
 /// Out of reach to the side, the outcome reports how far the body would have to turn, and since when. Turned by 2°
 /// more, the target is within reach; by 3° less, it is not. This holds behind, too, for every policy.
 #[test]
-fn how_far_the_body_has_to_turn() {
+fn body_turn_brings_the_target_into_reach() {
     for (heading, pitch) in [(125.0, 0.0), (-140.0, 10.0), (122.0, -15.0), (170.0, 0.0), (-160.0, 20.0_f32)] {
         for behind in [Behind::Off, Behind::Clip, Behind::Hold, Behind::Release] {
             let settings = Settings::default().with_behind(behind);
@@ -726,7 +726,7 @@ fn how_far_the_body_has_to_turn() {
 /// When the patience with a target out of reach ends, the gaze returns to the animation; it resumes once it can reach
 /// it.
 #[test]
-fn patience_ends() {
+fn the_gaze_gives_up_after_its_patience() {
     for (target, behind) in
         [(at(130.0, 0.0), Behind::Off), (at(10.0, 88.0), Behind::Clip), (at(175.0, 0.0), Behind::Clip)]
     {
@@ -757,7 +757,7 @@ fn patience_ends() {
 
 /// If budgets limit a turn well before the joints' own ranges, policies for targets behind follow the budgets.
 #[test]
-fn policies_for_what_is_behind_count_by_budgets() {
+fn policies_for_targets_behind_use_the_budgets() {
     let after = |behind: Behind| {
         let mut rig = thug();
         for info in &mut rig.infos[1..] {
@@ -780,7 +780,7 @@ fn policies_for_what_is_behind_count_by_budgets() {
 
 /// A slight skew, as from rounded rotations, does not make a pose non-rigid, and the outcome is still right.
 #[test]
-fn barely_skewed_bones_are_told_truly() {
+fn a_slight_skew_leaves_the_outcome_exact() {
     let mut rng = Rng(5);
     for case in 0..2000 {
         let mut rig = thug();

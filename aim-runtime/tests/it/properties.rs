@@ -60,8 +60,8 @@ impl Scene {
             with_bind: rng.once_in(2),
             awkward: Rng(0),
         };
-        scene.settings = scene.ask(rng);
-        scene.target = scene.head_for(rng);
+        scene.settings = scene.random_settings(rng);
+        scene.target = scene.random_path(rng);
         if rng.once_in(2) {
             scene.rig.joints = random::state(&scene.rig, rng);
         }
@@ -70,7 +70,7 @@ impl Scene {
     }
 
     /// Returns random settings.
-    fn ask(&self, rng: &mut Rng) -> Settings {
+    fn random_settings(&self, rng: &mut Rng) -> Settings {
         let mut settings = Settings::default()
             .with_behind([Behind::Off, Behind::Clip, Behind::Hold, Behind::Release][rng.below(4)])
             .with_attention(if rng.once_in(3) { rng.between(-0.2, 1.2) } else { 0.0 });
@@ -99,7 +99,7 @@ impl Scene {
     }
 
     /// Returns a random path for the target.
-    fn head_for(&self, rng: &mut Rng) -> Path {
+    fn random_path(&self, rng: &mut Rng) -> Path {
         let near = self.animation.eye() + rng.direction() * rng.of_any_size(0.05, 20.0);
         match rng.below(12) {
             0 | 1 => Path::Orbits(rng.between(0.2, 4.0), rng.between(-1.0, 1.0), rng.between(-2.0, 2.0)),
@@ -141,10 +141,10 @@ impl Scene {
     /// Runs one frame: changes something at random, then makes the call and judges it.
     fn frame(&mut self, rng: &mut Rng, counts: &mut Counts) -> Result<(), String> {
         match rng.below(40) {
-            0 | 1 => self.target = self.head_for(rng),
+            0 | 1 => self.target = self.random_path(rng),
             2 => {
-                self.settings = self.ask(rng);
-                self.target = self.head_for(rng);
+                self.settings = self.random_settings(rng);
+                self.target = self.random_path(rng);
             }
             3 => {
                 // Changes a range, which may become inverted or exclude 0. For a pair of eyes 0 stays included, since
@@ -209,8 +209,8 @@ impl Scene {
             let mut other = before.clone();
             let mut ascent = Ascent::paper().with_relax(Some(0.5));
             ascent.finish = !settings.ascent.finish;
-            let told = served(&mut other, &settings.with_ascent(ascent));
-            if bits(&told, &other) != bits(&outcome, &self.rig) || other.memory != self.rig.memory {
+            let other_outcome = served(&mut other, &settings.with_ascent(ascent));
+            if bits(&other_outcome, &other) != bits(&outcome, &self.rig) || other.memory != self.rig.memory {
                 return Err("the exact solver heeds how the ascent steps".into());
             }
         }
@@ -233,8 +233,8 @@ impl Scene {
 fn bits(outcome: &Outcome, rig: &NumericRig) -> Vec<u32> {
     let angles = rig.joints.iter().flat_map(|joint| [joint.heading(), joint.pitch()]);
     let corrections = rig.corrections().flat_map(|(_, correction)| correction.to_array());
-    let told = [outcome.aim, outcome.remaining, outcome.other_eye_remaining.unwrap_or(f32::NAN)];
-    angles.chain(corrections).chain(told).map(f32::to_bits).collect()
+    let measures = [outcome.aim, outcome.remaining, outcome.other_eye_remaining.unwrap_or(f32::NAN)];
+    angles.chain(corrections).chain(measures).map(f32::to_bits).collect()
 }
 
 /// Number of frames with each status.
@@ -253,7 +253,7 @@ impl Counts {
     }
 }
 
-fn hold(solver: Option<Solver>, seed: u64) {
+fn check_guarantees(solver: Option<Solver>, seed: u64) {
     let mut counts = Counts::default();
     let rigs = if in_full() { RIGS_IN_FULL } else { RIGS };
     for number in 0..rigs {
@@ -269,24 +269,24 @@ fn hold(solver: Option<Solver>, seed: u64) {
 }
 
 #[test]
-fn exact() {
-    hold(Some(Solver::Exact), 0x1000_0000);
+fn the_exact_solver_keeps_all_guarantees() {
+    check_guarantees(Some(Solver::Exact), 0x1000_0000);
 }
 
 #[test]
-fn natural() {
-    hold(Some(Solver::Natural), 0x2000_0000);
+fn the_natural_solver_keeps_all_guarantees() {
+    check_guarantees(Some(Solver::Natural), 0x2000_0000);
 }
 
 #[test]
-fn ascent() {
-    hold(Some(Solver::Ascent), 0x3000_0000);
+fn the_ascent_keeps_all_guarantees() {
+    check_guarantees(Some(Solver::Ascent), 0x3000_0000);
 }
 
 /// The default solver: natural for a rig with roles, otherwise exact.
 #[test]
-fn either() {
-    hold(None, 0x4000_0000);
+fn the_default_solver_keeps_all_guarantees() {
+    check_guarantees(None, 0x4000_0000);
 }
 
 /// A target that some angles within the ranges look at is not reported as out of reach, and a snap reaches it.
@@ -294,7 +294,7 @@ fn either() {
 /// The exception is one rig in two thousand: with few angles, mostly with coupled ranges, whose gaze is led there from
 /// none of the starting points of a single call.
 #[test]
-fn within_reach() {
+fn reachable_targets_are_reached_by_a_snap() {
     const RIGS: usize = 6000;
     const STUCK: usize = RIGS / 1000;
     let mut rng = Rng(0x5000_0000);
@@ -319,9 +319,9 @@ fn within_reach() {
         let pose = Pose::new(joints);
         let mut settled = rig.clone();
         let snapped = settled.snap_with(&pose, target, &settings).status;
-        let told = rig.aim_with(&pose, target, 1.0 / 60.0, &settings).status;
-        if snapped != Status::Reached || told == Status::AtLimit {
-            failed.push((number, snapped, told));
+        let status = rig.aim_with(&pose, target, 1.0 / 60.0, &settings).status;
+        if snapped != Status::Reached || status == Status::AtLimit {
+            failed.push((number, snapped, status));
         }
     }
     assert!(failed.len() <= STUCK, "{} of {RIGS}: {failed:?}", failed.len());

@@ -47,7 +47,7 @@ fn settle(rig: &mut NumericRig, pose: &Pose<Vec<Affine3A>>, target: Vec3) -> Sta
 
 /// The animation's own turn counts towards the range: less may be added on that side, and more on the other.
 #[test]
-fn absolute_ranges_count_what_the_animation_does() {
+fn bind_pose_limits_include_the_animation() {
     for (name, parent, similar) in parents() {
         for scale in [0.01, 1.0, 100.0] {
             let world = Affine3A::from_scale(Vec3::splat(scale)) * parent;
@@ -71,7 +71,7 @@ fn absolute_ranges_count_what_the_animation_does() {
 /// If the animation itself exceeds a range, the joint is not moved further out, and it returns only as far as the
 /// target requires.
 #[test]
-fn an_animation_outside_its_range_is_let_be() {
+fn an_animation_outside_its_range_is_not_corrected() {
     let mut rig = absolute();
     let bind = upright(&rig);
     let pose = Pose::new(with_neck_turned(&rig, 80.0 * DEG, 0.0)).with_bind(bind);
@@ -85,7 +85,7 @@ fn an_animation_outside_its_range_is_let_be() {
 
 /// At weight 0, an animation is not held back when it leaves its range, however fast.
 #[test]
-fn an_animation_that_leaves_its_range_is_let_go() {
+fn at_weight_zero_an_animation_may_leave_its_range() {
     for speed in [50.0, 200.0, 600.0] {
         let mut rig = eyeless();
         for info in &mut rig.infos {
@@ -103,7 +103,7 @@ fn an_animation_that_leaves_its_range_is_let_go() {
 
 /// Without a bind pose, or with one that has no rotation, absolute ranges are relative.
 #[test]
-fn absolute_needs_a_bind_pose() {
+fn bind_pose_limits_need_a_bind_pose() {
     let target = at(130.0 * DEG, 0.0);
     let mut relative = NumericRig::thug();
     let turned = with_neck_turned(&relative, 40.0 * DEG, 0.0);
@@ -121,7 +121,7 @@ fn absolute_needs_a_bind_pose() {
 
 /// If the animation moves, the added angles follow their moving ranges at their rates.
 #[test]
-fn absolute_ranges_move_with_the_animation() {
+fn bind_pose_limits_move_with_the_animation() {
     let mut rng = Rng(77);
     let mut rig = absolute();
     let bind = upright(&rig);

@@ -130,7 +130,7 @@ fn no_more_distorted_than_by_descent_and_about_as_smooth_as_a_bump() {
 }
 
 #[test]
-fn several_waypoints_and_weights() {
+fn several_waypoints_are_met_and_weights_count() {
     let (_, points) = clips().swap_remove(1);
     let at = |frame: usize, by: Vec3| Waypoint::new(frame, points[frame] + by);
     let three = [at(30, Vec3::X * 0.1), at(55, Vec3::Y * 0.15), at(80, Vec3::Z * -0.1)];
@@ -156,7 +156,7 @@ fn several_waypoints_and_weights() {
 }
 
 #[test]
-fn nothing_asked_for_changes_nothing() {
+fn without_waypoints_the_trajectory_is_unchanged() {
     for (_, points) in clips() {
         for waypoints in [&[][..], &[Waypoint::new(20, points[20])]] {
             let (out, outcome) = deformed(&Trajectory::new(&points), waypoints);
@@ -169,7 +169,7 @@ fn nothing_asked_for_changes_nothing() {
 
 /// Straight lines define no side, repeated points no chord, and turning points a vanishing chord.
 #[test]
-fn straight_still_and_turning() {
+fn degenerate_trajectories_are_deformed() {
     let made = |point: &dyn Fn(f32) -> Vec3| (0_u16..61).map(|i| point(f32::from(i) / 60.0)).collect::<Vec<_>>();
     let straight = made(&|t| Vec3::X * t);
     let still = made(&|_| Vec3::ONE);
@@ -196,7 +196,7 @@ fn straight_still_and_turning() {
 
 /// Results scale with the trajectory, and do not depend on its position or on an offset or scale of time.
 #[test]
-fn any_unit_anywhere() {
+fn results_scale_and_move_with_the_trajectory() {
     let (_, points) = clips().swap_remove(0);
     let waypoint = Waypoint::new(25, points[25] + Vec3::new(0.1, 0.1, -0.1));
     let (curve, _) = deformed(&Trajectory::new(&points), &[waypoint]);
@@ -218,7 +218,7 @@ fn any_unit_anywhere() {
 
 /// Moving a frame in time, together with its point, hardly changes the curve.
 #[test]
-fn uneven_times() {
+fn uneven_key_times_hardly_change_the_curve() {
     let path = |t: f32| Vec3::new((2.0 * t).cos(), (2.0 * t).sin(), 0.3 * t);
     let even: Vec<f32> = (0_u16..61).map(|i| f32::from(i) / 60.0).collect();
     let mut uneven = even.clone();
@@ -235,7 +235,7 @@ fn uneven_times() {
 }
 
 #[test]
-fn free_ends() {
+fn with_free_ends_the_whole_curve_moves() {
     let (_, points) = clips().swap_remove(3);
     let by = Vec3::new(0.1, 0.2, 0.0);
     let trajectory = Trajectory::new(&points).with_ends(Ends::Free);
@@ -247,7 +247,7 @@ fn free_ends() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(9);
     for _ in 0..3_000 {
         let frames = rng.below(9);
@@ -272,7 +272,7 @@ fn whatever_the_bits() {
 
 /// The sampling rate hardly affects the curve.
 #[test]
-fn any_frame_rate() {
+fn the_frame_rate_hardly_changes_the_curve() {
     let path = |t: f32| Vec3::new((2.0 * t).cos(), (3.0 * t).sin(), 0.3 * t);
     let curve = |frames: u16| {
         let points: Vec<Vec3> = (0..=frames).map(|i| path(f32::from(i) / f32::from(frames))).collect();
@@ -290,7 +290,7 @@ fn any_frame_rate() {
 
 /// α, β, A and B agree with their definitions and reproduce each point from its neighbours.
 #[test]
-fn places_by_their_definitions() {
+fn places_agree_with_their_definitions() {
     let mut rng = Rng(9);
     for (name, points) in clips() {
         let trajectory = Trajectory::new(&points);

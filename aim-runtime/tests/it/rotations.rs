@@ -13,7 +13,7 @@ fn any_turn(rng: &mut Rng) -> Quat {
 }
 
 #[test]
-fn between_rotations() {
+fn interpolation_has_constant_speed() {
     let mut rng = Rng(2);
     for _ in 0..20_000 {
         let (a, b, weight) = (any_turn(&mut rng), any_turn(&mut rng), rng.between(0.0, 1.0));
@@ -35,7 +35,7 @@ fn between_rotations() {
 }
 
 #[test]
-fn rotation_vectors() {
+fn exp_and_log_are_inverse() {
     let mut rng = Rng(3);
     for case in 0..20_000 {
         let angle = if case % 2 == 0 { rng.between(0.0, 3.1) } else { 10.0_f32.powf(rng.between(-12.0, 0.0)) };
@@ -59,7 +59,7 @@ fn rotation_vectors() {
 
 /// The polar factor F is the rotation for which Fᵀ·M is symmetric and positive definite.
 #[test]
-fn nearest_frames() {
+fn the_nearest_rotation_is_the_polar_factor() {
     let mut rng = Rng(4);
     for case in 0..5000 {
         let turn = Mat3A::from_quat(any_turn(&mut rng));
@@ -84,7 +84,7 @@ fn nearest_frames() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(5);
     for _ in 0..100_000 {
         let n: [f32; 12] = numbers(&mut rng);

@@ -108,7 +108,7 @@ fn free_heading_wraps() {
 
 /// A static target within reach is reached, and once the displacement is minimal, nothing moves any more, exactly.
 #[test]
-fn comes_to_rest() {
+fn joints_come_to_rest_on_a_static_target() {
     let mut rng = Rng(3);
     for case in 0..200 {
         let mut rig = NumericRig::thug();
@@ -144,7 +144,7 @@ fn comes_to_rest() {
 
 /// The status is judged without the rates: a reachable target is never reported as out of reach, nor the reverse.
 #[test]
-fn out_of_reach_is_told_from_not_yet() {
+fn at_limit_and_rate_limited_are_distinguished() {
     let mut rng = Rng(5);
     for case in 0..120 {
         let rig = NumericRig::thug();
@@ -219,7 +219,7 @@ fn exactly_behind_goes_left() {
 
 /// If a target teleports, no angle moves faster than its rate; only a snap jumps.
 #[test]
-fn teleport() {
+fn a_jump_of_the_target_respects_rates() {
     let mut rig = NumericRig::thug();
     let pose = Pose::new(upright(&rig));
     rig.snap(&pose, Vec3::new(-2.0, 1.7, -1.0));
@@ -271,7 +271,7 @@ fn weight_sweeps_smoothly() {
 
 /// If ranges shrink below the angles, these return at their rates and are reported as recovering.
 #[test]
-fn recovering() {
+fn joints_return_to_a_shrunken_range() {
     let mut rig = NumericRig::thug();
     let pose = Pose::new(upright(&rig));
     rig.snap(&pose, Vec3::new(-3.0, 1.7, -0.5));
@@ -293,7 +293,7 @@ fn recovering() {
 
 /// The paper's ascent without any additions follows its target and keeps the limits.
 #[test]
-fn the_published_method() {
+fn the_papers_ascent_follows_its_target() {
     let mut rig = NumericRig::thug();
     let pose = upright(&rig);
     let settings = Settings::default().with_ascent(Ascent::paper());
@@ -324,7 +324,7 @@ fn the_published_method() {
 
 /// Far from the world's origin, as precisely as f32 represents the pose.
 #[test]
-fn far_from_the_origin() {
+fn results_are_accurate_far_from_the_origin() {
     let away = Affine3A::from_translation(Vec3::new(2048.0, -512.0, 1024.0));
     let mut rig = NumericRig::thug();
     let pose: Vec<Affine3A> = upright(&rig).iter().map(|joint| away * *joint).collect();

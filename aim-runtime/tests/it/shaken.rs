@@ -40,7 +40,7 @@ fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
 /// If the shaking exceeds the head's acceleration, the error is no larger than the shaking itself; slower shaking is
 /// compensated.
 #[test]
-fn a_shaken_head_does_not_resound() {
+fn shaking_is_not_amplified() {
     const SWING_DEG: f32 = 12.0;
     for hz in FRAME_RATES {
         for tenths in [5, 10, 15, 16, 18, 20, 25, 30, 40, 50] {

@@ -15,7 +15,7 @@ fn random_angles(rig: &mut NumericRig, rng: &mut Rng) {
 }
 
 #[test]
-fn reaches_every_reachable_target() {
+fn a_snap_reaches_every_reachable_target() {
     let mut rng = Rng(1);
     let mut failed = 0;
     let mut inexact = 0;
@@ -45,7 +45,7 @@ fn reaches_every_reachable_target() {
 
 /// Chains of one to six joints, including hinges, with offset effectors and ranges of any size.
 #[test]
-fn reaches_with_any_chain() {
+fn a_snap_reaches_with_any_chain() {
     let mut rng = Rng(99);
     for case in 0..2000 {
         let mut place = Vec3::new(0.0, 1.7, 0.0);
@@ -78,7 +78,7 @@ fn reaches_with_any_chain() {
 
 /// Out of reach, the best of many random postures is no nearer.
 #[test]
-fn does_its_best_out_of_reach() {
+fn out_of_reach_a_snap_is_as_near_as_random_postures() {
     let mut rng = Rng(4);
     let mut unreachable = 0;
     for case in 0..100 {
@@ -104,7 +104,7 @@ fn does_its_best_out_of_reach() {
 /// For reachable targets the result does not depend on the joints' previous angles: scrubbing in both directions
 /// agrees.
 #[test]
-fn does_not_depend_on_the_past() {
+fn a_snap_does_not_depend_on_the_past() {
     let pose = Pose::new(upright(&NumericRig::thug()));
     let (mut there, mut back) = (NumericRig::thug(), NumericRig::thug());
     let at = |step: i32| Vec3::new(-0.1 * step as f32, 1.6, -1.0);
@@ -119,7 +119,7 @@ fn does_not_depend_on_the_past() {
 
 /// A target on the animated effector has no direction: nothing moves, whatever the joints' angles.
 #[test]
-fn holds_where_the_target_is_on_the_effector() {
+fn a_target_on_the_effector_leaves_the_joints() {
     for turned in [0.0, 0.3] {
         let mut rig = NumericRig::thug();
         let pose = upright(&rig);

@@ -51,23 +51,24 @@ impl Frame {
     fn serve(rig: &NumericRig, pose: &Pose<Vec<Affine3A>>, target: Vec3, dt: f32, settings: &Settings) -> Self {
         let before = rig.clone();
         let [(rig, outcome), (whole, by_whole)] = [before.clone(), as_a_chain(&before)].map(|mut rig| {
-            rig.asked = Some(Vec::new().into());
+            rig.kernel_targets = Some(Vec::new().into());
             let outcome = rig.aim_with(pose, target, dt, settings);
             (rig, outcome)
         });
-        let [asked, asked_by_whole] = [&rig, &whole].map(|rig| rig.asked.clone().unwrap().into_inner());
-        let is_general = asked_by_whole.first().is_none_or(|first| asked.contains(first));
+        let [kernel_targets, kernel_targets_of_whole] =
+            [&rig, &whole].map(|rig| rig.kernel_targets.clone().unwrap().into_inner());
+        let is_general = kernel_targets_of_whole.first().is_none_or(|first| kernel_targets.contains(first));
         let path = if is_general { Path::General } else { Path::Specialised };
         Self { before, rig, outcome, whole, by_whole, path }
     }
 
     /// Checks a frame that was left to the general solver: the attempt to specialise must not change a single bit.
     fn check_general(&self) -> Result<(), String> {
-        let told = |holds: bool, what: &str| if holds { Ok(()) } else { Err(what.to_owned()) };
-        told(self.outcome == self.by_whole, "the outcome differs")?;
-        told(self.rig.joints == self.whole.joints, "a joint differs in what it remembers")?;
-        told(self.rig.memory == self.whole.memory, "the memory differs")?;
-        told(self.rig.corrections().eq(self.whole.corrections()), "a correction differs")
+        let require = |holds: bool, what: &str| if holds { Ok(()) } else { Err(what.to_owned()) };
+        require(self.outcome == self.by_whole, "the outcome differs")?;
+        require(self.rig.joints == self.whole.joints, "a joint differs in what it remembers")?;
+        require(self.rig.memory == self.whole.memory, "the memory differs")?;
+        require(self.rig.corrections().eq(self.whole.corrections()), "a correction differs")
     }
 
     /// Checks a frame that a specialised solver solved.
@@ -115,10 +116,10 @@ impl Frame {
         }
         for index in 0..rig.infos.len() {
             let (at_limit, unclear) = at_limit(&rig.infos[index], &rig.joints[index], same_rad);
-            let (told, by_whole) = (outcome.at_limit.contains(index), by_whole.at_limit.contains(index));
-            if told != at_limit || (told != by_whole && !unclear && !nearest && !costs_the_same) {
+            let (reported, by_whole) = (outcome.at_limit.contains(index), by_whole.at_limit.contains(index));
+            if reported != at_limit || (reported != by_whole && !unclear && !nearest && !costs_the_same) {
                 return Err(format!(
-                    "joint {index} at limit: {at_limit}, told {told}, by the general solver {by_whole}"
+                    "joint {index} at limit: {at_limit}, told {reported}, by the general solver {by_whole}"
                 ));
             }
         }
@@ -137,7 +138,7 @@ impl Frame {
     fn remembers_alike(&self, call: &Call<'_>, up: Option<Vec3>) -> bool {
         let [own, other] = [&self.rig, &self.whole].map(|rig| format!("{:?}", rig.memory));
         let is_alike = |name: &str| {
-            let [own, other] = [&own, &other].map(|told| told.split_once(name).unwrap().1.split([',', '}']).next());
+            let [own, other] = [&own, &other].map(|text| text.split_once(name).unwrap().1.split([',', '}']).next());
             own == other
         };
         // Here the side is that of the target as seen from the innermost joint; in the general solver, as seen from the
@@ -416,7 +417,7 @@ fn followed_as_the_general_solver_does() {
 /// Frames that a specialised solver cannot solve are left to the general one, and taken up again afterwards: targets
 /// that jump, are behind or not finite; stretched poses; other settings; changing ranges; a second eye.
 #[test]
-fn between_other_frames() {
+fn frames_for_the_general_solver_are_left_to_it() {
     let [mut specialised, mut general, mut remembering] = [0; 3];
     for number in 0..4 * RIGS {
         let mut rng = Rng(0x7000_0000 + number as u64);
@@ -501,7 +502,7 @@ fn between_other_frames() {
 
 /// A target exactly behind is turned to on the side where it was last followed.
 #[test]
-fn the_side_is_remembered() {
+fn a_target_behind_is_turned_to_on_the_remembered_side() {
     for count in [1, 3] {
         for side in [-1.0, 1.0] {
             let mut rig = NumericRig::new(NumericRig::thug().infos[..count].to_vec());
@@ -525,7 +526,7 @@ fn the_side_is_remembered() {
 
 /// Targets so fast that the linear model has to be applied again to its remaining error.
 #[test]
-fn mended() {
+fn fast_targets_are_reached_by_refinement() {
     let mut specialised = 0;
     for number in 0..RIGS {
         let mut rng = Rng(0x9000_0000 + number as u64);
@@ -542,7 +543,7 @@ fn mended() {
 
 /// Joints that follow a target come to rest, bit by bit equal, when it stops.
 #[test]
-fn a_target_that_stands_still() {
+fn joints_come_to_rest_on_a_static_target() {
     let mut still = 0;
     for number in 0..2 * RIGS {
         let mut rng = Rng(0x8000_0000 + number as u64);
@@ -565,7 +566,7 @@ fn a_target_that_stands_still() {
 
 /// A target on the effector has no direction, even if rounded coordinates give it one.
 #[test]
-fn a_target_on_the_effector() {
+fn a_target_on_the_effector_is_degenerate() {
     for count in [1, 2, 3] {
         let mut rig = NumericRig::new(NumericRig::thug().infos[..count].to_vec());
         let [ahead, ..] = WORLD;

@@ -18,7 +18,7 @@ fn targets(rng: &mut Rng, count: usize) -> Vec<Target> {
 
 /// One target of weight 1 equals the plain call, bit for bit; of another weight, the weighted call.
 #[test]
-fn a_single_target() {
+fn one_target_equals_the_plain_call() {
     let mut rng = Rng(12);
     for _ in 0..50 {
         let target = targets(&mut rng, 1)[0];
@@ -38,7 +38,7 @@ fn a_single_target() {
 
 /// The order of targets does not matter, bit for bit.
 #[test]
-fn any_order() {
+fn the_order_of_targets_does_not_matter() {
     let mut rng = Rng(13);
     for _ in 0..100 {
         let count = 2 + rng.below(5);
@@ -59,7 +59,7 @@ fn any_order() {
 
 /// The gaze for several targets is between them, in every world.
 #[test]
-fn between() {
+fn the_gaze_is_between_several_targets() {
     for (name, parent, _) in parents().into_iter().filter(|parent| parent.2) {
         for scale in [0.01, 1.0, 100.0] {
             let world = Affine3A::from_scale(Vec3::splat(scale)) * parent;
@@ -86,7 +86,7 @@ fn between() {
 
 /// Small changes of the weights change the gaze little, from one target to the other and out again.
 #[test]
-fn continuous_in_the_weights() {
+fn the_gaze_is_continuous_in_the_weights() {
     let mut rng = Rng(14);
     for _ in 0..20 {
         let list = targets(&mut rng, 3);
@@ -113,7 +113,7 @@ fn continuous_in_the_weights() {
 
 /// Without a target the corrections decay to the exact identity, at their rates.
 #[test]
-fn no_target_is_weight_zero() {
+fn without_targets_the_gaze_is_that_of_weight_zero() {
     let mut rig = NumericRig::thug();
     let pose = Pose::new(upright(&rig));
     rig.snap(&pose, Vec3::new(-2.0, 1.9, -1.0));
@@ -130,7 +130,7 @@ fn no_target_is_weight_zero() {
 
 /// For inputs of any bits, corrections are finite, unit and within the ranges.
 #[test]
-fn any_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(15);
     let mut rig = NumericRig::thug();
     for _ in 0..3000 {

@@ -57,7 +57,7 @@ fn anywhere(rig: &NumericRig, rng: &mut Rng) -> Vec<Joint> {
 /// One: The stereographic residual has a false zero where its denominator is clamped: a target nearly behind would be
 ///    solved by looking away from it.
 #[test]
-fn looking_away_is_no_solution() {
+fn a_target_behind_is_not_solved_by_looking_away() {
     let mut rng = Rng(1);
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver).with_behind(Behind::Off);
@@ -132,7 +132,7 @@ fn active_sets_do_not_stick() {
 /// Three: With an orbiting target, the head stays at the limit where the target went out of reach, although it is
 ///    within reach again on the other side.
 #[test]
-fn orbit() {
+fn an_orbiting_target_is_followed_on_the_other_side() {
     for settings in SOLVERS.into_iter().flat_map(|solver| {
         [Behind::Off, Behind::Clip].map(|behind| Settings::default().with_solver(solver).with_behind(behind))
     }) {
@@ -158,7 +158,7 @@ fn orbit() {
 
 /// Four: Overhead, where heading has no effect, a trembling target made the head turn at its full rate.
 #[test]
-fn noise_overhead() {
+fn a_jittering_target_overhead_does_not_turn_the_head() {
     let mut rng = Rng(4);
     for settings in SOLVERS.into_iter().flat_map(|solver| {
         [Behind::Off, Behind::Clip].map(|behind| Settings::default().with_solver(solver).with_behind(behind))
@@ -198,7 +198,7 @@ fn the_target_is_kept_while_the_neck_returns() {
                 for _ in 0..(3.0 * hz) as u16 {
                     let (outcome, _) = frame(&mut rig, &pose, target, hz, &settings);
                     arrived |= outcome.status == Status::Reached;
-                    last = off64(seen64(&rig, &pose, 0), target).to_degrees();
+                    last = angle_to64(seen64(&rig, &pose, 0), target).to_degrees();
                     worst = if arrived { worst.max(last) } else { worst };
                 }
                 assert!(arrived && last < 0.05, "{solver:?}, {hz} Hz, case {case}: {last}");
@@ -214,7 +214,7 @@ fn the_target_is_kept_while_the_neck_returns() {
 
 /// Six: For an inverted range, its middle counts; the angle moves there at its rate and is reported as recovering.
 #[test]
-fn inverted_ranges() {
+fn an_inverted_range_counts_as_its_middle() {
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver);
         let mut rig = person();
@@ -240,7 +240,7 @@ fn inverted_ranges() {
 /// Seven: Half-angle polynomials are accurate to ±180° of the whole angle: ranges beyond that, and headings that turn
 ///    endlessly, are wrapped into this interval.
 #[test]
-fn beyond_half_a_turn() {
+fn ranges_beyond_half_a_turn_are_wrapped() {
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver);
         for range in [[-270.0 * DEG, 270.0 * DEG], [-1e3, 1e3], [f32::NEG_INFINITY, f32::INFINITY]] {
@@ -272,7 +272,7 @@ fn beyond_half_a_turn() {
 
 /// Stiffnesses matter by their ratios alone.
 #[test]
-fn comforts_matter_by_their_ratios_alone() {
+fn only_ratios_of_stiffness_matter() {
     let mut rng = Rng(8);
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver);

@@ -16,8 +16,8 @@ fn posed(limb: &Limb, target: Vec3, outcome: &TwoBoneOutcome) -> [Point; 3] {
     let size = length(minus(middle, root)) + length(minus(tip, middle));
     let largest = [root, middle, tip, exact(target)].concat().iter().fold(size, |most, x| x.abs().max(most));
     let rounding = 1e-6 * largest;
-    for (said, is) in [(outcome.limb.middle, new_middle), (outcome.limb.tip, new_tip)] {
-        assert!(length(minus(exact(said), is)) <= rounding, "{said} is said, {is:?} is so");
+    for (reported, is) in [(outcome.limb.middle, new_middle), (outcome.limb.tip, new_tip)] {
+        assert!(length(minus(exact(reported), is)) <= rounding, "{reported} is said, {is:?} is so");
     }
     let error = length(minus(new_tip, exact(target)));
     assert!((f64::from(outcome.error) - error).abs() <= rounding);
@@ -45,7 +45,7 @@ fn within_reach(rng: &mut Rng, limb: &Limb) -> Vec3 {
 }
 
 #[test]
-fn a_million_reachable_targets() {
+fn a_million_reachable_targets_are_reached() {
     let mut rng = Rng(1);
     let mut worst = 0.0_f64;
     for _ in 0..1_000_000 {
@@ -93,7 +93,7 @@ fn the_plane_of_the_animation_is_kept() {
 
 /// Small steps of the target are small steps of the limb, also while the target circles around the root.
 #[test]
-fn continuous() {
+fn small_steps_of_the_target_move_the_limb_little() {
     let limb = Limb { root: Vec3::ZERO, middle: Vec3::new(0.0, -0.45, 0.05), tip: Vec3::new(0.0, -0.85, 0.0) };
     let mut before: Option<Limb> = None;
     for step in 0_u16..2000 {
@@ -134,7 +134,7 @@ fn no_knee_bends_backwards() {
 }
 
 #[test]
-fn softly_towards_full_extension() {
+fn softening_slows_the_approach_to_full_extension() {
     let limb = Limb { root: Vec3::ZERO, middle: Vec3::new(0.5, 0.1, 0.0), tip: Vec3::new(1.0, 0.0, 0.0) };
     let solver = TwoBone::new().with_softening(0.9);
     let reach = |at: f32| solver.solve(&limb, Vec3::X * at * limb.length());
@@ -176,7 +176,7 @@ fn stretched_folded_and_weighted() {
 
 /// For inputs of any bits, rotations are finite and unit and the status is right.
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let odd = [f32::NAN, f32::INFINITY, -f32::INFINITY, 1e20, -1e20, 1e-20, 1e-40, 3e38, 0.0, 1.0];
     let mut rng = Rng(5);
     for round in 0..200_000 {
@@ -207,7 +207,7 @@ fn whatever_the_bits() {
 }
 
 #[test]
-fn bones_without_length() {
+fn bones_without_length_are_handled() {
     let point = Vec3::new(0.1, 0.2, 0.3);
     let none = TwoBone::new().solve(&Limb { root: point, middle: point, tip: point }, Vec3::X);
     assert_eq!((none.status, none.upper, none.lower), (TwoBoneStatus::Degenerate, Quat::IDENTITY, Quat::IDENTITY));

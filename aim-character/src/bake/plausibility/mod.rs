@@ -165,19 +165,19 @@ impl Plausibility {
         let clip = written.clip(baked.clip.name())?;
         let source = plan.clip.map(|clip| clip.repeated(plan.seconds));
         let skeleton = plan.document.skeleton();
-        let look = Look::new(rig, plan)?;
+        let observer = Observer::new(rig, plan)?;
         let mut frames = Vec::with_capacity(baked.frames.len());
-        let (mut arrival, mut turned) = (Arrival::default(), Turned::default());
+        let (mut elevation_settling, mut heading_settling) = (ElevationSettling::default(), HeadingSettling::default());
         let budgets = *rig.description().budgets();
         let mut head = Turning::new(f64::from(budgets.head.acceleration).to_degrees(), plan.fps);
         let mut chest = Turning::new(f64::from(budgets.chest.acceleration).to_degrees(), plan.fps);
-        let mut seams = Seams::new(plan, &look.landmarks);
+        let mut seams = LoopSeams::new(plan, &observer.landmarks);
         for frame in &baked.frames {
-            let animated = skeleton.world_f64(&look.live.pose(skeleton, source.as_ref(), frame.t));
-            let aimed = look.live.pose(written.skeleton(), Some(clip), frame.t);
+            let animated = skeleton.world_f64(&observer.live.pose(skeleton, source.as_ref(), frame.t));
+            let aimed = observer.live.pose(written.skeleton(), Some(clip), frame.t);
             let aimed = written.skeleton().world_f64(&aimed);
             let t = f64::from(frame.t);
-            let mut seen = look.frame(t, frame.target, &animated, &aimed);
+            let mut appearance = observer.frame(t, frame.target, &animated, &aimed);
             // The gaze is not meant to reach the target at a weight below 1, after patience has run out, or under a
             // policy for targets behind that does not follow them.
             let settings = &plan.settings;
@@ -185,41 +185,44 @@ impl Plausibility {
                 && frame.outcome.out_of_reach_for <= settings.patience
                 && (frame.outcome.status != Status::Behind
                     || matches!(settings.behind, Behind::Clip | Behind::Plane | Behind::Off));
-            seen.elevation_counts &=
-                arrival.has_settled(t, look.target_elevation_deg(frame.target, &animated, &aimed)) && is_meant;
-            let is_after_seam = seams.is_between(frame.t);
+            appearance.elevation_counts &= elevation_settling
+                .has_settled(t, observer.target_elevation_deg(frame.target, &animated, &aimed))
+                && is_meant;
+            let is_after_seam = seams.passes_seam(frame.t);
             if is_after_seam {
-                turned.restart();
+                heading_settling.restart();
             }
-            let of_target = look.target_heading_deg(frame.target, &animated, &aimed);
-            seen.heading_counts = turned.has_settled(t, of_target.filter(|_| seen.heading_counts)) && is_meant;
-            if let Some([of_head, of_chest]) = look.turns(&animated, &aimed) {
+            let of_target = observer.target_heading_deg(frame.target, &animated, &aimed);
+            appearance.heading_counts =
+                heading_settling.has_settled(t, of_target.filter(|_| appearance.heading_counts)) && is_meant;
+            if let Some([of_head, of_chest]) = observer.turns(&animated, &aimed) {
                 if is_after_seam {
                     head.restart();
                     chest.restart();
                 }
                 head.push(t, of_head);
                 chest.push(t, of_chest);
-                (seen.head_speed_deg_s, seen.head_acceleration_deg_s2) = (head.speed(), head.acceleration());
+                (appearance.head_speed_deg_s, appearance.head_acceleration_deg_s2) =
+                    (head.speed(), head.acceleration());
             }
-            frames.push(seen);
+            frames.push(appearance);
         }
-        let reversals = look.landmarks.chest.map(|_| {
+        let reversals = observer.landmarks.chest.map(|_| {
             let [head, chest] = [head, chest].map(|turning| turning.most_reversals());
             if chest.value > head.value { chest } else { head }
         });
         let of = |pick: &dyn Fn(&Appearance) -> Option<f64>| worst(&frames, pick);
         let worst = [
-            of(&|seen| seen.head_to_chest_heading_deg.filter(|_| look.heading_counts(seen))),
-            of(&|seen| seen.head_roll_deg),
-            of(&|seen| seen.elevation_off_deg.filter(|_| seen.elevation_counts)),
-            of(&|seen| seen.heading_off_deg.filter(|_| seen.heading_counts)),
-            of(&|seen| seen.limb_shift),
-            of(&|seen| seen.head_speed_deg_s),
-            of(&|seen| seen.head_acceleration_deg_s2),
+            of(&|appearance| appearance.head_to_chest_heading_deg.filter(|_| observer.heading_counts(appearance))),
+            of(&|appearance| appearance.head_roll_deg),
+            of(&|appearance| appearance.elevation_off_deg.filter(|_| appearance.elevation_counts)),
+            of(&|appearance| appearance.heading_off_deg.filter(|_| appearance.heading_counts)),
+            of(&|appearance| appearance.limb_shift),
+            of(&|appearance| appearance.head_speed_deg_s),
+            of(&|appearance| appearance.head_acceleration_deg_s2),
             reversals,
         ];
-        Ok(Self { is_humanoid: look.landmarks.is_humanoid, frames, worst })
+        Ok(Self { is_humanoid: observer.landmarks.is_humanoid, frames, worst })
     }
 
     /// Returns the largest value of a criterion; `None` if it is undefined in all frames: no chest under a head, no
@@ -239,19 +242,19 @@ impl Plausibility {
 }
 
 fn worst(frames: &[Appearance], pick: &dyn Fn(&Appearance) -> Option<f64>) -> Option<Worst> {
-    let values = frames.iter().filter_map(|seen| Some(Worst { value: pick(seen)?.abs(), t: seen.t }));
+    let values = frames.iter().filter_map(|appearance| Some(Worst { value: pick(appearance)?.abs(), t: appearance.t }));
     // Of equal values, the first.
     values.reduce(|most, at| if at.value > most.value { at } else { most })
 }
 
 /// Tracks when the gaze has had time to reach its target's elevation.
 #[derive(Default)]
-struct Arrival {
+struct ElevationSettling {
     /// Time of the last change of the target's elevation, and the elevation since then.
     since: Option<(f64, f64)>,
 }
 
-impl Arrival {
+impl ElevationSettling {
     /// Returns `true` if the target has kept its elevation (degrees) for long enough at `t`.
     fn has_settled(&mut self, t: f64, elevation_deg: Option<f64>) -> bool {
         let Some(elevation_deg) = elevation_deg else { return false };
@@ -264,7 +267,7 @@ impl Arrival {
 
 /// Tracks when the gaze has had time to turn to its target.
 #[derive(Default)]
-struct Turned {
+struct HeadingSettling {
     /// Time from which the gaze should be on the target; `None` while the target is out of reach.
     from: Option<f64>,
     has_begun: bool,
@@ -272,7 +275,7 @@ struct Turned {
     recent: VecDeque<(f64, f64)>,
 }
 
-impl Turned {
+impl HeadingSettling {
     /// Forgets the past, at a jump of the animation.
     fn restart(&mut self) {
         self.from = None;
@@ -301,13 +304,13 @@ impl Turned {
 }
 
 /// The times at which a repeated clip jumps from its end to its beginning. No speed is measured across them.
-struct Seams {
+struct LoopSeams {
     /// Length of the clip, seconds, if it jumps; otherwise `None`.
     period: Option<f32>,
     round: f32,
 }
 
-impl Seams {
+impl LoopSeams {
     /// Least rotation of head or chest that is a jump, degrees.
     const JUMP_DEG: f64 = 2.0;
 
@@ -323,7 +326,7 @@ impl Seams {
     }
 
     /// Returns `true` if the animation has jumped between the previous frame and the one at `t`.
-    fn is_between(&mut self, t: f32) -> bool {
+    fn passes_seam(&mut self, t: f32) -> bool {
         /// Tolerance, in rounds: a key on the seam belongs to the previous round.
         const NEAR: f32 = 1e-4;
         let round = self.period.map_or(0.0, |period| (t / period - NEAR).floor());
@@ -332,7 +335,7 @@ impl Seams {
 }
 
 /// Inputs of the measurements of every frame: bones, directions and the ranges of the gaze.
-struct Look<'a> {
+struct Observer<'a> {
     landmarks: Landmarks,
     live: Live,
     effector: usize,
@@ -352,7 +355,7 @@ struct Look<'a> {
     from_bind: bool,
 }
 
-impl<'a> Look<'a> {
+impl<'a> Observer<'a> {
     fn new(rig: &dyn Rig, plan: &Plan<'a>) -> Result<Self, Error> {
         let measurement = plan.measurement;
         let description = rig.description();
@@ -395,7 +398,7 @@ impl<'a> Look<'a> {
     }
 
     /// Returns the rotation of a node from its bind pose, in world space.
-    fn turned(&self, world: &[DAffine3], node: usize) -> DMat3 {
+    fn turn_from_bind(&self, world: &[DAffine3], node: usize) -> DMat3 {
         orthonormal(&world[node].matrix3).0 * orthonormal(&self.bind[node].matrix3).0.transpose()
     }
 
@@ -412,11 +415,11 @@ impl<'a> Look<'a> {
 
     /// Returns `true` if the head's heading is due to the correction: the animation alone is within the limit, or less
     /// far out.
-    fn heading_counts(&self, seen: &Appearance) -> bool {
+    fn heading_counts(&self, appearance: &Appearance) -> bool {
         /// Smallest visible difference, degrees.
         const SEEN_DEG: f64 = 0.5;
         let must = Criterion::HeadToChestHeading.must(self.landmarks.is_humanoid).unwrap_or(f64::INFINITY);
-        let headings = seen.head_to_chest_heading_deg.zip(seen.animated_heading_deg);
+        let headings = appearance.head_to_chest_heading_deg.zip(appearance.animated_heading_deg);
         headings.is_some_and(|(aimed, animated)| animated.abs() <= must || aimed.abs() > animated.abs() + SEEN_DEG)
     }
 
@@ -441,15 +444,17 @@ impl<'a> Look<'a> {
 
     fn frame(&self, t: f64, target: DVec3, animated: &[DAffine3], aimed: &[DAffine3]) -> Appearance {
         let up = self.live.up(animated);
-        let mut seen = Appearance { t, ..Appearance::default() };
+        let mut appearance = Appearance { t, ..Appearance::default() };
         let gaze = |world| self.live.gazes(self.effector, world).first().map(|[_, gaze]| *gaze);
         let of_gaze = gaze(aimed).and_then(|gaze| elevation_deg(gaze, up));
         let of_target = self.target_elevation_deg(target, animated, aimed);
-        seen.elevation_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| gaze - target);
-        let of_chest =
-            self.landmarks.chest.and_then(|chest| elevation_deg(self.turned(animated, chest) * self.forward, up));
+        appearance.elevation_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| gaze - target);
+        let of_chest = self
+            .landmarks
+            .chest
+            .and_then(|chest| elevation_deg(self.turn_from_bind(animated, chest) * self.forward, up));
         let of_animation = gaze(animated).and_then(|gaze| elevation_deg(gaze, up));
-        seen.elevation_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
+        appearance.elevation_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
             let chest = of_chest.unwrap_or(0.0);
             let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&(target - from));
             is_within(self.range_deg, if self.from_bind { chest } else { animation })
@@ -458,10 +463,10 @@ impl<'a> Look<'a> {
         let heading = |v: DVec3| self.level_heading_deg(v, up);
         let of_gaze = gaze(aimed).and_then(heading);
         let of_target = self.target_heading_deg(target, animated, aimed);
-        seen.heading_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| wrapped(gaze - target));
+        appearance.heading_off_deg = of_gaze.zip(of_target).map(|(gaze, target)| wrapped(gaze - target));
         let of_animation = gaze(animated).and_then(heading);
-        seen.heading_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
-            let chest = self.landmarks.chest.map(|chest| heading(self.turned(aimed, chest) * self.forward));
+        appearance.heading_counts = of_target.zip(of_animation).is_some_and(|(target, animation)| {
+            let chest = self.landmarks.chest.map(|chest| heading(self.turn_from_bind(aimed, chest) * self.forward));
             // Without a chest direction, the animation alone decides what is within reach.
             let chest = chest.flatten().unwrap_or(animation);
             let is_within = |[lo, hi]: [f64; 2], from: f64| (lo..=hi).contains(&wrapped(target - from));
@@ -469,17 +474,17 @@ impl<'a> Look<'a> {
                 && is_within(self.heading_budget_deg, chest)
                 && is_within(self.heading_budget_deg, animation)
         });
-        let (Some(head), Some(chest)) = (self.landmarks.head, self.landmarks.chest) else { return seen };
+        let (Some(head), Some(chest)) = (self.landmarks.head, self.landmarks.chest) else { return appearance };
         let [head_turn, chest_turn, before, chest_before] =
             [(aimed, head), (aimed, chest), (animated, head), (animated, chest)]
-                .map(|(world, node)| self.turned(world, node));
+                .map(|(world, node)| self.turn_from_bind(world, node));
         let is_level = |turn: &DMat3| elevation_deg(*turn * self.forward, up).is_some_and(|at| at.abs() <= LEVEL_DEG);
         if [head_turn, chest_turn, before, chest_before].iter().all(is_level) {
             let heading = |turn: DMat3| heading_deg(turn * self.forward, up, self.forward);
             let roll = |turn: DMat3| roll_deg(turn * self.forward, turn * self.left, up);
-            seen.head_to_chest_heading_deg = Some(wrapped(heading(head_turn) - heading(chest_turn)));
-            seen.animated_heading_deg = Some(wrapped(heading(before) - heading(chest_before)));
-            seen.head_roll_deg = Some(wrapped(roll(head_turn) - roll(before)));
+            appearance.head_to_chest_heading_deg = Some(wrapped(heading(head_turn) - heading(chest_turn)));
+            appearance.animated_heading_deg = Some(wrapped(heading(before) - heading(chest_before)));
+            appearance.head_roll_deg = Some(wrapped(roll(head_turn) - roll(before)));
         }
         if self.height > 0.0 {
             let carried = aimed[chest] * animated[chest].inverse();
@@ -488,9 +493,9 @@ impl<'a> Look<'a> {
                     aimed[node].translation.distance(carried.transform_point3(animated[node].translation))
                 });
             let moved = moved.filter(|moved| moved.is_finite());
-            seen.limb_shift = moved.reduce(f64::max).map(|moved| moved / self.height);
+            appearance.limb_shift = moved.reduce(f64::max).map(|moved| moved / self.height);
         }
-        seen
+        appearance
     }
 }
 

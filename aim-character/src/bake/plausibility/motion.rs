@@ -18,7 +18,7 @@ const SHORT: f64 = 0.5;
 pub(super) struct Turning {
     /// Acceleration above which an axis is fully accelerated in one direction: half of the budget, degrees per second
     /// squared.
-    full: f64,
+    full_deg_s2: f64,
     /// Shortest step that is measured, seconds.
     least_s: f64,
     last: Option<(f64, DMat3)>,
@@ -36,7 +36,7 @@ impl Turning {
     /// Creates a tracker. `budget` is in degrees per second squared.
     pub(super) fn new(budget: f64, fps: f32) -> Self {
         Self {
-            full: 0.5 * budget,
+            full_deg_s2: 0.5 * budget,
             least_s: SHORT / f64::from(fps),
             last: None,
             velocity: None,
@@ -63,7 +63,7 @@ impl Turning {
         self.acceleration = self.velocity.map(|(at, slower)| (velocity - slower) / (middle - at));
         self.velocity = Some((middle, velocity));
         for axis in 0..3 {
-            self.watch(axis, before);
+            self.count_reversal(axis, before);
         }
     }
 
@@ -88,9 +88,9 @@ impl Turning {
     }
 
     /// Counts a reversal of an axis, if its acceleration changed from full in one direction to full in the other.
-    fn watch(&mut self, axis: usize, t: f64) {
+    fn count_reversal(&mut self, axis: usize, t: f64) {
         let Some(along) = self.acceleration.map(|acceleration| acceleration[axis]) else { return };
-        if along.abs() <= self.full {
+        if along.abs() <= self.full_deg_s2 {
             return;
         }
         let way = along > 0.0;
@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn speed_and_acceleration_of_a_steady_push() {
+    fn constant_acceleration_is_measured() {
         let turning = shaken(10.0, 0.25);
         assert!((turning.acceleration().expect("three frames") - 1000.0).abs() < 1e-6);
         // 30 frames: by the last step the acceleration has been applied 29 times.
@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn a_last_step_of_next_to_nothing_tells_no_speed() {
+    fn a_tiny_last_step_gives_no_speed() {
         let mut turning = Turning::new(1200.0, 60.0);
         turning.push(0.0, DMat3::IDENTITY);
         turning.push(1.0 / 60.0, DMat3::from_rotation_y(0.01));

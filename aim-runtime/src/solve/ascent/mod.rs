@@ -111,7 +111,7 @@ fn finish_at<const C: usize>(
 fn ascend<const C: usize>(frame: &Frame<'_, C>, joints: &mut [Joint], ascent: &Ascent) -> Option<f32> {
     let Frame { rig, chain, goal, tolerance, ref reaches, .. } = *frame;
     let infos = rig.joints;
-    let target = goal.aimed;
+    let target = goal.aim_point;
     let turns = chain.corrections(rig, joints);
     let mut remaining = chain.gaze(&turns).angle_to(target)?;
 
@@ -134,7 +134,7 @@ fn ascend<const C: usize>(frame: &Frame<'_, C>, joints: &mut [Joint], ascent: &A
 
         let rigid_frame = &rigid_frames[index];
         let rigid_effector = rigid_effector(&rig.effector, &effector_to_joint).turned(turn).through(rigid_frame);
-        let seen = chain.seen_target(target, effector.turned(turn).through(&frames[index]), rigid_effector);
+        let seen = chain.rigid_target(target, effector.turned(turn).through(&frames[index]), rigid_effector);
         let target_js = math::rigid_inverse(rigid_frame).transform_point3a(seen).to_array();
         let ((sin_p, cos_p), (sin_h, cos_h)) = (trig::sin_cos(joint.pitch), trig::sin_cos(joint.heading));
         let [_, by_pitch, by_heading] = rig.kernels.aim_gradient(

@@ -1,7 +1,7 @@
 //! One frame of the exact solver: moves to the optimum within the frame's reach, or turns round.
 
 use super::Solver;
-use super::settle::{Blocked, Search, search, settle_from_elsewhere};
+use super::settle::{Blocked, Search, search, settle_from_other_starts};
 use crate::Joint;
 use crate::rig::Memory;
 use crate::solve::frame::Frame;
@@ -39,7 +39,7 @@ pub(crate) fn advance<const C: usize>(
     let stays = advanced.iter().zip(&*frame.start).all(|(new, old)| new.is_near(old, 1e-4));
     let pace = advanced.iter().zip(&*frame.start).zip(&*frame.reaches);
     let in_haste = pace.into_iter().any(|((new, old), reach)| !new.is_near(old, 0.99 * reach.step));
-    let from_here = if solver.is_spent() && !stays && !in_haste {
+    let from_here = if solver.is_stalled() && !stays && !in_haste {
         // No rate limits the joints, only their ranges.
         remaining
     } else {
@@ -55,11 +55,11 @@ pub(crate) fn advance<const C: usize>(
     }
     // The longer the target has stood still, the smaller an improvement makes the joints turn back.
     let below = from_here - turn_back_margin(memory.still_s);
-    let blocked = Blocked { tolerance, below, is_news: was_reached };
-    let from_elsewhere = settle_from_elsewhere(rig, chain, motions, goal, &mut settled, blocked, memory);
-    let from_elsewhere = from_elsewhere.unwrap_or(f32::INFINITY);
-    let within_reach = from_elsewhere <= tolerance;
-    if within_reach || from_elsewhere < below {
+    let blocked = Blocked { tolerance, below, is_newly_blocked: was_reached };
+    let from_other_starts = settle_from_other_starts(rig, chain, motions, goal, &mut settled, blocked, memory);
+    let from_other_starts = from_other_starts.unwrap_or(f32::INFINITY);
+    let within_reach = from_other_starts <= tolerance;
+    if within_reach || from_other_starts < below {
         frame.turn_round_to(&settled, joints);
     }
     Some(within_reach)

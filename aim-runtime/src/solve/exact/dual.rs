@@ -6,9 +6,9 @@
 //! model, `wanted − J θ(λ)`. Newton's method converges in one or two steps from the λ of the last frame.
 //!
 //! If the box contains no solution, λ would grow without bound. The constraint is then replaced by the exact penalty
-//! `dearest · |gap|`, which limits |λ| to `dearest`: a radian of gap is closed only if that costs at most `dearest` of
-//! displacement. The same problem covers both cases. Its solution is equally well determined in both, and changes
-//! continuously from one to the other.
+//! `gap_price · |gap|`, which limits |λ| to `gap_price`: a radian of gap is closed only if that costs at most
+//! `gap_price` of displacement. The same problem covers both cases. Its solution is equally well determined in both,
+//! and changes continuously from one to the other.
 
 use crate::Scalar;
 
@@ -38,21 +38,21 @@ impl Angle {
 }
 
 /// Least price of a radian of gap: the displacement it may cost, in units of the joint of lowest stiffness.
-pub(crate) const DEAREST: f32 = 300.0;
+pub(crate) const MIN_GAP_PRICE: f32 = 300.0;
 /// Price of a radian of gap in units of the joint of highest stiffness, which may have to close the rest of the gap
 /// alone.
-const DEAREST_TO_THE_RELUCTANT: f32 = 400.0;
+const GAP_PRICE_OF_STIFFEST: f32 = 400.0;
 /// Largest price of a radian of gap; beyond it, single precision cannot resolve the displacement.
-const DEAREST_OF_ALL: f32 = 1e5;
+const MAX_GAP_PRICE: f32 = 1e5;
 
 /// Returns the price of a radian of gap for angles of which this is the least ease.
-pub(crate) fn dearest(least_ease: f32) -> f32 {
-    (DEAREST_TO_THE_RELUCTANT / least_ease).max(DEAREST).min(DEAREST_OF_ALL)
+pub(crate) fn gap_price(least_ease: f32) -> f32 {
+    (GAP_PRICE_OF_STIFFEST / least_ease).max(MIN_GAP_PRICE).min(MAX_GAP_PRICE)
 }
 
 /// A gap of at most this counts as closed, radians.
 pub(crate) const CLOSED: f32 = 1e-6;
-/// Number of plain Newton steps before [`solve_with_care`] takes over.
+/// Number of plain Newton steps before [`solve_in_double_precision`] takes over.
 const PLAIN_STEPS: usize = 4;
 
 /// Ratio of the determinant of the free angles' normal matrix to its squared trace, below which they hardly cover both
@@ -87,7 +87,7 @@ impl Solution {
 
 /// Solves for these angles, starting from the dual point `start`.
 #[inline(always)]
-pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
+pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], gap_price: f32) -> Solution {
     let mut lambda = start;
     for _ in 0..PLAIN_STEPS {
         let (mut gap, mut hessian) = (wanted, [0.0, 0.0, 0.0]);
@@ -113,11 +113,11 @@ pub(crate) fn solve(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], de
         let inverse = 1.0 / determinant;
         lambda[0] += (yy * gap[0] - xy * gap[1]) * inverse;
         lambda[1] += (xx * gap[1] - xy * gap[0]) * inverse;
-        if !(lambda[0] * lambda[0] + lambda[1] * lambda[1] < dearest * dearest) {
+        if !(lambda[0] * lambda[0] + lambda[1] * lambda[1] < gap_price * gap_price) {
             break;
         }
     }
-    solve_with_care(angles, wanted, start, dearest)
+    solve_in_double_precision(angles, wanted, start, gap_price)
 }
 
 /// Gap and Hessian of the dual at a point, without the penalty, in f64: multipliers may be large when the gap is
@@ -169,25 +169,25 @@ fn length(a: [f64; 2]) -> f64 {
 }
 
 /// Solves where plain Newton steps fail: subtracts `½·price·|λ|²` from the dual and adjusts `price` until the gap
-/// closes or |λ| is near `dearest`.
+/// closes or |λ| is near `gap_price`.
 ///
-/// At the optimum the gap is `price·λ`, so the price for which |λ| = dearest is |gap| / dearest.
+/// At the optimum the gap is `price·λ`, so the price for which `|λ| = gap_price` is `|gap| / gap_price`.
 #[cold]
 #[inline(never)]
-fn solve_with_care(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], dearest: f32) -> Solution {
+fn solve_in_double_precision(angles: &[[Angle; 2]], wanted: [f32; 2], start: [f32; 2], gap_price: f32) -> Solution {
     const ROUNDS: usize = 10;
-    let dearest = f64::from(dearest);
+    let gap_price = f64::from(gap_price);
     let mut lambda = start.map(f64::from);
-    if !(length(lambda) <= 1.1 * dearest) {
+    if !(length(lambda) <= 1.1 * gap_price) {
         lambda = [0.0; 2];
     }
     let mut here = Dual::at(angles, wanted, lambda);
     // A start that large had a gap that is likely to remain.
-    let there = if length(lambda) > 0.8 * dearest { here.gap } else { Dual::at(angles, wanted, [0.0; 2]).gap };
-    let mut price = (length(there) / dearest).max(1e-6);
+    let there = if length(lambda) > 0.8 * gap_price { here.gap } else { Dual::at(angles, wanted, [0.0; 2]).gap };
+    let mut price = (length(there) / gap_price).max(1e-6);
     for _ in 0..ROUNDS {
         ascend(angles, wanted, price, &mut lambda, &mut here);
-        let paid = length(lambda) / dearest;
+        let paid = length(lambda) / gap_price;
         if length(here.gap) <= f64::from(CLOSED) || (0.9..=1.1).contains(&paid) {
             break;
         }
@@ -373,24 +373,24 @@ mod tests {
     }
 
     #[test]
-    fn the_optimum_of_every_active_set() {
-        let dearest = f64::from(DEAREST);
+    fn solutions_agree_with_enumerated_active_sets() {
+        let gap_price = f64::from(MIN_GAP_PRICE);
         let mut random = Random(1);
         let mut seen = [0; 3];
         for case in 0..1500 {
             let (angles, wanted) = random.problem(1 + case % 3);
             let start = [random.between(-3.0, 3.0), random.between(-3.0, 3.0)];
-            let solution = solve(&angles, wanted, if case % 2 == 0 { start } else { [0.0; 2] }, DEAREST);
+            let solution = solve(&angles, wanted, if case % 2 == 0 { start } else { [0.0; 2] }, MIN_GAP_PRICE);
             let at = |i: usize| f64::from(angles.as_flattened()[i].at(solution.lambda));
             let (found, missed) = (cost(&angles, at), gap(&angles, wanted, at));
             match by_every_active_set(&angles, wanted) {
-                Some((least, lambda)) if length(lambda) < 0.8 * dearest => {
+                Some((least, lambda)) if length(lambda) < 0.8 * gap_price => {
                     seen[0] += 1;
                     assert!(solution.closed && length(missed) < 3e-5, "case {case}: {solution:?} misses {missed:?}");
                     assert!((found - least).abs() < 1e-3 * least + 1e-4, "case {case}: {found} instead of {least}");
                 }
                 // A solution exists, but costs more than the price allows.
-                Some((least, lambda)) if length(lambda) > 1.3 * dearest => {
+                Some((least, lambda)) if length(lambda) > 1.3 * gap_price => {
                     seen[1] += 1;
                     assert!(found <= least * 1.001 + 1e-4, "case {case}: {found} instead of {least}");
                 }
@@ -398,7 +398,7 @@ mod tests {
                 None => {
                     seen[2] += 1;
                     assert!(!solution.closed, "case {case}: {solution:?}");
-                    bought(&mut random, &angles, wanted, &solution);
+                    assert_penalised_optimum(&mut random, &angles, wanted, &solution);
                 }
             }
         }
@@ -407,33 +407,33 @@ mod tests {
 
     /// Checks optimality where the box has no solution: the gap is parallel to λ, |λ| equals the price, and no random
     /// point of the box has a lower cost.
-    fn bought(random: &mut Random, angles: &[[Angle; 2]], wanted: [f32; 2], solution: &Solution) {
-        let dearest = f64::from(DEAREST);
+    fn assert_penalised_optimum(random: &mut Random, angles: &[[Angle; 2]], wanted: [f32; 2], solution: &Solution) {
+        let gap_price = f64::from(MIN_GAP_PRICE);
         let lambda = solution.lambda.map(f64::from);
         let at = |i: usize| f64::from(angles.as_flattened()[i].at(solution.lambda));
         let missed = gap(angles, wanted, at);
         let across = (lambda[0] * missed[1] - lambda[1] * missed[0]) / length(lambda) / length(missed);
         assert!(across.abs() < 1e-2, "{solution:?}: {missed:?}");
-        assert!((0.85..1.15).contains(&(length(lambda) / dearest)), "{solution:?}");
-        let found = cost(angles, at) + dearest * length(missed);
+        assert!((0.85..1.15).contains(&(length(lambda) / gap_price)), "{solution:?}");
+        let found = cost(angles, at) + gap_price * length(missed);
         for _ in 0..100 {
             let flat = angles.as_flattened();
             let other: Vec<f64> = flat.iter().map(|angle| random.between(angle.lo, angle.hi).into()).collect();
-            let value = cost(angles, |i| other[i]) + dearest * length(gap(angles, wanted, |i| other[i]));
+            let value = cost(angles, |i| other[i]) + gap_price * length(gap(angles, wanted, |i| other[i]));
             assert!(found <= 1.01 * value, "{solution:?}: {found} but {value}");
         }
     }
 
     /// Only the ratios of weights matter, unless the price of a gap limits the solution.
     #[test]
-    fn scaled_weights() {
+    fn only_ratios_of_weights_matter() {
         let mut random = Random(2);
         for case in 0..500 {
             let (angles, wanted) = random.problem(3);
-            let plain = solve(&angles, wanted, [0.0; 2], DEAREST);
+            let plain = solve(&angles, wanted, [0.0; 2], MIN_GAP_PRICE);
             let scaled: Vec<[Angle; 2]> =
                 angles.iter().map(|joint| joint.map(|angle| Angle { ease: 1e3 * angle.ease, ..angle })).collect();
-            let other = solve(&scaled, wanted, [0.0; 2], DEAREST);
+            let other = solve(&scaled, wanted, [0.0; 2], MIN_GAP_PRICE);
             if plain.closed && other.closed {
                 for (a, b) in angles.as_flattened().iter().zip(scaled.as_flattened()) {
                     let (a, b) = (a.at(plain.lambda), b.at(other.lambda));
@@ -446,12 +446,12 @@ mod tests {
 
     /// Whatever the input, every angle stays in the box.
     #[test]
-    fn awkward_numbers() {
+    fn invalid_numbers_stay_in_the_box() {
         const AWKWARD: [f32; 8] = [0.0, -0.0, 1e20, 1e-30, f32::INFINITY, f32::NAN, 1.0, -1.0];
         for a in AWKWARD {
             for b in AWKWARD {
                 let angle = Angle { column: [a, b], lo: -1.0, hi: 1.0, rest: 0.0, ease: 1.0 };
-                let solution = solve(&[[angle, NO_ANGLE], [angle, NO_ANGLE]], [b, a], [a, a], DEAREST);
+                let solution = solve(&[[angle, NO_ANGLE], [angle, NO_ANGLE]], [b, a], [a, a], MIN_GAP_PRICE);
                 assert!((-1.0..=1.0).contains(&angle.at(solution.lambda)), "{a}, {b}: {solution:?}");
             }
         }

@@ -14,9 +14,9 @@
 
 use glam::{Affine3A, BVec4A, Mat3A, Quat, Vec3A, Vec4};
 
-use super::dual::{DEAREST, STRAINED};
+use super::dual::{MIN_GAP_PRICE, STRAINED};
 use super::{ENOUGH_RAD, IDENTITY_LINK, STILL_RAD};
-use crate::kinematics::chain::{OFF, common_scale, upright};
+use crate::kinematics::chain::{RIGID_DEVIATION, common_scale, upright};
 use crate::kinematics::rotation::{is_identity, tilted, turn};
 use crate::kinematics::view::{Stretch, View};
 use crate::math::trig;
@@ -28,7 +28,7 @@ use crate::{Description, Joint, JointInfo, JointSet, Outcome, Rig, Solver, math}
 /// Angle to the target below which no further correction is made, radians (2.6e-3°).
 const FINE_RAD: f32 = 4.5e-5;
 /// Largest number of corrections with the same linear model.
-const MENDINGS: usize = 2;
+const REFINEMENTS: usize = 2;
 /// Largest number of Newton steps on the dual of the linear model.
 const NEWTON_STEPS: usize = 4;
 /// Square of the least distance of the target from the effector, relative to the rig's extent.
@@ -114,7 +114,7 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let animated: &[Affine3A; N] = pose.joints.try_into().ok()?;
     let corrections: &mut [Quat; N] = corrections.try_into().ok()?;
     let (lanes, dt) = (&rig.lanes, call.dt?);
-    let scale = common_scale(animated, OFF)?;
+    let scale = common_scale(animated, RIGID_DEVIATION)?;
     // The inverse of a rotated and uniformly scaled frame is its transpose divided by the squared scale.
     let (mut frames, mut per_square, mut tilts) = (animated, 1.0 / scale, None);
     let upright_pose;
@@ -150,11 +150,11 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     }
 
     let mut angles = Angles::<N, V>::EMPTY;
-    if !angles.start(joints) {
+    if !angles.load(joints) {
         return None;
     }
     let residual = angles.linearise(kernels, rig, infos, &flat, &links.target)?;
-    if !angles.bound(lanes, dt) {
+    if !angles.set_bounds(lanes, dt) {
         return None;
     }
     angles.lambda = state.memory.lambda;
@@ -162,20 +162,20 @@ fn aim_joints<const N: usize, const V: usize, K: Rig + ?Sized>(
     let mut turns = [Quat::IDENTITY; N];
     // The optimum of the dual, usually found by the first Newton step.
     let start = angles.start;
-    angles.place(lanes);
+    angles.set_from_dual(lanes);
     if !angles.step(lanes, residual, &start)? {
         angles = angles.after_more_steps(lanes, residual)?;
     }
     // Joints that would hardly move stay exactly where they are.
     let rests = square(residual) < AT_REST * AT_REST && !angles.moves();
     if rests {
-        angles.rest();
+        angles.stay();
     }
-    let mut view = angles.see(rig, infos, &links, first, &mut turns);
+    let mut view = angles.forward_kinematics(rig, infos, &links, first, &mut turns);
     if !view.is_within(FINE_RAD) {
         if !rests {
-            let mended = angles.mended(rig, infos, links, first, view)?;
-            (angles, view, turns) = (mended.angles, mended.view, mended.turns);
+            let refined = angles.refined(rig, infos, links, first, view)?;
+            (angles, view, turns) = (refined.angles, refined.view, refined.turns);
         }
         if !view.is_within(ENOUGH_RAD) {
             return None;
@@ -331,7 +331,7 @@ struct Angles<const N: usize, const V: usize> {
 }
 
 /// The angles after correction, and the quantities derived from them.
-struct Mended<const N: usize, const V: usize> {
+struct RefinedAngles<const N: usize, const V: usize> {
     angles: Angles<N, V>,
     view: View,
     turns: [Quat; N],
@@ -360,7 +360,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
 
     /// Loads the angles. Returns `false` if a joint has a destination.
     #[inline(always)]
-    fn start(&mut self, joints: &[Joint; N]) -> bool {
+    fn load(&mut self, joints: &[Joint; N]) -> bool {
         each!(N, index => {
             if joints[index].destination().is_some() {
                 return false;
@@ -375,7 +375,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     /// Computes the angles that a frame of `dt` seconds can reach. Returns `false` if an angle cannot get into its
     /// range.
     #[inline(always)]
-    fn bound(&mut self, lanes: &AllLanes, dt: f32) -> bool {
+    fn set_bounds(&mut self, lanes: &AllLanes, dt: f32) -> bool {
         let mut outside = BVec4A::FALSE;
         each!(V, k => {
             let Lanes { least, most, rate, .. } = lanes[k];
@@ -451,7 +451,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
 
     /// Leaves the angles where they are, clamped to the frame's bounds.
     #[inline(always)]
-    fn rest(&mut self) {
+    fn stay(&mut self) {
         each!(V, k => {
             self.now[k] = self.start[k].max(self.lo[k]).min(self.hi[k]);
         });
@@ -461,25 +461,25 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     /// line so that the common path keeps all of this in registers.
     #[cold]
     #[inline(never)]
-    fn mended(
+    fn refined(
         mut self,
         rig: &Description<'_>,
         infos: &[JointInfo; N],
         links: Links<N>,
         first: Option<&[f32; 12]>,
         mut view: View,
-    ) -> Option<Mended<N, V>> {
+    ) -> Option<RefinedAngles<N, V>> {
         let mut turns = [Quat::IDENTITY; N];
-        for _ in 0..MENDINGS {
+        for _ in 0..REFINEMENTS {
             if view.is_within(FINE_RAD) {
                 break;
             }
             let at = self.now;
-            self.place(&rig.lanes);
+            self.set_from_dual(&rig.lanes);
             self = self.after_steps(&rig.lanes, NEWTON_STEPS, view.residual(), &at)?;
-            view = self.see(rig, infos, &links, first, &mut turns);
+            view = self.forward_kinematics(rig, infos, &links, first, &mut turns);
         }
-        Some(Mended { angles: self, view, turns })
+        Some(RefinedAngles { angles: self, view, turns })
     }
 
     /// Finds the dual's optimum by the Newton steps that remain after the first.
@@ -525,15 +525,15 @@ impl<const N: usize, const V: usize> Angles<N, V> {
         let inverse = 1.0 / determinant;
         self.lambda[0] += (uu * gap_left - lu * gap_up) * inverse;
         self.lambda[1] += (ll * gap_up - lu * gap_left) * inverse;
-        if !(square(self.lambda) < DEAREST * DEAREST) {
+        if !(square(self.lambda) < MIN_GAP_PRICE * MIN_GAP_PRICE) {
             return None;
         }
-        Some(self.place(lanes))
+        Some(self.set_from_dual(lanes))
     }
 
     /// Sets the angles to those of the dual point. Returns `true` if the set of free angles is unchanged.
     #[inline(always)]
-    fn place(&mut self, lanes: &AllLanes) -> bool {
+    fn set_from_dual(&mut self, lanes: &AllLanes) -> bool {
         let (x, y) = (Vec4::splat(self.lambda[0]), Vec4::splat(self.lambda[1]));
         let mut changed = 0;
         each!(V, k => {
@@ -550,7 +550,7 @@ impl<const N: usize, const V: usize> Angles<N, V> {
     /// Returns the target as seen from the effector at the present angles, and writes the joints' corrections. `first`
     /// is the link from the effector to joint 0, unless it is the identity.
     #[inline(always)]
-    fn see(
+    fn forward_kinematics(
         &self,
         rig: &Description<'_>,
         infos: &[JointInfo; N],

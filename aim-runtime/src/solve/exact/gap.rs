@@ -4,7 +4,7 @@
 use super::dual;
 use super::settle::Search;
 use super::strain::LOOSE_RAD;
-use super::{BENT_MENDINGS, ENOUGH_RAD, FINE_RAD, Home, ROUNDS, STILL_RAD, Solver};
+use super::{DisplacementCost, ENOUGH_RAD, FINE_RAD, NON_RIGID_REFINEMENTS, ROUNDS, STILL_RAD, Solver};
 use crate::kinematics::chain::TOO_NEAR;
 use crate::limits::reach::Reach;
 use crate::rig::Memory;
@@ -60,7 +60,7 @@ impl<const C: usize> Solver<'_, C> {
     ) -> Option<f32> {
         if memory.strain == 0.0 {
             // A strained gaze has been watched in `recover` already.
-            self.watch(memory, dt);
+            self.track_target(memory, dt);
         }
         let mut start = self.rig.array(Joint::REST);
         start.copy_from_slice(joints);
@@ -68,27 +68,27 @@ impl<const C: usize> Solver<'_, C> {
         let mut remaining = f32::INFINITY;
         // Joints that have been blocked for long have already been optimised over many frames.
         let rounds = if memory.blocked_s > BLOCKED_S { BLOCKED_ROUNDS } else { ROUNDS };
-        let mut rides = false;
+        let mut follows_limits = false;
         for _ in 0..rounds {
-            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD, rides)?;
+            let ended = self.improve(joints, reaches, &mut memory.lambda, LONGEST_STEP_RAD, follows_limits)?;
             let gained = remaining - ended.remaining;
             remaining = ended.remaining;
-            self.spent = !ended.closed && Search::Quick { below: f32::INFINITY }.is_over(gained, remaining);
+            self.stalled = !ended.closed && Search::Quick { below: f32::INFINITY }.is_over(gained, remaining);
             let settled = if ended.closed { STILL_RAD } else { SLIGHT_RAD };
             if ended.step < settled || (ended.closed && remaining <= ENOUGH_RAD) {
-                if rides || remaining <= ENOUGH_RAD {
+                if follows_limits || remaining <= ENOUGH_RAD {
                     break;
                 }
-                rides = true;
+                follows_limits = true;
             }
         }
-        if Self::is_calm(memory) {
+        if Self::is_target_still(memory) {
             return Some(remaining);
         }
         // Damp movements that gain next to nothing: otherwise a jittering target out of reach overhead would keep
         // turning the head.
         let offset = self.linearise(&start, reaches)?;
-        let inertia = self.dearest * INERTIA_S / dt.max(1e-4);
+        let inertia = self.gap_price * INERTIA_S / dt.max(1e-4);
         for (angles, joint) in self.model.iter_mut().zip(&*start) {
             for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
                 let weight = 1.0 / angle.ease;
@@ -96,9 +96,9 @@ impl<const C: usize> Solver<'_, C> {
                 angle.ease = 1.0 / (weight + inertia);
             }
         }
-        let solution = dual::solve(&self.model, self.wanted(&start, offset), memory.lambda, self.dearest);
+        let solution = dual::solve(&self.model, self.right_hand_side(&start, offset), memory.lambda, self.gap_price);
         self.try_dual(&start, reaches, &solution);
-        let Some(slow) = self.see(&self.trial) else { return Some(remaining) };
+        let Some(slow) = self.view(&self.trial) else { return Some(remaining) };
         let Some(slow) = self.ease_in(&start, offset, reaches, dt, slow) else { return Some(remaining) };
         let (before, slow) = (length(offset), slow.angle());
         if before.max(remaining) < LOOSE_RAD {
@@ -119,23 +119,23 @@ impl<const C: usize> Solver<'_, C> {
         let mut lambda = [0.0; 2];
         let mut remaining = f32::INFINITY;
         let mut longest = LONGEST_STEP_RAD;
-        let mut rides = false;
+        let mut follows_limits = false;
         for _ in 0..MOST_ROUNDS {
-            let ended = self.improve(joints, reaches, &mut lambda, longest, rides)?;
+            let ended = self.improve(joints, reaches, &mut lambda, longest, follows_limits)?;
             longest = if ended.halvings == 0 { LONGEST_STEP_RAD } else { 2.0 * ended.step };
             let gained = remaining - ended.remaining;
             remaining = ended.remaining;
             let settled = if ended.closed && remaining <= FINE_RAD { 1e-5 } else { STILL_RAD };
             if ended.step < settled || (!ended.closed && search.is_over(gained, remaining)) {
-                if rides || remaining <= ENOUGH_RAD {
+                if follows_limits || remaining <= ENOUGH_RAD {
                     break;
                 }
-                rides = true;
+                follows_limits = true;
             }
         }
         // If the effector ends up on the target, its aim has no direction.
-        let view = self.see(joints)?;
-        let animated = (self.goal.aimed - self.chain.animated_gaze().origin).length();
+        let view = self.view(joints)?;
+        let animated = (self.goal.aim_point - self.chain.animated_gaze().origin).length();
         let usual = if animated > TOO_NEAR { animated } else { 1.0 };
         let distance = view.forward * view.forward + view.left * view.left + view.up * view.up;
         (distance > (BESIDE * usual) * (BESIDE * usual)).then_some(if remaining.is_finite() {
@@ -146,18 +146,18 @@ impl<const C: usize> Solver<'_, C> {
     }
 
     /// Runs one round: takes the optimum of the linear model, corrects it with the same Jacobian, and halves the step
-    /// until it is an improvement. With `rides`, pitches [move with the headings](Self::ride) that limit them; such a
-    /// round does nothing if there are none.
+    /// until it is an improvement. With `follows_limits`, pitches [move with the headings](Self::follow_pitch_limits)
+    /// that limit them; such a round does nothing if there are none.
     fn improve(
         &mut self,
         joints: &mut [Joint],
         reaches: &[Reach],
         lambda: &mut [f32; 2],
         longest: f32,
-        rides: bool,
+        follows_limits: bool,
     ) -> Option<Round> {
         let offset = self.linearise(joints, reaches)?;
-        if rides && !self.ride(joints, reaches) {
+        if follows_limits && !self.follow_pitch_limits(joints, reaches) {
             return Some(Round { remaining: length(offset), closed: false, step: 0.0, halvings: HALVINGS });
         }
         for (angles, joint) in self.model.iter_mut().zip(&*joints) {
@@ -167,16 +167,17 @@ impl<const C: usize> Solver<'_, C> {
             }
         }
         let before = (self.cost(joints), length(offset));
-        let mut solution = dual::solve(&self.model, self.wanted(joints, offset), *lambda, self.dearest);
+        let mut solution = dual::solve(&self.model, self.right_hand_side(joints, offset), *lambda, self.gap_price);
         self.try_dual(joints, reaches, &solution);
         if !self.chain.is_rigid() {
-            for _ in 0..BENT_MENDINGS {
-                let Some(view) = self.see(&self.trial) else { break };
+            for _ in 0..NON_RIGID_REFINEMENTS {
+                let Some(view) = self.view(&self.trial) else { break };
                 if view.is_within(ENOUGH_RAD) {
                     break;
                 }
-                self.learn(joints, offset, view.offset());
-                solution = dual::solve(&self.model, self.wanted(joints, offset), solution.lambda, self.dearest);
+                self.update_jacobian(joints, offset, view.offset());
+                solution =
+                    dual::solve(&self.model, self.right_hand_side(joints, offset), solution.lambda, self.gap_price);
                 self.try_dual(joints, reaches, &solution);
             }
         }
@@ -188,9 +189,9 @@ impl<const C: usize> Solver<'_, C> {
             #[expect(clippy::cast_precision_loss, reason = "a handful")]
             let part = 1.0 / (1_u32 << halvings) as f32;
             self.try_part(joints, &goal, reaches, part);
-            let Some(mut view) = self.see(&self.trial) else { continue };
+            let Some(mut view) = self.view(&self.trial) else { continue };
             if solution.closed && halvings == 0 {
-                self.mend(joints, offset, reaches, lambda, &mut view);
+                self.refine(joints, offset, reaches, lambda, &mut view);
             }
             let remaining = view.angle();
             if self.is_gain(before, (self.cost(&self.trial), remaining)) {
@@ -202,7 +203,7 @@ impl<const C: usize> Solver<'_, C> {
                 break;
             }
         }
-        let remaining = self.see(joints)?.angle();
+        let remaining = self.view(joints)?.angle();
         Some(Round { remaining, closed: solution.closed, step: 0.0, halvings: HALVINGS })
     }
 
@@ -211,7 +212,7 @@ impl<const C: usize> Solver<'_, C> {
     fn is_gain(&self, before: (f32, f32), there: (f32, f32)) -> bool {
         let nearer = before.1 - there.1;
         let nearer = if nearer.abs() < ROUNDING_RAD { 0.0 } else { nearer };
-        before.0 - there.0 + self.dearest * nearer > 0.0
+        before.0 - there.0 + self.gap_price * nearer > 0.0
     }
 
     /// Returns the displacement cost of the angles that can move.
@@ -219,9 +220,9 @@ impl<const C: usize> Solver<'_, C> {
         let mut cost = 0.0;
         for (index, (angles, joint)) in self.model.iter().zip(joints).enumerate() {
             let mut angles = *angles;
-            if self.rides[index] != 0.0 {
-                // `ride` has merged the pitch's displacement into the heading's.
-                let Home { rest, ease } = self.homes[index][1];
+            if self.pitch_limit_slopes[index] != 0.0 {
+                // `follow_pitch_limits` has merged the pitch's displacement into the heading's.
+                let DisplacementCost { rest, ease } = self.displacement_costs[index][1];
                 (angles[1].rest, angles[1].ease) = (rest, ease);
             }
             for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {

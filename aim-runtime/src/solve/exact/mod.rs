@@ -3,7 +3,7 @@
 //!
 //! Each round evaluates the derived residual and Jacobian at the present angles, solves the linear model to its optimum
 //! within the reach ([`dual`]), and measures the result by forward kinematics. The remaining error is corrected with
-//! the same Jacobian (a simplified Newton step, called *mending* here), which costs a fraction of a new one.
+//! the same Jacobian (a simplified Newton step, called *refinement* here), which costs a fraction of a new one.
 
 pub(crate) mod advance;
 pub(crate) mod dual;
@@ -32,10 +32,10 @@ const FINE_RAD: f32 = 1e-5;
 /// Angle to the target below which a new Jacobian is not worth its cost, radians (6e-3°).
 pub(crate) const ENOUGH_RAD: f32 = 1e-4;
 /// Largest number of corrections with the same Jacobian.
-const MENDINGS: usize = 3;
+const REFINEMENTS: usize = 3;
 /// Largest number of corrections with the same Jacobian for a pose that is not rigid. There the Jacobian is updated
 /// after each step.
-const BENT_MENDINGS: usize = 8;
+const NON_RIGID_REFINEMENTS: usize = 8;
 /// Largest number of Jacobians in a frame.
 const ROUNDS: usize = 4;
 /// Angle from exactly behind, radians, below which the residual is unreliable.
@@ -57,11 +57,11 @@ pub(crate) struct Solver<'a, const C: usize> {
     model: PerJoint<[Angle; 2], C>,
     /// Derivative of each joint's pitch limit by its heading, for a pitch at a limit that depends on the heading; else
     /// 0.
-    rides: PerJoint<f32, C>,
+    pitch_limit_slopes: PerJoint<f32, C>,
     /// Zero points and weights of the angles' displacements.
-    homes: PerJoint<[Home; 2], C>,
+    displacement_costs: PerJoint<[DisplacementCost; 2], C>,
     /// Largest displacement cost for a radian of gap.
-    dearest: f32,
+    gap_price: f32,
     /// The number of declared angles.
     declared: usize,
     /// Axes in effector space along which the residual is measured: forward, left, up.
@@ -69,7 +69,7 @@ pub(crate) struct Solver<'a, const C: usize> {
     /// The angles under trial.
     trial: PerJoint<Joint, C>,
     /// `true` if a gap remained and another round would hardly have reduced it.
-    spent: bool,
+    stalled: bool,
 }
 
 impl<'a, const C: usize> Solver<'a, C> {
@@ -79,35 +79,35 @@ impl<'a, const C: usize> Solver<'a, C> {
         let infos = rig.joints;
         let mut links = rig.array(IDENTITY_LINK);
         let mut least_ease = 1.0_f32;
-        let mut homes = rig.array([Home { rest: 0.0, ease: 1.0 }; 2]);
+        let mut displacement_costs = rig.array([DisplacementCost { rest: 0.0, ease: 1.0 }; 2]);
         for (index, info) in infos.iter().enumerate().skip(chain.first) {
             links[index] = chain.links[index].to_cols_array();
             // A NaN quotient gives the smallest ease.
             let ease = (rig.least_stiffness / info.stiffness).max(1e-6).min(1.0);
             least_ease = least_ease.min(ease);
-            homes[index] = [Home { rest: 0.0, ease }; 2];
+            displacement_costs[index] = [DisplacementCost { rest: 0.0, ease }; 2];
         }
         Self {
             rig,
             chain,
             goal,
-            target: chain.base.matrix3.transpose() * goal.aimed,
+            target: chain.base.matrix3.transpose() * goal.aim_point,
             links,
             model: rig.array([NO_ANGLE; 2]),
-            rides: rig.array(0.0),
-            homes,
-            dearest: dual::dearest(least_ease),
+            pitch_limit_slopes: rig.array(0.0),
+            displacement_costs,
+            gap_price: dual::gap_price(least_ease),
             declared: rig.angles,
             axes: rig.effector.axes(&infos[0].axes),
             trial: rig.array(Joint::REST),
-            spent: false,
+            stalled: false,
         }
     }
 
     /// Sets the pitch and heading from which one joint's displacement is measured.
     pub(crate) fn prefer(&mut self, joint: usize, angles: [f32; 2]) {
-        for (home, rest) in self.homes[joint].iter_mut().zip(angles) {
-            home.rest = rest;
+        for (cost, rest) in self.displacement_costs[joint].iter_mut().zip(angles) {
+            cost.rest = rest;
         }
     }
 
@@ -128,29 +128,31 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
         for _ in 0..ROUNDS {
             let offset = self.linearise(joints, reaches)?;
-            self.go_part_way(joints, USUAL_PART);
-            let solution = dual::solve(&self.model, self.wanted(joints, offset), memory.lambda, self.dearest);
+            self.shift_rest_angles(joints, USUAL_PART);
+            let solution =
+                dual::solve(&self.model, self.right_hand_side(joints, offset), memory.lambda, self.gap_price);
             let view = if solution.closed { self.try_closed(joints, reaches, &solution) } else { None };
             let Some(mut view) = view else {
                 return self.advance_with_a_gap(joints, reaches, dt, memory);
             };
             memory.lambda = solution.lambda;
-            self.mend(joints, offset, reaches, &mut memory.lambda, &mut view);
+            self.refine(joints, offset, reaches, &mut memory.lambda, &mut view);
             if solution.strained {
                 memory.strain = 1.0;
             }
-            let is_slow = memory.strain > 0.0 && self.take_care(joints, offset, reaches, dt, memory, &mut view)?;
+            let is_slow =
+                memory.strain > 0.0 && self.limit_strained_step(joints, offset, reaches, dt, memory, &mut view)?;
             self.accept(joints);
             if is_slow || view.is_within(ENOUGH_RAD) {
                 return Some(view.angle());
             }
         }
-        Some(self.see(joints)?.angle())
+        Some(self.view(joints)?.angle())
     }
 
     /// Returns `true` if [`advance`](Self::advance) came as near to the goal as its reaches allow.
-    pub(crate) fn is_spent(&self) -> bool {
-        self.spent
+    pub(crate) fn is_stalled(&self) -> bool {
+        self.stalled
     }
 
     /// Shifts the zero point of each displacement to `part` of the way from the present angle to its rest angle. Where
@@ -158,7 +160,7 @@ impl<'a, const C: usize> Solver<'a, C> {
     /// would be too far where the gaze is strongly curved, which the linear model ignores: joints would oscillate about
     /// the optimum.
     #[inline]
-    fn go_part_way(&mut self, joints: &[Joint], part: f32) {
+    fn shift_rest_angles(&mut self, joints: &[Joint], part: f32) {
         for (angles, joint) in self.model.iter_mut().zip(joints) {
             for (angle, now) in angles.iter_mut().zip([joint.pitch, joint.heading]) {
                 angle.rest = now + part * (angle.rest - now);
@@ -171,7 +173,7 @@ impl<'a, const C: usize> Solver<'a, C> {
     #[inline]
     fn try_closed(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) -> Option<View> {
         self.try_dual(joints, reaches, solution);
-        self.see(&self.trial)
+        self.view(&self.trial)
     }
 
     /// Returns the largest change of an angle from `joints` to the trial.
@@ -198,14 +200,21 @@ impl<'a, const C: usize> Solver<'a, C> {
     /// Corrects the trial, which was computed from `joints` and their `offset`, with the same Jacobian until it is
     /// within [`FINE_RAD`].
     #[inline]
-    fn mend(&mut self, joints: &[Joint], offset: [f32; 2], reaches: &[Reach], lambda: &mut [f32; 2], view: &mut View) {
+    fn refine(
+        &mut self,
+        joints: &[Joint],
+        offset: [f32; 2],
+        reaches: &[Reach],
+        lambda: &mut [f32; 2],
+        view: &mut View,
+    ) {
         if !view.is_within(FINE_RAD) {
-            self.mend_coarse(joints, offset, reaches, lambda, view);
+            self.refine_steps(joints, offset, reaches, lambda, view);
         }
     }
 
     #[inline(never)]
-    fn mend_coarse(
+    fn refine_steps(
         &mut self,
         joints: &[Joint],
         offset: [f32; 2],
@@ -216,19 +225,19 @@ impl<'a, const C: usize> Solver<'a, C> {
         let mut before = self.rig.array(Joint::REST);
         before.copy_from_slice(joints);
         let mut offset = offset;
-        let mendings = if self.chain.is_rigid() { MENDINGS } else { BENT_MENDINGS };
-        for _ in 0..mendings {
+        let refinements = if self.chain.is_rigid() { REFINEMENTS } else { NON_RIGID_REFINEMENTS };
+        for _ in 0..refinements {
             if view.is_within(FINE_RAD) {
                 return;
             }
             if !self.chain.is_rigid() {
-                self.learn(&before, offset, view.offset());
+                self.update_jacobian(&before, offset, view.offset());
             }
             before.copy_from_slice(&self.trial);
             offset = view.offset();
-            let solution = dual::solve(&self.model, self.wanted(&before, offset), *lambda, self.dearest);
+            let solution = dual::solve(&self.model, self.right_hand_side(&before, offset), *lambda, self.gap_price);
             self.try_dual(&before, reaches, &solution);
-            match self.see(&self.trial) {
+            match self.view(&self.trial) {
                 Some(better) if solution.closed && better.angle() < view.angle() => {
                     *view = better;
                     *lambda = solution.lambda;
@@ -243,13 +252,13 @@ impl<'a, const C: usize> Solver<'a, C> {
 
     /// Updates the Jacobian by Broyden's method: the smallest change that reproduces the observed change of offset
     /// between `joints` and the trial. Under shear and non-uniform scale the kernels' Jacobian is not that of the pose.
-    fn learn(&mut self, joints: &[Joint], before: [f32; 2], after: [f32; 2]) {
+    fn update_jacobian(&mut self, joints: &[Joint], before: [f32; 2], after: [f32; 2]) {
         let trial = &self.trial;
         let mut missed = [after[0] - before[0], after[1] - before[1]];
         let mut square = 0.0;
         let changes = |joint: usize| {
             let heading = trial[joint].heading - joints[joint].heading;
-            [trial[joint].pitch - joints[joint].pitch - self.rides[joint] * heading, heading]
+            [trial[joint].pitch - joints[joint].pitch - self.pitch_limit_slopes[joint] * heading, heading]
         };
         for (index, angles) in self.model.iter().enumerate() {
             for (angle, change) in angles.iter().zip(changes(index)) {
@@ -271,7 +280,7 @@ impl<'a, const C: usize> Solver<'a, C> {
     /// Puts the model's angles in a solution under trial, within reach.
     #[inline]
     fn try_dual(&mut self, joints: &[Joint], reaches: &[Reach], solution: &Solution) {
-        let (trial, model, rides) = (&mut self.trial, &self.model, &self.rides);
+        let (trial, model, pitch_limit_slopes) = (&mut self.trial, &self.model, &self.pitch_limit_slopes);
         for index in 0..joints.len() {
             let joint = joints[index];
             trial[index] = if index < self.chain.first {
@@ -279,7 +288,7 @@ impl<'a, const C: usize> Solver<'a, C> {
             } else {
                 let [pitch, heading] = &model[index];
                 let (pitch, heading) = (solution.of(pitch), solution.of(heading));
-                let pitch = pitch + rides[index] * (heading - joint.heading);
+                let pitch = pitch + pitch_limit_slopes[index] * (heading - joint.heading);
                 reaches[index].hold(&Joint { pitch, heading, ..joint })
             };
         }
@@ -303,7 +312,7 @@ impl<'a, const C: usize> Solver<'a, C> {
 
     /// Returns the right-hand side `J θ − offset` of the linear model at `joints`.
     #[inline]
-    fn wanted(&self, joints: &[Joint], offset: [f32; 2]) -> [f32; 2] {
+    fn right_hand_side(&self, joints: &[Joint], offset: [f32; 2]) -> [f32; 2] {
         let mut wanted = [-offset[0], -offset[1]];
         for (angles, joint) in self.model.iter().zip(joints) {
             for (angle, now) in angles.iter().zip([joint.pitch, joint.heading]) {
@@ -322,7 +331,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         }
         let mut out = self.rig.array([0.0; 6]);
         let out = &mut out.as_flattened_mut()[..2 + 2 * self.declared];
-        let target = self.target_seen(joints)?;
+        let target = self.target_in_links(joints)?;
         let mut kernel = |target: Vec3A| {
             self.rig.kernels.residual_jacobian(&self.links, &target.to_array(), &sin_cos, out);
             [out[0], out[1]]
@@ -331,7 +340,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         // A zero residual is either straight ahead or so nearly exactly behind that the kernel gives 0.
         let far = residual[0] * residual[0] + residual[1] * residual[1] > FAR_RESIDUAL;
         if far || residual == [0.0; 2] {
-            if let Some(aside) = self.aside(joints) {
+            if let Some(aside) = self.target_beside_opposite(joints) {
                 residual = kernel(aside);
             }
         }
@@ -352,15 +361,15 @@ impl<'a, const C: usize> Solver<'a, C> {
                 if index < self.chain.first {
                     continue;
                 }
-                self.rides[index] = 0.0;
+                self.pitch_limit_slopes[index] = 0.0;
                 let angle = &mut self.model[index][which];
                 angle.column = match &stretch {
                     Some(stretch) => stretch.derivative(column),
                     None => column,
                 };
                 (angle.lo, angle.hi) = (ranges[which].lo(), ranges[which].hi());
-                let home = &self.homes[index][which];
-                (angle.rest, angle.ease) = (home.rest, home.ease);
+                let cost = &self.displacement_costs[index][which];
+                (angle.rest, angle.ease) = (cost.rest, cost.ease);
                 if ranges[which].is_free() {
                     angle.rest = now[which];
                     (angle.lo, angle.hi) = (now[which] - PI, now[which] + PI);
@@ -371,7 +380,7 @@ impl<'a, const C: usize> Solver<'a, C> {
         // also catches NaN.
         let largest = out.iter().fold(0.0, |largest: f32, x| largest + x.abs());
         if !(largest < SUSPICIOUS) {
-            self.see(joints)?;
+            self.view(joints)?;
         }
         largest.is_finite().then_some(offset)
     }
@@ -379,20 +388,20 @@ impl<'a, const C: usize> Solver<'a, C> {
     /// Lets pitches at a limit that depends on the heading move with it. In an axis-aligned box, such a pitch would
     /// block the heading from widening its range. Returns `true` if there are any.
     #[cold]
-    fn ride(&mut self, joints: &[Joint], reaches: &[Reach]) -> bool {
+    fn follow_pitch_limits(&mut self, joints: &[Joint], reaches: &[Reach]) -> bool {
         let mut any = false;
         for (index, (reach, joint)) in reaches.iter().zip(joints).enumerate().skip(self.chain.first) {
-            let ride = reach.ride(joint);
-            self.rides[index] = ride;
-            if ride == 0.0 {
+            let slope = reach.pitch_limit_slope(joint);
+            self.pitch_limit_slopes[index] = slope;
+            if slope == 0.0 {
                 continue;
             }
             any = true;
             let [pitch, heading] = &mut self.model[index];
-            heading.column = [0, 1].map(|k| heading.column[k] + ride * pitch.column[k]);
+            heading.column = [0, 1].map(|k| heading.column[k] + slope * pitch.column[k]);
             // Combine the quadratic displacement costs of both angles as functions of the heading.
-            let [own, along] = [1.0 / heading.ease, ride * ride / pitch.ease];
-            let rest = joint.heading + (pitch.rest - joint.pitch) / ride;
+            let [own, along] = [1.0 / heading.ease, slope * slope / pitch.ease];
+            let rest = joint.heading + (pitch.rest - joint.pitch) / slope;
             heading.rest = (own * heading.rest + along * rest) / (own + along);
             heading.ease = 1.0 / (own + along);
         }
@@ -401,17 +410,17 @@ impl<'a, const C: usize> Solver<'a, C> {
 
     /// Returns the target as the rigid links have to see it, in the innermost joint's upright space.
     #[inline]
-    fn target_seen(&self, joints: &[Joint]) -> Option<Vec3A> {
-        if self.chain.is_rigid() { Some(self.target) } else { self.target_seen_bent(joints) }
+    fn target_in_links(&self, joints: &[Joint]) -> Option<Vec3A> {
+        if self.chain.is_rigid() { Some(self.target) } else { self.target_in_links_non_rigid(joints) }
     }
 
     #[cold]
     #[inline(never)]
-    fn target_seen_bent(&self, joints: &[Joint]) -> Option<Vec3A> {
+    fn target_in_links_non_rigid(&self, joints: &[Joint]) -> Option<Vec3A> {
         let gaze = self.chain.gaze_of(self.rig, joints);
-        gaze.angle_to(self.goal.aimed)?;
+        gaze.angle_to(self.goal.aim_point)?;
         let rigid = self.rigid_gaze(joints);
-        let seen = self.chain.seen_target(self.goal.aimed, gaze, rigid);
+        let seen = self.chain.rigid_target(self.goal.aim_point, gaze, rigid);
         Some(self.chain.base.matrix3.transpose() * seen)
     }
 
@@ -431,8 +440,8 @@ impl<'a, const C: usize> Solver<'a, C> {
 
     /// Returns the target as seen from the effector; `None` if it has no direction.
     #[inline]
-    pub(crate) fn see(&self, joints: &[Joint]) -> Option<View> {
-        let mut target = self.target_seen(joints)?;
+    pub(crate) fn view(&self, joints: &[Joint]) -> Option<View> {
+        let mut target = self.target_in_links(joints)?;
         let (infos, links) = (self.rig.joints, &self.chain.links);
         for index in (self.chain.first..self.chain.count).rev() {
             let turn = joint_turn(&infos[index], &joints[index]);
@@ -452,14 +461,14 @@ impl<'a, const C: usize> Solver<'a, C> {
     /// is moved towards the remembered side. `None` if the target is not nearly behind.
     #[cold]
     #[inline(never)]
-    fn aside(&self, joints: &[Joint]) -> Option<Vec3A> {
-        let view = self.see(joints)?;
+    fn target_beside_opposite(&self, joints: &[Joint]) -> Option<Vec3A> {
+        let view = self.view(joints)?;
         let angle = view.angle();
         if angle < PI - OPPOSITE_RAD {
             return None;
         }
         let gaze = self.rigid_gaze(joints);
-        let seen = self.chain.base.matrix3 * self.target_seen(joints)?;
+        let seen = self.chain.base.matrix3 * self.target_in_links(joints)?;
         let to_target = seen - gaze.origin;
         let forward = math::direction(gaze.direction)?;
         let lateral = to_target - forward * forward.dot(to_target);
@@ -477,7 +486,7 @@ impl<'a, const C: usize> Solver<'a, C> {
 
 /// The zero point and weight of an angle's displacement.
 #[derive(Clone, Copy, Debug)]
-struct Home {
+struct DisplacementCost {
     /// The angle at which the displacement is 0.
     rest: f32,
     /// The reciprocal of the weight.
@@ -494,7 +503,7 @@ const FAR_RESIDUAL: f32 = 17_000.0;
 const IDENTITY_LINK: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
 /// Returns the reaches of joints without rate limits: their whole ranges.
-pub(crate) fn unhurried<const C: usize>(
+pub(crate) fn full_reaches<const C: usize>(
     rig: &ChainRig<'_, C>,
     motions: &[crate::limits::RangeOfMotion],
 ) -> PerJoint<Reach, C> {

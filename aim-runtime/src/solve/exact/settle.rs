@@ -1,7 +1,7 @@
 //! Finds the angles at which joints without rate limits come to rest. Serves `snap`, and distinguishes a target out of
 //! reach from one that only takes longer.
 
-use super::{Solver, unhurried};
+use super::{Solver, full_reaches};
 use crate::Joint;
 use crate::kinematics::chain::Chain;
 use crate::limits::Interval;
@@ -59,7 +59,7 @@ pub(crate) fn search<const C: usize>(
     joints: &mut [Joint],
     search: Search,
 ) -> Option<f32> {
-    let remaining = Solver::new(rig, chain, goal).settle(joints, &unhurried(rig, motions), search)?;
+    let remaining = Solver::new(rig, chain, goal).settle(joints, &full_reaches(rig, motions), search)?;
     for (joint, motion) in joints.iter_mut().zip(motions) {
         wrap(motion, joint);
     }
@@ -124,14 +124,14 @@ pub(crate) struct Blocked {
     /// Remaining angle that another solution has to beat, radians.
     pub(crate) below: f32,
     /// `true` if the joints were not blocked in the last frame.
-    pub(crate) is_news: bool,
+    pub(crate) is_newly_blocked: bool,
 }
 
 /// [`settle_from_rest`] for joints that are blocked frame after frame, spread over time. Repeats the full search when
 /// the target has moved far since the last one. Otherwise searches from rest when the joints have just become blocked
 /// and now and then, or from one of many other starts in turn, unless that start cannot be worth it. Returns `None` in
 /// frames without a search.
-pub(crate) fn settle_from_elsewhere<const C: usize>(
+pub(crate) fn settle_from_other_starts<const C: usize>(
     rig: &ChainRig<'_, C>,
     chain: &Chain<C>,
     motions: &[RangeOfMotion],
@@ -146,13 +146,13 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
     const BUSY: u16 = 128;
     /// Number of starts that are tried in turn.
     const MOST_STARTS: usize = 128;
-    let Blocked { tolerance, below, is_news } = blocked;
-    let target = chain.base.matrix3.transpose() * goal.aimed;
-    let moved = target - memory.searched();
+    let Blocked { tolerance, below, is_newly_blocked } = blocked;
+    let target = chain.base.matrix3.transpose() * goal.aim_point;
+    let moved = target - memory.searched_target();
     if memory.turn == 0 || !(moved.dot(moved) < FAR * FAR * target.dot(target)) {
         // Joints that have been blocked all the while keep their place in the schedule.
-        memory.turn = if is_news { 1 } else { memory.turn.max(1) };
-        memory.set_searched(target);
+        memory.turn = if is_newly_blocked { 1 } else { memory.turn.max(1) };
+        memory.set_searched_target(target);
         return settle_from_rest(rig, chain, motions, goal, joints, tolerance);
     }
     let turn = memory.turn;
@@ -160,7 +160,7 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
     // Search in three of four frames at first; later, only every sixth frame counts.
     let stride = if turn < BUSY { 1 } else { 6 };
     let (number, is_turn) = (turn / stride, turn % stride == 0);
-    if is_news || (is_turn && number % 4 == 0) {
+    if is_newly_blocked || (is_turn && number % 4 == 0) {
         at_rest(joints);
     } else if !is_turn || number % 4 == 2 || goal.behind {
         return None;
@@ -174,7 +174,7 @@ pub(crate) fn settle_from_elsewhere<const C: usize>(
         for (index, joint) in joints.iter().enumerate().skip(chain.first) {
             solver.prefer(index, [joint.pitch, joint.heading]);
         }
-        let nearest = solver.settle(joints, &unhurried(rig, motions), Search::Quick { below })?;
+        let nearest = solver.settle(joints, &full_reaches(rig, motions), Search::Quick { below })?;
         if nearest > tolerance && nearest >= below {
             return Some(nearest);
         }
@@ -195,22 +195,22 @@ fn start(number: usize, motions: &[RangeOfMotion], goal: &Goal, joints: &mut [Jo
                 (part(heading * goal.side.sign(), [right, left]), part(*pitch, [down, up]))
             }
             None => (
-                right + scattered(number, 2 * index) * (left - right),
-                down + scattered(number, 2 * index + 1) * (up - down),
+                right + pseudo_random(number, 2 * index) * (left - right),
+                down + pseudo_random(number, 2 * index + 1) * (up - down),
             ),
         };
     }
 }
 
 /// Returns a pseudo-random number in 0…1 for a coordinate of a start.
-fn scattered(number: usize, coordinate: usize) -> f32 {
+fn pseudo_random(number: usize, coordinate: usize) -> f32 {
     #[expect(clippy::cast_possible_truncation, reason = "small numbers")]
     let mut bits = (number as u32).wrapping_mul(0x9e37_79b9) ^ (coordinate as u32).wrapping_mul(0x85eb_ca6b);
     bits = (bits ^ (bits >> 16)).wrapping_mul(0x7feb_352d);
     bits = (bits ^ (bits >> 15)).wrapping_mul(0x846c_a68b);
     #[expect(clippy::cast_precision_loss, reason = "24 bits")]
-    let scattered = (bits >> 8) as f32 / (1_u32 << 24) as f32;
-    scattered
+    let pseudo_random = (bits >> 8) as f32 / (1_u32 << 24) as f32;
+    pseudo_random
 }
 
 /// Sets every angle to 0; the rest of a joint's state is kept.

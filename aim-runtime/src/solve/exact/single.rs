@@ -21,7 +21,7 @@ use core::slice;
 use glam::{Affine3A, Mat3A, Quat, Vec3A};
 
 use super::following::{unturned, view};
-use crate::kinematics::chain::{OFF, common_scale};
+use crate::kinematics::chain::{RIGID_DEVIATION, common_scale};
 use crate::kinematics::rotation::turn;
 use crate::kinematics::view::View;
 use crate::limits::reach::AT_LIMIT_RAD;
@@ -102,7 +102,7 @@ impl<'a> Eye<'a> {
         {
             return None;
         }
-        let square_scale = common_scale(slice::from_ref(animated), OFF)?;
+        let square_scale = common_scale(slice::from_ref(animated), RIGID_DEVIATION)?;
         // The inverse of a rotated and uniformly scaled frame is its transpose divided by the squared scale.
         let to_target = (target_ps - animated.translation) / square_scale;
         let Mat3A { x_axis: x, y_axis: y, z_axis: z } = animated.matrix3;

@@ -7,7 +7,7 @@
 
 use glam::Vec3A;
 
-use super::dual::{self, DEAREST};
+use super::dual::{self, MIN_GAP_PRICE};
 use super::{Solver, USUAL_PART};
 use crate::Joint;
 use crate::kinematics::view::View;
@@ -22,7 +22,7 @@ const EASY_RATE: f32 = 0.12;
 const STILL_TARGET: f32 = 1e-4;
 /// Time without movement after which a target counts as standing still, seconds. It does not jitter, so joints need not
 /// be slow.
-const CALM_S: f32 = 0.06;
+const STILL_S: f32 = 0.06;
 /// Time for which a strain is remembered, seconds.
 const STRAIN_S: f32 = 0.5;
 /// Largest number of times that the usual part of the way is halved to obtain a gain.
@@ -42,27 +42,27 @@ impl<const C: usize> Solver<'_, C> {
         if memory.strain == 0.0 {
             memory.caution = 0;
         }
-        self.watch(memory, dt);
+        self.track_target(memory, dt);
     }
 
     /// Updates the time for which the target has stood still.
-    pub(super) fn watch(&self, memory: &mut Memory, dt: f32) {
+    pub(super) fn track_target(&self, memory: &mut Memory, dt: f32) {
         let moved = self.target - Vec3A::from(memory.target);
         let is_still = moved.dot(moved) < STILL_TARGET * STILL_TARGET * self.target.dot(self.target);
         memory.still_s = if is_still { memory.still_s + dt } else { 0.0 };
         memory.target = self.target.to_array();
     }
 
-    /// Returns `true` if the target has stood still for [`CALM_S`].
-    pub(super) fn is_calm(memory: &Memory) -> bool {
-        memory.still_s >= CALM_S
+    /// Returns `true` if the target has stood still for [`STILL_S`].
+    pub(super) fn is_target_still(memory: &Memory) -> bool {
+        memory.still_s >= STILL_S
     }
 
     /// Adjusts the trial of a strained gaze: shortens it to a slow step, or, for a target that stands still, until it
     /// is a gain. Returns `true` if it was made slow.
     #[cold]
     #[inline(never)]
-    pub(super) fn take_care(
+    pub(super) fn limit_strained_step(
         &mut self,
         joints: &[Joint],
         offset: [f32; 2],
@@ -71,7 +71,7 @@ impl<const C: usize> Solver<'_, C> {
         memory: &mut Memory,
         view: &mut View,
     ) -> Option<bool> {
-        if Self::is_calm(memory) {
+        if Self::is_target_still(memory) {
             self.descend(joints, offset, reaches, memory, view)?;
             return Some(false);
         }
@@ -96,7 +96,7 @@ impl<const C: usize> Solver<'_, C> {
         let mut goal = self.rig.array(Joint::REST);
         goal.copy_from_slice(&self.trial);
         self.try_part(joints, &goal, reaches, part);
-        self.see(&self.trial)
+        self.view(&self.trial)
     }
 
     /// Shortens the trial until it gains at least [`FAIR`] of what the linear model predicts.
@@ -130,14 +130,15 @@ impl<const C: usize> Solver<'_, C> {
                 }
             }
             let offset = self.linearise(joints, reaches)?;
-            self.go_part_way(joints, part);
-            let solution = dual::solve(&self.model, self.wanted(joints, offset), memory.lambda, self.dearest);
+            self.shift_rest_angles(joints, part);
+            let solution =
+                dual::solve(&self.model, self.right_hand_side(joints, offset), memory.lambda, self.gap_price);
             if !solution.closed {
                 return Some(());
             }
             memory.lambda = solution.lambda;
             *view = self.try_closed(joints, reaches, &solution)?;
-            self.mend(joints, offset, reaches, &mut memory.lambda, view);
+            self.refine(joints, offset, reaches, &mut memory.lambda, view);
         }
     }
 
@@ -150,7 +151,7 @@ impl<const C: usize> Solver<'_, C> {
         for ((angles, joint), trial) in self.model.iter().zip(joints).zip(&*self.trial) {
             let pairs = [(joint.pitch, trial.pitch), (joint.heading, trial.heading)];
             for (angle, (from, to)) in angles.iter().zip(pairs) {
-                // Undo `go_part_way`: the rest and weight for the whole way.
+                // Undo `shift_rest_angles`: the rest and weight for the whole way.
                 let rest = from + (angle.rest - from) / part;
                 let weight = part / angle.ease;
                 gained += weight * (from - to) * (0.5 * (from + to) - rest);
@@ -160,8 +161,8 @@ impl<const C: usize> Solver<'_, C> {
         let there = view.offset();
         for k in 0..2 {
             gained -= lambda[k] * (offset[k] - there[k]);
-            gained += 0.5 * DEAREST * (offset[k] * offset[k] - there[k] * there[k]);
+            gained += 0.5 * MIN_GAP_PRICE * (offset[k] * offset[k] - there[k] * there[k]);
         }
-        [gained, moved / part + DEAREST * (offset[0] * offset[0] + offset[1] * offset[1])]
+        [gained, moved / part + MIN_GAP_PRICE * (offset[0] * offset[0] + offset[1] * offset[1])]
     }
 }

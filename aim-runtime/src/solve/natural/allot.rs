@@ -1,12 +1,12 @@
-//! Allotment: sharing the way from the animated gaze to the target between the regions.
+//! Allotment: sharing the gaze shift, from the animated gaze to the target, between the regions.
 
 use core::f32::consts::PI;
 
 use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, pair, square};
-use super::region::{Region, calm};
-use super::{Aims, Gaze, Posture, SAME_RAD, Seen};
+use super::region::{Region, pitch_reduction};
+use super::{Aims, Gaze, Posture, SAME_RAD, SightAngles};
 use crate::kinematics::bearing::BY_THE_FRONT_RAD;
 use crate::limits::Interval;
 use crate::math::Bounded;
@@ -29,10 +29,11 @@ const EYE_PART: f32 = 0.98;
 const PLAIN_PART: f32 = 0.8;
 /// Elevation above which headings are a poor measure of the joints' angles.
 const STEEP_RAD: f32 = 50.0 * PI / 180.0;
-/// Remainder of the way that counts as out of reach at elevations below [`STEEP_RAD`], radians: a rounding error.
+/// Remainder of the gaze shift that counts as out of reach at elevations below [`STEEP_RAD`], radians: a rounding
+/// error.
 const OUT_OF_REACH_RAD: f32 = 2e-4;
-/// Remainder of the way that counts as out of reach at elevations above [`STEEP_RAD`], radians. Joint angles may still
-/// cover a smaller one, because headings say little there.
+/// Remainder of the gaze shift that counts as out of reach at elevations above [`STEEP_RAD`], radians. Joint angles may
+/// still cover a smaller one, because headings say little there.
 const STEEP_OUT_OF_REACH_RAD: f32 = 0.3;
 
 /// The lanes of a pair.
@@ -60,13 +61,13 @@ fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] 
     [a + c, b + d]
 }
 
-/// The way from the animated gaze to the target, as headings and elevations.
+/// A gaze shift: from the animated gaze to the target, as headings and elevations.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
+pub(super) struct GazeShift {
     from: Pair,
     to: Pair,
-    way: Pair,
-    /// The part of the way that the regions cover.
+    shift: Pair,
+    /// The part of the gaze shift that the regions cover.
     part: f32,
 }
 
@@ -100,46 +101,46 @@ impl<const C: usize> Allotment<C> {
 }
 
 impl<const C: usize> Gaze<'_, C> {
-    /// Returns the way to the point that is aimed at.
+    /// Returns the gaze shift to the point that is aimed at.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn way(&self) -> Option<Way> {
-        self.way_to(self.goal.aimed)
+    pub(super) fn gaze_shift(&self) -> Option<GazeShift> {
+        self.gaze_shift_to(self.goal.aim_point)
     }
 
     /// Returns the turn of the body that would bring a target behind into reach, which differs from the point aimed at.
     #[cold]
     pub(super) fn turn_for_behind(&self) -> Option<f32> {
-        let (_, unfit) = self.share(&self.way_to(self.goal.wanted)?, Vec4::ZERO);
+        let (_, unfit) = self.share(&self.gaze_shift_to(self.goal.measured_point)?, Vec4::ZERO);
         Some(unfit.x)
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
-    fn way_to(&self, point: Vec3A) -> Option<Way> {
+    fn gaze_shift_to(&self, point: Vec3A) -> Option<GazeShift> {
         let from = self.body.gaze.direction;
         let to = math::unit(point - self.pivot)?;
         let part = if self.has_eye { self.sharing.head_part(math::angle_between_units(from, to)) } else { 1.0 };
         let [from, to] = self.bearings.turned(from, to);
-        Some(Way { from, to, way: self.bearings.way(from, to, self.goal.side), part })
+        Some(GazeShift { from, to, shift: self.bearings.angle_change(from, to, self.goal.side), part })
     }
 
     /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest, or the target is out
     /// of reach. Otherwise returns `None`, and [`settle`](Self::settle) has to iterate.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn allot(&self, way: &Way) -> Option<Allotment<C>> {
-        let (directions, unfit) = self.share(way, Vec4::ZERO);
+    pub(super) fn allot(&self, gaze_shift: &GazeShift) -> Option<Allotment<C>> {
+        let (directions, unfit) = self.share(gaze_shift, Vec4::ZERO);
         let head = self.regions.len() - 1;
-        let is_level = way.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
+        let is_level = gaze_shift.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
         let nothing = if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD };
         if square(unfit) > nothing * nothing {
-            return Some(self.out_of_reach(way, directions, unfit));
+            return Some(self.out_of_reach(gaze_shift, directions, unfit));
         }
-        if !is_level || !self.body.off.is_rigid() {
+        if !is_level || !self.body.deviation.is_rigid() {
             return None;
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;
         let own = &self.ranges[self.body.first];
         let (rest, lo, hi) = if self.has_eye {
-            (way.way - turned(head), own.lo, own.hi)
+            (gaze_shift.shift - turned(head), own.lo, own.hi)
         } else {
             let inside = if head > 0 { turned(head - 1) } else { Vec4::ZERO };
             (turned(head) - inside, self.regions[head].lo, self.regions[head].hi)
@@ -147,18 +148,18 @@ impl<const C: usize> Gaze<'_, C> {
         // NaN or infinite if an angle cannot move.
         let used = rest / Vec4::select(rest.cmpgt(Vec4::ZERO), hi, lo);
         let is_plain = square(used) < PLAIN_PART * PLAIN_PART;
-        is_plain.then_some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
+        is_plain.then_some(Allotment { directions, point: self.goal.aim_point, fit: Fit::WITHIN_REACH })
     }
 
     /// Returns the allotment for a target out of reach. To the side, the gaze keeps the target's elevation; too high or
     /// too low, its heading.
-    fn out_of_reach(&self, way: &Way, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
-        let nearest = way.from + way.way - unfit;
-        let to_target = self.goal.aimed - self.pivot;
+    fn out_of_reach(&self, gaze_shift: &GazeShift, directions: PerJoint<Pair, C>, unfit: Pair) -> Allotment<C> {
+        let nearest = gaze_shift.from + gaze_shift.shift - unfit;
+        let to_target = self.goal.aim_point - self.pivot;
         let distance = to_target.length();
         let mut to_point = self.bearings.direction(nearest) * distance;
         // Near the zenith, the eye looks towards the target itself, although the regions turn by way of the front.
-        let steep = (way.to.y.abs() - BY_THE_FRONT_RAD[0]) / (BY_THE_FRONT_RAD[1] - BY_THE_FRONT_RAD[0]);
+        let steep = (gaze_shift.to.y.abs() - BY_THE_FRONT_RAD[0]) / (BY_THE_FRONT_RAD[1] - BY_THE_FRONT_RAD[0]);
         if self.has_eye && steep > 0.0 {
             to_point += (to_target - to_point) * steep.at_most(1.0);
         }
@@ -166,43 +167,43 @@ impl<const C: usize> Gaze<'_, C> {
         Allotment { directions, point, fit: Fit { within_reach: false, body_turn: unfit.x } }
     }
 
-    /// Finds the allotment and puts the joints there. `more` is what the regions cover beyond their part.
+    /// Finds the allotment and puts the joints there. `extra` is what the regions cover beyond their part.
     pub(super) fn settle(
         &self,
-        way: Way,
+        gaze_shift: GazeShift,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
-        more: &mut Pair,
+        extra: &mut Pair,
     ) -> Option<Allotment<C>> {
-        if let Some(allotment) = self.allot(&way) {
-            let seen = self.place(allotment.aims(), from, None, posture)?;
-            if seen.is_within() || !allotment.fit.within_reach {
+        if let Some(allotment) = self.allot(&gaze_shift) {
+            let sight = self.turn_joints(allotment.aims(), from, None, posture)?;
+            if sight.is_within() || !allotment.fit.within_reach {
                 return Some(allotment);
             }
         }
-        let allotment = self.settle_in_rounds(&way, from, posture, (more, ROUNDS))?;
-        self.place(allotment.aims(), from, None, posture)?;
+        let allotment = self.iterate_allotment(&gaze_shift, from, posture, (extra, ROUNDS))?;
+        self.turn_joints(allotment.aims(), from, None, posture)?;
         Some(allotment)
     }
 
-    /// Finds the allotment by iteration, where it is not plain: in each of at most `rounds` rounds, adjusts `more`
+    /// Finds the allotment by iteration, where it is not plain: in each of at most `rounds` rounds, adjusts `extra`
     /// until the leading joint can just cover the rest.
-    pub(super) fn settle_in_rounds(
+    pub(super) fn iterate_allotment(
         &self,
-        way: &Way,
+        gaze_shift: &GazeShift,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
-        (more, rounds): (&mut Pair, usize),
+        (extra, rounds): (&mut Pair, usize),
     ) -> Option<Allotment<C>> {
         let own = &self.ranges[self.body.first];
         let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
-        let mut directions = self.share(way, *more).0;
+        let mut directions = self.share(gaze_shift, *extra).0;
         for round in 0..rounds {
-            let seen = self.place(Aims::At(&directions, self.goal.aimed), from, None, posture)?;
-            let left = seen.left();
-            // The part of `more` that the regions need not cover.
-            let spare =
-                (seen.wanted - own.hi).max(-*more).min(Vec4::ZERO) + (seen.wanted - own.lo).min(-*more).max(Vec4::ZERO);
+            let sight = self.turn_joints(Aims::At(&directions, self.goal.aim_point), from, None, posture)?;
+            let left = sight.excess();
+            // The part of `extra` that the regions need not cover.
+            let spare = (sight.unclamped - own.hi).max(-*extra).min(Vec4::ZERO)
+                + (sight.unclamped - own.lo).min(-*extra).max(Vec4::ZERO);
             let needs = if self.has_eye {
                 spare.cmpeq(Vec4::ZERO)
             } else {
@@ -210,30 +211,30 @@ impl<const C: usize> Gaze<'_, C> {
                 left.abs().cmpgt(Vec4::splat(SAME_RAD))
             };
             let off = Vec4::select(needs, left, spare);
-            if Seen::is_nothing(off) {
+            if SightAngles::is_negligible(off) {
                 break;
             }
             if round > 0 && !(square(off) < GAIN * GAIN * square(before)) {
-                if Seen::is_nothing(left) {
-                    *more = Vec4::ZERO;
+                if SightAngles::is_negligible(left) {
+                    *extra = Vec4::ZERO;
                     break;
                 }
-                *more -= step;
-                return Some(self.out_of_reach(way, directions, left));
+                *extra -= step;
+                return Some(self.out_of_reach(gaze_shift, directions, left));
             }
             // A secant step through the last two rounds, separately for each angle.
             let per = step / (before - off);
             step = off * Vec4::select(per.cmpgt(Vec4::ZERO), per.min(Vec4::splat(MOST_STEPS)), Vec4::ONE);
             before = off;
-            *more += step;
-            directions = self.share(way, *more).0;
+            *extra += step;
+            directions = self.share(gaze_shift, *extra).0;
         }
-        Some(Allotment { directions, point: self.goal.aimed, fit: Fit::WITHIN_REACH })
+        Some(Allotment { directions, point: self.goal.aim_point, fit: Fit::WITHIN_REACH })
     }
 
-    /// Shares a way out between the regions, which cover its `part` and `more` on top. Returns the resulting directions
-    /// of the regions' outermost joints, and the remainder of the way that does not fit.
-    fn share(&self, &Way { to, way, part, .. }: &Way, more: Pair) -> (PerJoint<Pair, C>, Pair) {
+    /// Shares a gaze shift out between the regions, which cover its `part` and `extra` on top. Returns the resulting
+    /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
+    fn share(&self, &GazeShift { to, shift, part, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
         let mut directions = self.rig.array(Vec4::ZERO);
         let (lo, hi) = if self.has_eye {
             let eye = &self.ranges[self.body.first];
@@ -242,16 +243,18 @@ impl<const C: usize> Gaze<'_, C> {
             (Vec4::ZERO, Vec4::ZERO)
         };
         // The regions' part, but at least what the eye's range cannot cover.
-        let done =
-            self.turn_regions((way * part).max(way - hi * EYE_PART).min(way - lo * EYE_PART) + more, &mut directions);
-        let rest = way - done;
+        let done = self.turn_regions(
+            (shift * part).max(shift - hi * EYE_PART).min(shift - lo * EYE_PART) + extra,
+            &mut directions,
+        );
+        let rest = shift - done;
         let mut unfit = rest - rest.max(lo).min(hi);
         if self.has_eye && unfit.x != 0.0 {
             let [right, left] = eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
             let eye = Interval::from_ends(right, left);
-            let [least, most] = [eye.hi(), eye.lo()].map(|end| way.x - EYE_PART * end);
-            let wanted = (part * way.x).at_least(least).at_most(most);
-            let rest = way.x - self.turn_axis::<HEADING>(wanted + more.x, &mut directions);
+            let [least, most] = [eye.hi(), eye.lo()].map(|end| shift.x - EYE_PART * end);
+            let wanted = (part * shift.x).at_least(least).at_most(most);
+            let rest = shift.x - self.turn_axis::<HEADING>(wanted + extra.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
         let (_, inner) = self.regions.split_last().unwrap_or((&Region::NONE, &[]));
@@ -288,57 +291,63 @@ impl<const C: usize> Gaze<'_, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_axis<const AXIS: usize>(&self, wanted: f32, directions: &mut [Pair]) -> f32 {
         let (regions, head) = (self.regions, self.regions.len() - 1);
-        let mut gives = self.rig.array(0.0_f32);
+        let mut compliances = self.rig.array(0.0_f32);
         let mut total = regions[head].part.compliance[AXIS];
-        gives[head] = total;
+        compliances[head] = total;
         for (number, region) in regions[..head].iter().enumerate() {
             let out = if AXIS == PITCH { directions[head].x - directions[number].x } else { 0.0 };
-            gives[number] = region.part.compliance[AXIS] / calm(out);
-            total += gives[number];
+            compliances[number] = region.part.compliance[AXIS] / pitch_reduction(out);
+            total += compliances[number];
         }
         // Usually every region has room for its part.
         let each = wanted / total;
         let (mut sum, mut fits) = (0.0, true);
-        for ((gives, region), direction) in gives.iter().zip(regions).zip(&mut *directions) {
-            let own = each * gives;
+        for ((compliances, region), direction) in compliances.iter().zip(regions).zip(&mut *directions) {
+            let own = each * compliances;
             fits &= (region.lo[AXIS] <= own) & (own <= region.hi[AXIS]);
             sum += own;
             direction[AXIS] = region.animated[AXIS] + sum;
         }
-        if fits { sum } else { self.turn_within_room::<AXIS>(wanted, &gives, directions) }
+        if fits { sum } else { self.turn_within_limits::<AXIS>(wanted, &compliances, directions) }
     }
 
     /// Turns the regions where some have no room for their parts. Monomorphised for each axis.
     #[cfg_attr(not(aim_small), inline(never))]
-    fn turn_within_room<const AXIS: usize>(
+    fn turn_within_limits<const AXIS: usize>(
         &self,
         wanted: f32,
-        gives: &PerJoint<f32, C>,
+        compliances: &PerJoint<f32, C>,
         directions: &mut [Pair],
     ) -> f32 {
-        self.turn_within(AXIS, wanted, gives, directions)
+        self.turn_within_limits_of(AXIS, wanted, compliances, directions)
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
-    fn turn_within(&self, axis: usize, wanted: f32, gives: &PerJoint<f32, C>, directions: &mut [Pair]) -> f32 {
+    fn turn_within_limits_of(
+        &self,
+        axis: usize,
+        wanted: f32,
+        compliances: &PerJoint<f32, C>,
+        directions: &mut [Pair],
+    ) -> f32 {
         let regions = self.regions;
         let mut turns = self.rig.array(0.0_f32);
-        let mut gives = *gives;
+        let mut compliances = *compliances;
         let mut left = wanted;
         for _ in 0..self.count {
             let mut total = 0.0;
-            for ((gives, turn), region) in gives.iter_mut().zip(&*turns).zip(regions) {
+            for ((compliances, turn), region) in compliances.iter_mut().zip(&*turns).zip(regions) {
                 if if left > 0.0 { *turn >= region.hi[axis] } else { *turn <= region.lo[axis] } {
-                    *gives = 0.0;
+                    *compliances = 0.0;
                 }
-                total += *gives;
+                total += *compliances;
             }
             if left == 0.0 || !(total > 0.0) {
                 break;
             }
             let each = left / total;
-            for ((gives, turn), region) in gives.iter().zip(&mut *turns).zip(regions) {
-                let next = (*turn + each * gives).at_least(region.lo[axis]).at_most(region.hi[axis]);
+            for ((compliances, turn), region) in compliances.iter().zip(&mut *turns).zip(regions) {
+                let next = (*turn + each * compliances).at_least(region.lo[axis]).at_most(region.hi[axis]);
                 left -= next - *turn;
                 *turn = next;
             }

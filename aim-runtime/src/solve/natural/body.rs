@@ -11,14 +11,14 @@
 //! which equals `R_heading·R_pitch` even for mirrored axes.
 //!
 //! The pose is not carried outward along the chain. Instead, each joint's turn F·R·Fᵀ about its animated place x is
-//! [taken back](Body::take_back) from the point that is looked at: x + F·Rᵀ·Fᵀ·(point − x). This is equivalent, and
+//! [undone](Body::undo_turn) on the point that is looked at: x + F·Rᵀ·Fᵀ·(point − x). This is equivalent, and
 //! each joint is turned in its animated frame.
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::glide::Pair;
 use crate::JointInfo;
-use crate::kinematics::chain::{Off, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
+use crate::kinematics::chain::{Deviation, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
 use crate::math;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, PerJoint};
@@ -45,7 +45,7 @@ pub(super) struct Body<'a, const C: usize> {
     /// `true` if the effector looks along its joint's forward from its origin.
     pub(super) is_plain: bool,
     /// Deviation of the pose, by shear and non-uniform scale, from what frames and positions can represent.
-    pub(super) off: Off,
+    pub(super) deviation: Deviation,
     pub(super) space: Space,
 }
 
@@ -65,7 +65,7 @@ impl<'a, const C: usize> Body<'a, C> {
             gaze: ray,
             effector: ray,
             is_plain: true,
-            off: Off::default(),
+            deviation: Deviation::default(),
             space: Space { origin: Vec3A::ZERO, per_size: 1.0 },
         }
     }
@@ -91,7 +91,7 @@ impl<'a, const C: usize> Body<'a, C> {
         }
         let (pose, first) = (&pose[..infos.len()], first.min(infos.len() - 1));
         self.first = first;
-        self.off = orthogonal_frames(pose, first, &mut self.frames)?;
+        self.deviation = orthogonal_frames(pose, first, &mut self.frames)?;
         let aimed = effector(self.rig, first);
         let has_origin = first == 0 && self.rig.has_origin;
         let offset = if has_origin { pose[first].transform_vector3a(aimed.origin) } else { Vec3A::ZERO };
@@ -144,7 +144,7 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// Sets the effector from the true kinematics of a pose that is not rigid; `None` if its direction is zero.
-    pub(super) fn look_along(&mut self, gaze: Ray) -> Option<()> {
+    pub(super) fn set_gaze(&mut self, gaze: Ray) -> Option<()> {
         self.gaze = Ray { direction: math::unit(gaze.direction)?, ..gaze };
         self.effector.direction = self.rows[self.first] * self.gaze.direction;
         self.is_plain = false;
@@ -152,11 +152,11 @@ impl<'a, const C: usize> Body<'a, C> {
     }
 
     /// Returns the angle between the effector, with the leading joint turned by `turn`, and the direction to a point,
-    /// from which the turns of the joints inward are taken back; `None` if it is undefined.
+    /// from which the turns of the joints inward are undone; `None` if it is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
         let first = self.first;
-        let seen = turn.back(self.rows[first] * (point - self.places[first]));
+        let seen = turn.undo(self.rows[first] * (point - self.places[first]));
         if !self.is_plain {
             return self.effector.angle_to(seen);
         }
@@ -178,17 +178,17 @@ impl<'a, const C: usize> Body<'a, C> {
         !rig.has_fixed_ranges && rig.joints[self.first..].iter().any(is_free)
     }
 
-    /// Takes a joint's turn back from a direction.
+    /// Undoes a joint's turn on a direction.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn take_back(&self, joint: usize, turn: &Turn, direction: Vec3A) -> Vec3A {
-        self.frames[joint] * turn.back(self.rows[joint] * direction)
+    pub(super) fn undo_turn(&self, joint: usize, turn: &Turn, direction: Vec3A) -> Vec3A {
+        self.frames[joint] * turn.undo(self.rows[joint] * direction)
     }
 
-    /// Takes a joint's turn back from a point.
+    /// Undoes a joint's turn on a point.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn take_back_point(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
+    pub(super) fn undo_turn_at(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
         let place = self.places[joint];
-        place + self.take_back(joint, turn, point - place)
+        place + self.undo_turn(joint, turn, point - place)
     }
 }
 
@@ -207,9 +207,9 @@ impl Turn {
         Self(trig::doubled(halves))
     }
 
-    /// Takes the turn back from a vector along forward, left and up: applies its inverse.
+    /// Undoes the turn on a vector along forward, left and up: applies its inverse.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(in crate::solve) fn back(&self, v: Vec3A) -> Vec3A {
+    pub(in crate::solve) fn undo(&self, v: Vec3A) -> Vec3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
         let [ahead, left, up] = v.to_array();
         let level = ahead * cos_h + left * sin_h;

@@ -10,7 +10,7 @@ use glam::{Vec4, Vec4Swizzles};
 
 use crate::math;
 use crate::math::Bounded;
-use crate::rig::Led;
+use crate::rig::HeadGoal;
 
 /// Heading and pitch in the first two lanes; the other lanes are unspecified.
 pub(super) type Pair = Vec4;
@@ -83,23 +83,23 @@ impl Glide {
 
     /// Returns the glide, braked if the region could no longer stop before its limits, which may move. `before` is the
     /// glide and `sum` the region's angles at the start of the frame; `begins` and `with` are the goal's velocities.
-    /// `ends` computes the limits by the joints' ranges and by the budget.
+    /// `separate_limits` computes the limits by the joints' ranges and by the budget.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn braked(
         self,
         before: &Self,
         sum: Pair,
-        room: &Room,
-        ends: impl Fn() -> [Vec4; 2],
+        limits: &RegionLimits,
+        separate_limits: impl Fn() -> [Vec4; 2],
         [begins, with]: [Pair; 2],
         bounds: &Bounds,
     ) -> Self {
         let end = self.speed + with;
         let (sums, speeds) = (both_ways(sum), both_ways(end));
-        if room.leaves_room(sums, speeds, bounds) {
+        if limits.allows_stop(sums, speeds, bounds) {
             return self;
         }
-        let most = room.most_speeds(ends(), sums, speeds, bounds);
+        let most = limits.max_speeds(separate_limits(), sums, speeds, bounds);
         // If even the increased braking is too late, the range stops the movement.
         let start = before.speed + begins;
         let held = end.min(most).max(-most.zwxy());
@@ -124,7 +124,7 @@ impl Glide {
 
 /// A region's limits by its joints' ranges and its budget: the upper limits of heading and pitch, then the lower limits
 /// negated.
-pub(super) struct Room {
+pub(super) struct RegionLimits {
     /// The tighter limit of each lane, at least 0.
     at: Vec4,
     /// The velocities at which the animation moves the ranges' and the budget's limits; negative for approaching ones,
@@ -138,10 +138,10 @@ fn both_ways(pair: Pair) -> Vec4 {
     pair.xyxy() * Vec4::new(1.0, 1.0, -1.0, -1.0)
 }
 
-impl Room {
+impl RegionLimits {
     /// Returns the limits for sums between `lo` and `hi`.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn ends([lo, hi]: [Pair; 2]) -> Vec4 {
+    pub(super) fn pack([lo, hi]: [Pair; 2]) -> Vec4 {
         Vec4::new(hi.x, hi.y, -lo.x, -lo.y).max(Vec4::ZERO)
     }
 
@@ -159,34 +159,35 @@ impl Room {
 
     /// Returns the distances needed to stop at these speeds before limits that approach.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn stops(speeds: Vec4, coming: Vec4, acceleration: Vec4, dt: f32) -> Vec4 {
-        let closing = (speeds - coming).max(Vec4::ZERO);
+    fn stopping_distances(speeds: Vec4, limit_speed: Vec4, acceleration: Vec4, dt: f32) -> Vec4 {
+        let closing = (speeds - limit_speed).max(Vec4::ZERO);
         closing * (closing * 0.5 / acceleration + Vec4::splat(dt))
     }
 
     /// Returns `true` if every limit is certainly further away than the distance needed to stop.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn leaves_room(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
-        let coming = self.speeds[0].min(self.speeds[1]);
-        let stops = Self::stops(speeds, coming, Vec4::splat(WARY * bounds.acceleration), bounds.dt);
-        (self.at - sums).cmpgt(stops).bitmask() == 15
+    fn allows_stop(&self, sums: Vec4, speeds: Vec4, bounds: &Bounds) -> bool {
+        let limit_speed = self.speeds[0].min(self.speeds[1]);
+        let distances =
+            Self::stopping_distances(speeds, limit_speed, Vec4::splat(WARY * bounds.acceleration), bounds.dt);
+        (self.at - sums).cmpgt(distances).bitmask() == 15
     }
 
     /// Returns the largest speeds from which it is possible to stop before the limits.
     #[cold]
     #[inline(never)]
-    fn most_speeds(&self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
+    fn max_speeds(&self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
         let mut most = [f32::INFINITY; 4];
-        for (end, coming) in ends.iter().zip(&self.speeds) {
+        for (end, limit_speed) in ends.iter().zip(&self.speeds) {
             // Measure the distance from the limit's position at the start of the frame. A limit already at the
             // animation stays.
-            let coming = Vec4::select(end.cmpgt(Vec4::ZERO), *coming, Vec4::ZERO);
-            let left = *end - coming * bounds.dt - sums;
-            let wary = Vec4::select(coming.cmplt(Vec4::ZERO), Vec4::splat(WARY), Vec4::ONE);
+            let limit_speed = Vec4::select(end.cmpgt(Vec4::ZERO), *limit_speed, Vec4::ZERO);
+            let left = *end - limit_speed * bounds.dt - sums;
+            let wary = Vec4::select(limit_speed.cmplt(Vec4::ZERO), Vec4::splat(WARY), Vec4::ONE);
             let acceleration = wary * bounds.acceleration;
-            let is_near = left.cmple(Self::stops(speeds, coming, acceleration, bounds.dt));
+            let is_near = left.cmple(Self::stopping_distances(speeds, limit_speed, acceleration, bounds.dt));
             for lane in (0..4).filter(|lane| is_near.test(*lane)) {
-                let mut speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + coming[lane];
+                let mut speed = braking(left[lane], acceleration[lane] * bounds.dt, bounds.dt) + limit_speed[lane];
                 if speed < 0.0 {
                     // A limit comes no nearer than the animation, so a retreating region has to be able to stop there.
                     speed = speed.at_least(-braking(sums[lane], bounds.acceleration * bounds.dt, bounds.dt));
@@ -224,8 +225,8 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 ///   would otherwise drive the head from one end of its acceleration to the other.
 /// - A goal that shakes is followed by its mean velocity.
 #[cfg_attr(not(aim_small), inline(always))]
-pub(super) fn follow(
-    led: &mut Led,
+pub(super) fn split_goal_motion(
+    head_goal: &mut HeadGoal,
     [sum, goal]: [Pair; 2],
     glide: &mut Glide,
     part: f32,
@@ -237,39 +238,41 @@ pub(super) fn follow(
     const GAINS: f32 = 0.25;
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
-    let [led_goal, led_speed, led_change] = [led.goal, led.speed, led.change].map(pair);
-    let change = (goal - led_goal) * per_dt;
+    let [last_goal, last_feed_forward, last_velocity] =
+        [head_goal.angles, head_goal.feed_forward, head_goal.velocity].map(pair);
+    let change = (goal - last_goal) * per_dt;
     let is_near = |other: Pair| is_near_to(change, other, most);
-    let lasts = is_near(led_change);
+    let lasts = is_near(last_velocity);
     // The goal hops if its velocities in two frames lie on either side of the feed-forward velocity.
-    let gain = change - led_speed;
-    let hops = (gain * (led_change - led_speed)).cmplt(Vec4::ZERO);
-    let gain = match (lasts, led.gains) {
+    let gain = change - last_feed_forward;
+    let hops = (gain * (last_velocity - last_feed_forward)).cmplt(Vec4::ZERO);
+    let gain = match (lasts, head_goal.is_accelerating) {
         (true, true) => gain,
         (true, false) => gain.max(most * -AT_ONCE).min(most * AT_ONCE),
         (false, _) => Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)),
     };
-    led.gains = !is_near_to(change, led_speed, most * GAINS);
-    let mut speed = led_speed;
+    head_goal.is_accelerating = !is_near_to(change, last_feed_forward, most * GAINS);
+    let mut speed = last_feed_forward;
     if square(change) <= rate * rate {
         speed += gain;
     } else if lasts {
         speed = change * (rate / length(change));
     }
-    let mut is_smooth = is_near_to(speed, led_speed, most);
-    if !lasts || led.tired > 0.0 {
-        (speed, is_smooth) = led.shake(speed, change, lasts, bounds);
+    let mut is_smooth = is_near_to(speed, last_feed_forward, most);
+    if !lasts || head_goal.slowdown > 0.0 {
+        (speed, is_smooth) = head_goal.damp_shaking(speed, change, lasts, bounds);
     }
-    let mut begins = led_speed;
+    let mut begins = last_feed_forward;
     if !is_smooth {
-        glide.speed += led_speed - speed;
+        glide.speed += last_feed_forward - speed;
         begins = speed;
     }
-    let (leap, ahead) = ((change - speed) * dt, led_goal - sum);
-    glide.offset = -ahead - leap;
-    led.tire(leap, ahead, dt);
-    (led.goal, led.speed, led.change) = (ends(goal), ends(speed), ends(change));
-    [begins, leap]
+    let (jump, ahead) = ((change - speed) * dt, last_goal - sum);
+    glide.offset = -ahead - jump;
+    head_goal.slow_for_reversal(jump, ahead, dt);
+    (head_goal.angles, head_goal.feed_forward, head_goal.velocity) =
+        (to_array(goal), to_array(speed), to_array(change));
+    [begins, jump]
 }
 
 /// Returns `true` if both angles are within `most` of the others.
@@ -278,35 +281,35 @@ fn is_near_to(pair: Pair, other: Pair, most: Pair) -> bool {
     (pair - other).abs().cmple(most * 1.0001).bitmask() & 3 == 3
 }
 
-impl Led {
+impl HeadGoal {
     /// Follows a goal that moves because weight or attention changes. Such a fade ends abruptly, and following its
     /// velocity would overshoot. All of its movement therefore becomes offset, which decays without overshoot.
     #[cold]
     #[inline(never)]
     pub(super) fn fade(&mut self, [sum, goal]: [Pair; 2], glide: &mut Glide, dt: f32) {
-        glide.speed += pair(self.speed);
+        glide.speed += pair(self.feed_forward);
         glide.offset = sum - goal;
-        self.tire(Vec4::ZERO, Vec4::ZERO, dt);
-        (self.goal, self.speed, self.change) = (ends(goal), [0.0; 2], [0.0; 2]);
+        self.slow_for_reversal(Vec4::ZERO, Vec4::ZERO, dt);
+        (self.angles, self.feed_forward, self.velocity) = (to_array(goal), [0.0; 2], [0.0; 2]);
     }
 
     /// Returns the factor on the head's pace, below 1 if its goal jumps to and fro.
-    pub(super) fn haste(&self) -> f32 {
+    pub(super) fn pace_factor(&self) -> f32 {
         const LEAST: f32 = 0.4;
-        (1.0 - self.tired).at_least(LEAST).at_most(1.0)
+        (1.0 - self.slowdown).at_least(LEAST).at_most(1.0)
     }
 
-    /// Limits how a shaking goal is followed, and updates `tired`.
+    /// Limits how a shaking goal is followed, and updates `slowdown`.
     ///
     /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow,
     /// then following overshoots by v²/2a and shakes the head. A goal that turns back at once does the same. The higher
-    /// `tired` is, the more the head follows only the mean of the goal's velocity.
+    /// `slowdown` is, the more the head follows only the mean of the goal's velocity.
     ///
     /// Returns the feed-forward velocity that replaces `speed`, and whether its change is within the acceleration.
     /// `lasts` tells whether the goal's last change was.
     #[cold]
     #[inline(never)]
-    fn shake(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
+    fn damp_shaking(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
         /// Time constant of the mean, seconds.
         const MEAN_S: f32 = 0.25;
         /// Time of shaking after which it counts in full, seconds.
@@ -319,47 +322,47 @@ impl Led {
         const TURN_BACK: f32 = 1.1;
         let &Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
-        let before = pair(self.speed);
+        let before = pair(self.feed_forward);
         if !lasts {
             let off = square(change - before);
             // A goal faster than the head's rate has jumped instead.
             let turns_back = change.x * before.x + change.y * before.y < 0.0 && square(change) <= rate * rate;
-            self.tired += if turns_back {
+            self.slowdown += if turns_back {
                 TURN_BACK * (off / (2.0 * acceleration * TURN_BACK_RAD)).at_most(1.0)
             } else {
-                let overshoots = off.at_most(square(pair(self.change) - before)) / (2.0 * acceleration);
+                let overshoots = off.at_most(square(pair(self.velocity) - before)) / (2.0 * acceleration);
                 let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
                 counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S)
             };
         }
-        if !(self.tired > 0.0) {
+        if !(self.slowdown > 0.0) {
             return (speed, is_near_to(speed, before, most));
         }
         // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
         // than forth would otherwise make the mean drift.
         let counted = change * (3.0 * rate / length(change)).at_most(1.0);
         let mean = before + (counted - before) * (dt / (dt + MEAN_S));
-        let speed = speed + (mean - speed) * self.tired.at_most(1.0);
+        let speed = speed + (mean - speed) * self.slowdown.at_most(1.0);
         // Without this limit, sudden changes in one direction only would push the head that way.
         (before + (speed - before).max(-most).min(most), true)
     }
 
     /// Makes the head slower for a while if its goal jumps back before the head has arrived, so that it stays near the
-    /// middle. `leap` is the goal's jump, and `ahead` its distance from the head before it.
+    /// middle. `jump` is the goal's jump, and `ahead` its distance from the head before it.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn tire(&mut self, leap: Pair, ahead: Pair, dt: f32) {
+    fn slow_for_reversal(&mut self, jump: Pair, ahead: Pair, dt: f32) {
         const MOST: f32 = 1.5;
         const RESTS_S: f32 = 0.8;
         // Jumps up to the first angle count as jitter and are ignored; from the second angle on they count in full.
         const TREMBLING_RAD: f32 = 5.0 * PI / 180.0;
         const WHOLE_RAD: f32 = 15.0 * PI / 180.0;
-        let back = -(leap.x * ahead.x + leap.y * ahead.y);
-        let size = square(leap);
+        let back = -(jump.x * ahead.x + jump.y * ahead.y);
+        let size = square(jump);
         if back > 0.0 && size > TREMBLING_RAD * TREMBLING_RAD {
             let counts = ((math::sqrt(size) - TREMBLING_RAD) / (WHOLE_RAD - TREMBLING_RAD)).at_most(1.0);
-            self.tired += counts * (4.0 * back / size).at_most(1.0);
+            self.slowdown += counts * (4.0 * back / size).at_most(1.0);
         }
-        self.tired = (self.tired.at_most(MOST) - dt / RESTS_S).at_least(0.0);
+        self.slowdown = (self.slowdown.at_most(MOST) - dt / RESTS_S).at_least(0.0);
     }
 }
 
@@ -393,7 +396,7 @@ pub(super) fn pair([heading, pitch]: [f32; 2]) -> Pair {
 }
 
 #[cfg_attr(not(aim_small), inline(always))]
-pub(super) fn ends(pair: Pair) -> [f32; 2] {
+pub(super) fn to_array(pair: Pair) -> [f32; 2] {
     [pair.x, pair.y]
 }
 

@@ -4,7 +4,7 @@
 //! Directions are headings and elevations about the character's up ([`Bearings`]). The joints form *regions* of the
 //! body with budgets ([`region`]). A call takes two steps:
 //!
-//! 1. The way from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]). The regions cover
+//! 1. The gaze shift, from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]). The regions cover
 //!    g·max(0, E − D)/E of it, where E is its angle, and more if the eye cannot cover the rest. Each region takes a
 //!    part by its compliance, within its range and budget, separately for heading and elevation. A target out of reach
 //!    to the side is therefore followed level. The further the head is turned aside, the less the trunk bends, which
@@ -31,22 +31,22 @@ use glam::{Quat, Vec3A, Vec4};
 
 use self::allot::{FRAME_ROUNDS, Fit, ROUNDS};
 use self::body::{Body, Turn, angles};
-use self::glide::{Pair, ends, pair, square};
+use self::glide::{Pair, pair, square, to_array};
 use self::range::Range;
 use self::region::{Region, find_regions};
 use self::sharing::Sharing;
-use self::sight::Seen;
+use self::sight::SightAngles;
 use super::call::Call;
-use super::solved::{Found, Moved, Task};
+use super::task::{ChainSolution, SolveOutput, Task};
 use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{BodyPart, ChainRig, Led, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
+use crate::rig::{BodyPart, ChainRig, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
-use crate::target::goal::{Course, Goal, Scene};
+use crate::target::goal::{Goal, Movement, Scene};
 use crate::{Joint, Outcome, Role, Settings};
 
 /// Difference of angles that counts as rounding, radians.
@@ -66,16 +66,16 @@ pub(super) fn aim<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     about: Upright,
-    Moved { joints, memory, corrections, found }: Moved<'_, C>,
+    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
-    let chain = if body.off.is_rigid() {
+    let chain = if body.deviation.is_rigid() {
         None
     } else {
         let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
-        body.look_along(chain.animated_gaze())?;
+        body.set_gaze(chain.animated_gaze())?;
         Some(chain)
     };
     let bearings = Bearings::of_trunk(&body.trunk, about, body.turns_round());
@@ -129,7 +129,8 @@ pub(super) fn aim<const C: usize>(
     };
     let mut before = rig.array(Joint::REST);
     let leading = Turn::new(Vec4::ZERO);
-    let mut posture = Posture { joints, corrections, point: goal.wanted, wanted: goal.wanted, leading };
+    let mut posture =
+        Posture { joints, corrections, aim_point: goal.measured_point, measured_point: goal.measured_point, leading };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
         None => {
@@ -140,19 +141,19 @@ pub(super) fn aim<const C: usize>(
     for joint in 0..first {
         posture.correct(&body, joint);
     }
-    let Posture { joints, corrections, wanted, leading, .. } = posture;
+    let Posture { joints, corrections, measured_point, leading, .. } = posture;
     let well_within = ranges.iter().zip(joints.iter()).all(|(range, joint)| range.holds_well(angles(joint)));
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
     let outcome = task.finish(joints, memory, |_| match &chain {
-        Some(chain) => chain.gaze(corrections).angle_to(goal.wanted),
-        None if body.off.is_nothing() => body.angle_to(wanted, &leading),
-        // Taking a rotation back in skewed axes is inexact by the skew, so use true kinematics.
-        None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.wanted),
+        Some(chain) => chain.gaze(corrections).angle_to(goal.measured_point),
+        None if body.deviation.is_negligible() => body.angle_to(measured_point, &leading),
+        // Undoing a rotation in skewed axes is inexact by the skew, so use true kinematics.
+        None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.measured_point),
     })?;
-    if let Some(found) = found {
-        let seen = (first == 0 && body.off.is_nothing()).then_some(wanted);
-        *found = Some(Found { goal, space: body.space, seen });
+    if let Some(solution) = solution {
+        let measured_point = (first == 0 && body.deviation.is_negligible()).then_some(measured_point);
+        *solution = Some(ChainSolution { goal, space: body.space, measured_point });
     }
     Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
 }
@@ -169,10 +170,10 @@ struct Posture<'a, const C: usize> {
     joints: &'a mut PerJoint<Joint, C>,
     /// The correction of each joint, in its bone.
     corrections: &'a mut [Quat],
-    /// The point that is looked at, with the turns of the joints assigned so far taken back.
-    point: Vec3A,
-    /// The point that the outcome is measured against, with the turns of the joints assigned so far taken back.
-    wanted: Vec3A,
+    /// The point that is looked at, with the turns of the joints assigned so far undone.
+    aim_point: Vec3A,
+    /// The point that the outcome is measured against, with the turns of the joints assigned so far undone.
+    measured_point: Vec3A,
     /// The turn of the leading joint.
     leading: Turn,
 }
@@ -192,7 +193,7 @@ impl<const C: usize> Posture<'_, C> {
 struct Motion<'a, const C: usize> {
     memory: &'a mut Memory,
     /// The movement of the head's goal so far; `None` in the first frame.
-    led: Option<Led>,
+    head_goal: Option<HeadGoal>,
     /// The angles that each joint can reach in this frame.
     reaches: &'a PerJoint<Range<'a>, C>,
     dt: f32,
@@ -273,15 +274,15 @@ impl<const C: usize> Gaze<'_, C> {
                     *joint = at(joint, reach.hold(angles(joint)));
                 }
             }
-            let fit = match self.goal.course {
-                Course::Aim if dt > 0.0 => self.settle(self.way()?, from, posture, &mut { Vec4::ZERO })?.fit,
+            let fit = match self.goal.movement {
+                Movement::Aim if dt > 0.0 => self.settle(self.gaze_shift()?, from, posture, &mut { Vec4::ZERO })?.fit,
                 _ => Fit::WITHIN_REACH,
             };
-            self.stand(from, posture);
-            return Some(self.of_wanted(fit));
+            self.set_joints(from, posture);
+            return Some(self.fit_of_target(fit));
         }
-        let led = (memory.support != Support::None).then(|| memory.led());
-        if led.is_none() {
+        let head_goal = (memory.support != Support::None).then(|| memory.head_goal());
+        if head_goal.is_none() {
             memory.blocked_s = 0.0;
             for joint in from.iter_mut() {
                 joint.velocity = [0.0; 2];
@@ -293,7 +294,7 @@ impl<const C: usize> Gaze<'_, C> {
         memory.caution = self.fade;
         let mut motion = Motion {
             memory,
-            led,
+            head_goal,
             reaches: &reaches,
             dt,
             per_dt: 1.0 / dt,
@@ -302,24 +303,24 @@ impl<const C: usize> Gaze<'_, C> {
             arrived: true,
             lag: 0.0,
         };
-        let fit = match self.goal.course {
-            Course::Rest => self.return_to_rest(from, &mut motion, posture)?,
+        let fit = match self.goal.movement {
+            Movement::Rest => self.return_to_rest(from, &mut motion, posture)?,
             _ if gives_up && self.goal.behind => self.return_to_rest(from, &mut motion, posture)?,
-            Course::Aim => self.turn_to_goal(from, gives_up, &mut motion, posture)?,
-            Course::Stay => {
+            Movement::Aim => self.turn_to_goal(from, gives_up, &mut motion, posture)?,
+            Movement::Stay => {
                 motion.stays = true;
-                self.place(Aims::Stay, from, Some(&mut motion), posture)?;
+                self.turn_joints(Aims::Stay, from, Some(&mut motion), posture)?;
                 Fit::WITHIN_REACH
             }
         };
-        let fit = self.of_wanted(fit);
+        let fit = self.fit_of_target(fit);
         let is_out_of_reach = self.goal.behind || !fit.within_reach;
         motion.memory.blocked_s = if is_out_of_reach { motion.memory.blocked_s + dt } else { 0.0 };
         if motion.memory.support == Support::None {
             motion.memory.support = Support::Rests;
         }
-        let led = motion.led.unwrap_or_default();
-        memory.set_led(led);
+        let head_goal = motion.head_goal.unwrap_or_default();
+        memory.set_head_goal(head_goal);
         Some(fit)
     }
 
@@ -331,7 +332,7 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
     ) -> Option<Fit> {
         motion.memory.support = Support::Rests;
-        self.place(Aims::Rest(self.ahead()), from, Some(motion), posture)?;
+        self.turn_joints(Aims::Rest(self.ahead()), from, Some(motion), posture)?;
         Some(Fit::WITHIN_REACH)
     }
 
@@ -342,72 +343,73 @@ impl<const C: usize> Gaze<'_, C> {
         motion: &mut Motion<'_, C>,
         posture: &mut Posture<'_, C>,
     ) -> Option<Fit> {
-        let seen = self.engage(from, motion)?;
+        let sight = self.engage(from, motion)?;
         motion.stays = motion.memory.support != Support::Shares;
         // The eye alone reaches the target.
-        if let Some(seen) = seen
+        if let Some(sight) = sight
             && motion.stays
-            && seen.is_within()
+            && sight.is_within()
         {
-            let seen = self.place(Aims::EyeAt(self.goal.aimed), from, Some(motion), posture)?;
-            self.rest(&seen, motion);
+            let sight = self.turn_joints(Aims::EyeAt(self.goal.aim_point), from, Some(motion), posture)?;
+            self.rest_if_arrived(&sight, motion);
             return Some(Fit::WITHIN_REACH);
         }
-        let way = self.way()?;
-        let mut more = pair(motion.memory.more());
-        let plain = self.allot(&way).filter(|plain| square(more) == 0.0 || !plain.fit.within_reach);
+        let gaze_shift = self.gaze_shift()?;
+        let mut extra = pair(motion.memory.extra_turn());
+        let plain = self.allot(&gaze_shift).filter(|plain| square(extra) == 0.0 || !plain.fit.within_reach);
         let is_plain = plain.is_some();
         let allotment = match plain {
             Some(allotment) => allotment,
-            None if self.has_eye => self.settle_in_rounds(&way, from, posture, (&mut more, FRAME_ROUNDS))?,
+            None if self.has_eye => self.iterate_allotment(&gaze_shift, from, posture, (&mut extra, FRAME_ROUNDS))?,
             None => {
-                // Near the zenith, a head lacks only heading, and `more` would accumulate it from frame to frame.
+                // Near the zenith, a head lacks only heading, and `extra` would accumulate it from frame to frame.
                 let mut made = Vec4::ZERO;
-                let allotment = self.settle_in_rounds(&way, from, posture, (&mut made, ROUNDS))?;
+                let allotment = self.iterate_allotment(&gaze_shift, from, posture, (&mut made, ROUNDS))?;
                 // If nothing helps, keep the last value, so that the next frame does not take the plain path.
-                more = if allotment.fit.within_reach || square(made) > 0.0 { made } else { more };
+                extra = if allotment.fit.within_reach || square(made) > 0.0 { made } else { extra };
                 allotment
             }
         };
         if gives_up && !allotment.fit.within_reach {
-            more = Vec4::ZERO;
+            extra = Vec4::ZERO;
             self.return_to_rest(from, motion, posture)?;
         } else {
-            let seen = self.place(allotment.aims(), from, Some(motion), posture)?;
-            self.rest(&seen, motion);
+            let sight = self.turn_joints(allotment.aims(), from, Some(motion), posture)?;
+            self.rest_if_arrived(&sight, motion);
             if is_plain {
                 // From the next frame on, the regions have to cover what the eye lacks and their current movement will
                 // not bring.
-                let left = seen.left();
+                let left = sight.excess();
                 let brought = SAME_RAD + motion.lag;
                 let lacks = allotment.fit.within_reach && square(left) >= brought * brought;
-                more = if lacks { left } else { Vec4::ZERO };
+                extra = if lacks { left } else { Vec4::ZERO };
             }
         }
-        motion.memory.set_more(ends(more));
+        motion.memory.set_extra_turn(to_array(extra));
         Some(allotment.fit)
     }
 
     /// Lets the regions rest once they have arrived and the eye is near the middle of its range.
-    fn rest(&self, seen: &Seen, motion: &mut Motion<'_, C>) {
-        if self.has_eye && motion.arrived && seen.is_within() && seen.off() < self.sharing.release {
+    fn rest_if_arrived(&self, sight: &SightAngles, motion: &mut Motion<'_, C>) {
+        if self.has_eye && motion.arrived && sight.is_within() && sight.eccentricity() < self.sharing.release {
             motion.memory.support = Support::Rests;
         }
     }
 
     /// Decides whether the regions take part. If they have rested so far, returns the eye's view of the goal.
-    fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<Seen>> {
+    fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<SightAngles>> {
         let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
         if !self.has_eye {
             memory.support = Support::Shares;
             return Some(None);
         }
-        let mut seen = None;
+        let mut sight = None;
         if matches!(memory.support, Support::None | Support::Rests) {
-            let now = self.see(joints, self.goal.aimed)?;
-            let engages = memory.support == Support::None || !now.is_within() || now.off() > self.sharing.engage;
+            let now = self.sight_angles_at(joints, self.goal.aim_point)?;
+            let engages =
+                memory.support == Support::None || !now.is_within() || now.eccentricity() > self.sharing.engage;
             (memory.support, memory.wait_s) = (if engages { Support::Waits } else { Support::Rests }, delay);
-            seen = Some(now);
+            sight = Some(now);
         }
         if memory.support == Support::Waits {
             if memory.wait_s > 0.0 {
@@ -416,70 +418,70 @@ impl<const C: usize> Gaze<'_, C> {
                 memory.support = Support::Shares;
             }
         }
-        Some(seen)
+        Some(sight)
     }
 
     /// Returns a point on the animated gaze at the goal's distance.
     fn ahead(&self) -> Vec3A {
         let gaze = self.body.gaze;
-        gaze.origin + gaze.direction * (self.goal.aimed - gaze.origin).length().at_least(1.0)
+        gaze.origin + gaze.direction * (self.goal.aim_point - gaze.origin).length().at_least(1.0)
     }
 
     /// Puts the joints at their final angles for a goal, regardless of rates. `None` if the aim is undefined.
     fn snap(&self, joints: &PerJoint<Joint, C>, memory: &mut Memory, posture: &mut Posture<'_, C>) -> Option<Fit> {
         // A target on the animated effector has no direction, even if the joints could give it one.
-        self.body.gaze.angle_to(self.goal.aimed)?;
+        self.body.gaze.angle_to(self.goal.aim_point)?;
         let first = self.body.first;
         let mut found = self.rig.array(Joint::REST);
         for (index, (found, joint)) in found.iter_mut().zip(&**joints).enumerate() {
-            let stays = self.goal.course == Course::Stay && index >= first;
+            let stays = self.goal.movement == Movement::Stay && index >= first;
             let joint = if stays { Joint::REST.turned_to(joint.heading, joint.pitch) } else { Joint::REST };
             *found = at(&joint, self.ranges[index].hold(angles(&joint)));
         }
         posture.joints[..first].copy_from_slice(&found[..first]);
         let mut after = *memory;
-        after.set_more([0.0; 2]);
+        after.set_extra_turn([0.0; 2]);
         after.support = Support::None;
-        after.set_led(Led::default());
+        after.set_head_goal(HeadGoal::default());
         after.blocked_s = 0.0;
         let mut body_turn = 0.0;
-        if self.goal.course == Course::Aim {
-            let seen = self.see(&found, self.goal.aimed)?;
+        if self.goal.movement == Movement::Aim {
+            let sight = self.sight_angles_at(&found, self.goal.aim_point)?;
             after.support = Support::Rests;
-            if self.has_eye && seen.is_within() && seen.off() <= self.sharing.engage {
-                found[first] = at(&found[first], seen.held);
+            if self.has_eye && sight.is_within() && sight.eccentricity() <= self.sharing.engage {
+                found[first] = at(&found[first], sight.clamped);
             } else {
-                let mut more = Vec4::ZERO;
-                body_turn = self.settle(self.way()?, &found, posture, &mut more)?.fit.body_turn;
-                after.set_more(ends(more));
+                let mut extra = Vec4::ZERO;
+                body_turn = self.settle(self.gaze_shift()?, &found, posture, &mut extra)?.fit.body_turn;
+                after.set_extra_turn(to_array(extra));
                 found[first..].copy_from_slice(&posture.joints[first..]);
                 after.support = Support::Shares;
             }
             self.hold_eye(&mut found);
             let head = &self.regions[self.count - 1];
-            after.set_led(Led { goal: ends(sum(&found, head.part)), ..Led::default() });
+            after.set_head_goal(HeadGoal { angles: to_array(sum(&found, head.part)), ..HeadGoal::default() });
         }
-        self.stand(&found, posture);
+        self.set_joints(&found, posture);
         *memory = after;
         // A snap is final: what it did not reach is out of reach.
-        Some(self.of_wanted(Fit { within_reach: false, body_turn }))
+        Some(self.fit_of_target(Fit { within_reach: false, body_turn }))
     }
 
     /// Returns the fit of the target itself if the joints aim at a substitute for it.
-    fn of_wanted(&self, fit: Fit) -> Fit {
+    fn fit_of_target(&self, fit: Fit) -> Fit {
         if self.goal.behind { Fit { body_turn: self.turn_for_behind().unwrap_or(0.0), ..fit } } else { fit }
     }
 
     /// Sets the joints to these angles.
     #[cold]
-    fn stand(&self, joints: &[Joint], posture: &mut Posture<'_, C>) {
+    fn set_joints(&self, joints: &[Joint], posture: &mut Posture<'_, C>) {
         let first = self.body.first;
         posture.joints[first..].copy_from_slice(&joints[first..]);
-        posture.wanted = self.goal.wanted;
+        posture.measured_point = self.goal.measured_point;
         for joint in (first..self.body.count()).rev() {
             posture.leading = posture.correct(self.body, joint);
             if joint > first {
-                posture.wanted = self.body.take_back_point(joint, &posture.leading, posture.wanted);
+                posture.measured_point = self.body.undo_turn_at(joint, &posture.leading, posture.measured_point);
             }
         }
     }

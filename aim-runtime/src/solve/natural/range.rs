@@ -14,11 +14,11 @@ pub(super) struct Range<'a> {
     pub(super) lo: Pair,
     pub(super) hi: Pair,
     /// The full range, if the pitch range depends on the heading or if the heading is free.
-    more: Option<&'a RangeOfMotion>,
+    full: Option<&'a RangeOfMotion>,
 }
 
 impl<'a> Range<'a> {
-    pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, more: None };
+    pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, full: None };
 
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(motion: &'a RangeOfMotion) -> Self {
@@ -26,7 +26,7 @@ impl<'a> Range<'a> {
         Self {
             lo: Vec4::new(right, down, f32::NEG_INFINITY, 0.0),
             hi: Vec4::new(left, up, f32::INFINITY, 0.0),
-            more: (motion.taper.is_some() || motion.heading.is_free()).then_some(motion),
+            full: (motion.taper.is_some() || motion.heading.is_free()).then_some(motion),
         }
     }
 
@@ -42,14 +42,14 @@ impl<'a> Range<'a> {
     pub(super) fn within(&self, angles: Pair, step: f32) -> Self {
         let (angles, step) = (angles.xyyy(), Vec4::splat(step));
         let (least, most) = (angles - step, angles + step);
-        Self { lo: self.lo.max(least).min(most), hi: self.hi.min(most).max(least), more: self.more }
+        Self { lo: self.lo.max(least).min(most), hi: self.hi.min(most).max(least), full: self.full }
     }
 
     /// Clamps the angles to the range, heading first.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold(&self, angles: Pair) -> Pair {
         let held = angles.max(self.lo).min(self.hi);
-        match self.more {
+        match self.full {
             None => held,
             Some(motion) => self.hold_narrowed(motion, held.x, angles.y),
         }
@@ -68,7 +68,7 @@ impl<'a> Range<'a> {
     /// Clamps the angles of a joint that is now at `from`: a free heading turns the shorter way round.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn hold_from(&self, from: Pair, angles: Pair) -> Pair {
-        match self.more {
+        match self.full {
             None => angles.max(self.lo).min(self.hi),
             Some(motion) => self.hold_shorter(motion, from, angles),
         }
@@ -91,7 +91,7 @@ impl<'a> Range<'a> {
     pub(super) fn holds_well(&self, angles: Pair) -> bool {
         let near = Vec4::splat(AT_LIMIT_RAD);
         let inside = (angles - self.lo).min(self.hi - angles);
-        self.more.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
+        self.full.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
     }
 
     /// Returns the angles within `step` of these that are nearest to rest.

@@ -15,7 +15,7 @@ use crate::rig::BodyPart;
 /// Returns the factor by which inner joints make less of a pitch when the head is turned out of them by β = `aside`,
 /// radians: 1 + 8·β², which is 2 at 20°.
 #[cfg_attr(not(aim_small), inline(always))]
-pub(super) fn calm(aside: f32) -> f32 {
+pub(super) fn pitch_reduction(aside: f32) -> f32 {
     1.0 + 8.0 * aside * aside
 }
 
@@ -77,7 +77,7 @@ impl Region<'_> {
     /// the joints that it carries.
     #[cold]
     #[inline(never)]
-    fn heading_room(&self) -> f32 {
+    fn heading_range_factor(&self) -> f32 {
         1.0 - ramp(self.animated.y.abs(), LEVEL_AXIS_RAD)
     }
 
@@ -107,12 +107,12 @@ impl Region<'_> {
         let own = pair(info.compliance());
         let share = Vec4::select(own.cmpgt(Vec4::ZERO), own / self.part.compliance, Vec4::ZERO);
         let aside = self.ahead + (1.0 - share.x) * turn.x;
-        share * turn * Vec4::new(1.0, 1.0 / calm(aside), 1.0, 1.0)
+        share * turn * Vec4::new(1.0, 1.0 / pitch_reduction(aside), 1.0, 1.0)
     }
 
     /// Returns the part of a pitch lacking in the outermost joint that inner joints make, for a turn of the region.
     /// Beyond 60° aside their pitch would roll the forward and hardly lift it.
-    pub(super) fn part_inside(&self, turn: Pair) -> f32 {
+    pub(super) fn inner_pitch_part(&self, turn: Pair) -> f32 {
         let cos = trig::sin_cos(self.ahead + turn.x).1.at_least(0.0);
         (4.0 * cos * cos).at_most(1.0)
     }
@@ -171,7 +171,7 @@ pub(super) fn find_regions<'a, const C: usize>(
         let middle = (lo + hi) * 0.5;
         (region.lo, region.hi) = (Vec4::select(is_room, lo, middle), Vec4::select(is_room, hi, middle));
         if is_steep && number + 1 < parts.len() {
-            let room = region.heading_room();
+            let room = region.heading_range_factor();
             (region.lo.x, region.hi.x) = (region.lo.x * room, region.hi.x * room);
         }
     }

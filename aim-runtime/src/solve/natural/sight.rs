@@ -22,84 +22,83 @@ const SIGHT_ROUNDS: usize = 24;
 
 /// The leading joint's view of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(super) struct SightAngles {
     /// The heading and pitch that look at the point.
-    pub(super) wanted: Pair,
-    /// `wanted` clamped to the joint's range.
-    pub(super) held: Pair,
+    pub(super) unclamped: Pair,
+    /// `unclamped`, clamped to the joint's range.
+    pub(super) clamped: Pair,
 }
 
-impl Seen {
-    pub(super) const NOTHING: Self = Self { wanted: Vec4::ZERO, held: Vec4::ZERO };
+impl SightAngles {
+    pub(super) const ZERO: Self = Self { unclamped: Vec4::ZERO, clamped: Vec4::ZERO };
 
     /// Returns the part of the turn that the range does not allow.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn left(&self) -> Pair {
-        let left = self.wanted - self.held;
-        if left.x.abs() > PI { Vec4::new(math::wrap_pi(left.x), left.y, 0.0, 0.0) } else { left }
+    pub(super) fn excess(&self) -> Pair {
+        let excess = self.unclamped - self.clamped;
+        if excess.x.abs() > PI { Vec4::new(math::wrap_pi(excess.x), excess.y, 0.0, 0.0) } else { excess }
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn is_nothing(left: Pair) -> bool {
-        square(left) < SAME_RAD * SAME_RAD
+    pub(super) fn is_negligible(excess: Pair) -> bool {
+        square(excess) < SAME_RAD * SAME_RAD
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_within(&self) -> bool {
-        Self::is_nothing(self.left())
+        Self::is_negligible(self.excess())
     }
 
     /// Returns the angle between the point and the middle of the range, radians.
-    pub(super) fn off(&self) -> f32 {
-        let cos = trig::sin_cos(self.wanted.x).1 * trig::sin_cos(self.wanted.y).1;
+    pub(super) fn eccentricity(&self) -> f32 {
+        let cos = trig::sin_cos(self.unclamped.x).1 * trig::sin_cos(self.unclamped.y).1;
         trig::atan2(math::sqrt(1.0 - cos * cos), cos)
     }
 }
 
 impl<const C: usize> Gaze<'_, C> {
     /// Returns the leading joint's view of a point at these joint angles.
-    pub(super) fn see(&self, joints: &[Joint], point: Vec3A) -> Option<Seen> {
+    pub(super) fn sight_angles_at(&self, joints: &[Joint], point: Vec3A) -> Option<SightAngles> {
         let body = self.body;
-        let outward = |point, index: usize| body.take_back_point(index, &Turn::new(angles(&joints[index])), point);
-        let taken_back = (body.first + 1..body.count()).rev().fold(point, outward);
-        self.seen(joints, point, taken_back)
+        let outward = |point, index: usize| body.undo_turn_at(index, &Turn::new(angles(&joints[index])), point);
+        let unturned_point = (body.first + 1..body.count()).rev().fold(point, outward);
+        self.sight_angles(joints, point, unturned_point)
     }
 
-    /// Returns the leading joint's view of a point, given the point with the turns of the joints inward of it taken
-    /// back.
+    /// Returns the leading joint's view of a point, given the point with the turns of the joints inward of it undone.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn seen(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Seen> {
+    pub(super) fn sight_angles(&self, joints: &[Joint], point: Vec3A, unturned_point: Vec3A) -> Option<SightAngles> {
         let first = self.body.first;
-        let wanted = self.sight(joints, point, taken_back)?;
-        Some(Seen { wanted, held: self.ranges[first].hold_from(angles(&joints[first]), wanted) })
+        let wanted = self.sight(joints, point, unturned_point)?;
+        Some(SightAngles { unclamped: wanted, clamped: self.ranges[first].hold_from(angles(&joints[first]), wanted) })
     }
 
     /// Returns the heading and pitch by which the leading joint looks at a point, given the point with the turns of the
-    /// joints inward of it taken back. `None` if the point is on the effector.
+    /// joints inward of it undone. `None` if the point is on the effector.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn sight(&self, joints: &[Joint], point: Vec3A, taken_back: Vec3A) -> Option<Pair> {
+    pub(super) fn sight(&self, joints: &[Joint], point: Vec3A, unturned_point: Vec3A) -> Option<Pair> {
         if let Some(chain) = self.chain {
-            return self.sight_by_search(chain, joints, point);
+            return self.search_sight(chain, joints, point);
         }
-        let local = self.local(taken_back);
+        let local = self.local(unturned_point);
         if !self.body.is_plain {
-            return self.sight_in_rounds(local, joints);
+            return self.iterate_sight(local, joints);
         }
         let square = local.dot(local);
         (square > 1e-30 && square < f32::INFINITY).then(|| heading_and_pitch(local))
     }
 
-    /// Transforms a point, with turns taken back, to the leading joint's frame.
+    /// Transforms a point, with turns undone, to the leading joint's frame.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn local(&self, taken_back: Vec3A) -> Vec3A {
+    pub(super) fn local(&self, unturned_point: Vec3A) -> Vec3A {
         let (body, first) = (self.body, self.body.first);
-        body.rows[first] * (taken_back - body.places[first])
+        body.rows[first] * (unturned_point - body.places[first])
     }
 
     /// [`sight`](Self::sight) for an effector that is offset from its joint, by fixed-point iteration: each round looks
     /// from the position where the last one left the effector.
     #[cold]
-    fn sight_in_rounds(&self, local: Vec3A, joints: &[Joint]) -> Option<Pair> {
+    fn iterate_sight(&self, local: Vec3A, joints: &[Joint]) -> Option<Pair> {
         let (first, effector) = (self.body.first, &self.body.effector);
         if effector.origin == Vec3A::ZERO {
             return Some(turn_to(effector.direction, math::unit(local)?));
@@ -109,7 +108,7 @@ impl<const C: usize> Gaze<'_, C> {
         for _ in 0..SIGHT_ROUNDS {
             let origin = Turn::new(held).of_frame(&Mat3A::IDENTITY) * effector.origin;
             let next = turn_to(effector.direction, math::unit(local - origin)?);
-            let change = Seen { wanted: next, held: wanted }.left();
+            let change = SightAngles { unclamped: next, clamped: wanted }.excess();
             wanted = next;
             held = self.ranges[first].hold_from(from, wanted);
             if length(change) < 0.1 * SAME_RAD {
@@ -121,7 +120,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver with all other joints fixed.
     #[cold]
-    fn sight_by_search(&self, chain: &Chain<C>, joints: &[Joint], point: Vec3A) -> Option<Pair> {
+    fn search_sight(&self, chain: &Chain<C>, joints: &[Joint], point: Vec3A) -> Option<Pair> {
         let (body, first) = (self.body, self.body.first);
         let mut found = self.rig.array(Joint::REST);
         found.copy_from_slice(joints);
@@ -134,14 +133,14 @@ impl<const C: usize> Gaze<'_, C> {
         let all = |declared: Option<[f32; 2]>, most: f32| declared.map(|_| [-most, most]);
         let declared = Angles { heading: all(info.heading, PI), pitch: all(info.pitch, FRAC_PI_2) };
         reaches[first] = Reach::range(&RangeOfMotion::new(declared, 0.0, None));
-        let goal = Goal { aimed: point, ..*self.goal };
+        let goal = Goal { aim_point: point, ..*self.goal };
         Solver::new(self.rig, chain, &goal).settle(&mut found, &reaches, Search::Thorough)?;
         // The angles at which rigid links would see the point where the true effector does; for a missing angle, the
         // remainder.
         let (at, frame) = self.carried(joints);
         let turned = Turn::new(angles(&found[first])).of_frame(&frame);
         let rigid = Ray { origin: at + turned * body.effector.origin, direction: turned * body.effector.direction };
-        let seen = chain.seen_target(point, chain.gaze_of(self.rig, &found), rigid);
+        let seen = chain.rigid_target(point, chain.gaze_of(self.rig, &found), rigid);
         Some(turn_to(body.effector.direction, math::unit(frame.transpose() * (seen - rigid.origin))?))
     }
 

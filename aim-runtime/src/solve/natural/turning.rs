@@ -5,44 +5,44 @@ use core::f32::consts::PI;
 use glam::{Vec3A, Vec4};
 
 use super::body::{Turn, angles};
-use super::glide::{Bounds, Glide, Pair, Room, ends, follow, length, pair, saccade, square};
+use super::glide::{Bounds, Glide, Pair, RegionLimits, length, pair, saccade, split_goal_motion, square, to_array};
 use super::range::Range;
 use super::region::Region;
-use super::sight::{Seen, turn_to};
+use super::sight::{SightAngles, turn_to};
 use super::{Aims, Gaze, Motion, Posture, SAME_RAD, THERE_RAD, at, sum};
 use crate::kinematics::bearing::heading_and_pitch;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{BodyPart, Led, PerJoint};
+use crate::rig::{BodyPart, HeadGoal, PerJoint};
 use crate::{Joint, math};
 
-/// The goal of a region's turn, with the turns of the joints inward of it taken back.
+/// The goal of a region's turn, with the turns of the joints inward of it undone.
 #[derive(Clone, Copy)]
-struct Sought {
+struct RegionTarget {
     /// The direction to which its outermost forward turns.
     direction: Vec3A,
     /// The point that its outermost joint looks at instead, if that joint leads.
-    leads: Option<Vec3A>,
+    lead_point: Option<Vec3A>,
 }
 
 impl<const C: usize> Gaze<'_, C> {
     /// Turns the joints from the root outward: with `motion`, by one frame's motion; without, to their final angles,
     /// and without writing corrections. Returns the leading joint's view of its point.
-    pub(super) fn place(
+    pub(super) fn turn_joints(
         &self,
         aims: Aims<'_>,
         from: &PerJoint<Joint, C>,
         mut motion: Option<&mut Motion<'_, C>>,
         posture: &mut Posture<'_, C>,
-    ) -> Option<Seen> {
-        let (body, first, wanted) = (self.body, self.body.first, self.goal.wanted);
+    ) -> Option<SightAngles> {
+        let (body, first, measured_point) = (self.body, self.body.first, self.goal.measured_point);
         let mut goals = self.rig.array(Vec4::ZERO);
         let mut directions = self.rig.array(Vec3A::ZERO);
         posture.joints[first] = from[first];
-        (posture.point, posture.wanted) = (wanted, wanted);
+        (posture.aim_point, posture.measured_point) = (measured_point, measured_point);
         match aims {
             Aims::At(angles, point) => {
-                posture.point = point;
+                posture.aim_point = point;
                 let mut number = 0;
                 while number < self.count {
                     let (own, next) = (angles[number], (number + 1).min(self.count - 1));
@@ -52,19 +52,19 @@ impl<const C: usize> Gaze<'_, C> {
                     number += 2;
                 }
             }
-            Aims::EyeAt(point) | Aims::Rest(point) => posture.point = point,
+            Aims::EyeAt(point) | Aims::Rest(point) => posture.aim_point = point,
             Aims::Stay => {}
         }
-        let (point, measures_point) = (posture.point, posture.point == wanted);
-        let mut seen = Seen::NOTHING;
+        let (point, is_measured) = (posture.aim_point, posture.aim_point == measured_point);
+        let mut sight = SightAngles::ZERO;
         for (number, region) in self.regions.iter().enumerate() {
             let is_head = number + 1 == self.count;
             match aims {
                 Aims::At(..) => {
-                    let leads = (is_head && !self.has_eye).then_some(point);
-                    let sought = Sought { direction: directions[number], leads };
-                    let wanted = self.goals(region, sought, from, posture, &mut goals)?;
-                    seen = Seen { wanted, held: goals[region.part.outer] };
+                    let lead_point = (is_head && !self.has_eye).then_some(point);
+                    let target = RegionTarget { direction: directions[number], lead_point };
+                    let wanted = self.goals(region, target, from, posture, &mut goals)?;
+                    sight = SightAngles { unclamped: wanted, clamped: goals[region.part.outer] };
                 }
                 Aims::Rest(_) => {
                     for index in region.part.outer..=region.part.inner {
@@ -88,16 +88,16 @@ impl<const C: usize> Gaze<'_, C> {
                     break;
                 }
                 for direction in &mut directions[number + 1..self.count] {
-                    *direction = body.take_back(index, &turn, *direction);
+                    *direction = body.undo_turn(index, &turn, *direction);
                 }
-                posture.point = body.take_back_point(index, &turn, posture.point);
-                if !measures_point {
-                    posture.wanted = body.take_back_point(index, &turn, posture.wanted);
+                posture.aim_point = body.undo_turn_at(index, &turn, posture.aim_point);
+                if !is_measured {
+                    posture.measured_point = body.undo_turn_at(index, &turn, posture.measured_point);
                 }
             }
         }
-        if measures_point {
-            posture.wanted = posture.point;
+        if is_measured {
+            posture.measured_point = posture.aim_point;
         }
         if self.has_eye {
             match aims {
@@ -112,15 +112,15 @@ impl<const C: usize> Gaze<'_, C> {
                     // An eye whose supporting joints have all returned rests as well.
                     let rests =
                         matches!(aims, Aims::Rest(_)) && posture.joints[first + 1..].iter().all(Joint::is_at_rest);
-                    seen = if rests {
+                    sight = if rests {
                         let rest = self.ranges[first].hold_from(Vec4::ZERO, Vec4::ZERO);
-                        Seen { wanted: rest, held: rest }
+                        SightAngles { unclamped: rest, clamped: rest }
                     } else {
-                        self.seen(posture.joints, point, posture.point)?
+                        self.sight_angles(posture.joints, point, posture.aim_point)?
                     };
-                    let held = self.held_straight(&seen, &from[first], posture);
+                    let held = self.clamp_straight(&sight, &from[first], posture);
                     posture.joints[first] = match &motion {
-                        Some(motion) => self.leap(held, &from[first], motion),
+                        Some(motion) => self.turn_eye(held, &from[first], motion),
                         None => at(&from[first], held),
                     };
                 }
@@ -129,7 +129,7 @@ impl<const C: usize> Gaze<'_, C> {
                 posture.leading = posture.correct(body, first);
             }
         }
-        Some(seen)
+        Some(sight)
     }
 
     /// Finds the angles that turn a region to its goal. Returns the angles that the outermost joint would need.
@@ -137,16 +137,16 @@ impl<const C: usize> Gaze<'_, C> {
     fn goals(
         &self,
         region: &Region<'_>,
-        sought: Sought,
+        target: RegionTarget,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
-        let (wanted, lack) = self.shared_goals(region, sought, Vec4::ZERO, from, posture, goals)?;
+        let (wanted, lack) = self.shared_goals(region, target, Vec4::ZERO, from, posture, goals)?;
         if region.part.outer == region.part.inner || square(lack) <= SAME_RAD * SAME_RAD {
             return Some(wanted);
         }
-        self.goals_beyond(region, sought, lack, from, posture, goals)
+        self.goals_beyond(region, target, lack, from, posture, goals)
     }
 
     /// [`goals`](Self::goals) where the outermost joint cannot cover its share: the inner joints cover the remainder.
@@ -155,8 +155,8 @@ impl<const C: usize> Gaze<'_, C> {
     fn goals_beyond(
         &self,
         region: &Region<'_>,
-        sought: Sought,
-        mut more: Pair,
+        target: RegionTarget,
+        mut extra: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
@@ -166,77 +166,77 @@ impl<const C: usize> Gaze<'_, C> {
         let mut wanted = Vec4::ZERO;
         for _ in 0..ROUNDS {
             let lack;
-            (wanted, lack) = self.shared_goals(region, sought, more, from, posture, goals)?;
+            (wanted, lack) = self.shared_goals(region, target, extra, from, posture, goals)?;
             if square(lack) <= SAME_RAD * SAME_RAD {
                 break;
             }
-            more += lack;
+            extra += lack;
         }
         Some(wanted)
     }
 
-    /// [`goals`](Self::goals) with the inner joints making their shares and `more`, as far as their ranges allow. The
+    /// [`goals`](Self::goals) with the inner joints making their shares and `extra`, as far as their ranges allow. The
     /// outermost joint covers the remainder, in the frame that they carry. Also returns what it cannot cover.
     #[cfg_attr(not(aim_small), inline(always))]
     fn shared_goals(
         &self,
         region: &Region<'_>,
-        mut sought: Sought,
-        more: Pair,
+        mut target: RegionTarget,
+        extra: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<(Pair, Pair)> {
         let (body, outer) = (self.body, region.part.outer);
-        let (mut point, mut inner) = (posture.point, Vec4::ZERO);
+        let (mut point, mut inner) = (posture.aim_point, Vec4::ZERO);
         if outer < region.part.inner {
-            (point, inner) = self.inner_goals(region, &mut sought, more, from, posture, goals);
+            (point, inner) = self.inner_goals(region, &mut target, extra, from, posture, goals);
         }
-        let wanted = match sought.leads {
+        let wanted = match target.lead_point {
             Some(true_point) => self.sight(posture.joints, true_point, point)?,
-            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * sought.direction),
-            None => heading_and_pitch(body.rows[outer] * sought.direction),
+            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * target.direction),
+            None => heading_and_pitch(body.rows[outer] * target.direction),
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
         goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
         Some((wanted, within - goals[outer]))
     }
 
-    /// Finds the goals of the inner joints. Takes their turns back from `sought` and from the point, and returns the
+    /// Finds the goals of the inner joints. Undoes their turns on `target` and on the point, and returns the
     /// point with the sum of their angles.
     #[inline(never)]
     fn inner_goals(
         &self,
         region: &Region<'_>,
-        sought: &mut Sought,
-        mut more: Pair,
+        target: &mut RegionTarget,
+        mut extra: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> (Vec3A, Pair) {
         let (body, part) = (self.body, region.part);
-        let (mut point, mut inner) = (posture.point, Vec4::ZERO);
-        let local = body.rows[part.inner] * sought.direction;
+        let (mut point, mut inner) = (posture.aim_point, Vec4::ZERO);
+        let local = body.rows[part.inner] * target.direction;
         let mut whole = turn_to(region.forward, local);
         // Above 45° a heading means less and less, and the outermost joint, which the others carry up, makes it with a
         // smaller angle.
         whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
         // Inner joints turn no further than the region, or the outermost joint would have to turn back.
         whole = whole.max(region.lo).min(region.hi);
-        if more.y != 0.0 {
-            more.y *= region.part_inside(whole);
+        if extra.y != 0.0 {
+            extra.y *= region.inner_pitch_part(whole);
         }
         for index in (part.outer + 1..=part.inner).rev() {
             let own = region.share_of(whole, &body.infos()[index]);
-            let held = self.ranges[index].hold_from(angles(&from[index]), own + more);
-            more -= held - own;
+            let held = self.ranges[index].hold_from(angles(&from[index]), own + extra);
+            extra -= held - own;
             goals[index] = held;
             inner += held;
             let turn = Turn::new(held);
-            sought.direction = body.take_back(index, &turn, sought.direction);
-            if sought.leads.is_some() {
+            target.direction = body.undo_turn(index, &turn, target.direction);
+            if target.lead_point.is_some() {
                 posture.joints[index] = from[index];
-                point = body.take_back_point(index, &turn, point);
+                point = body.undo_turn_at(index, &turn, point);
             }
         }
         (point, inner)
@@ -255,7 +255,7 @@ impl<const C: usize> Gaze<'_, C> {
         motion: &mut Motion<'_, C>,
     ) {
         let (outer, dt, per_dt) = (region.part.outer, motion.dt, motion.per_dt);
-        let pace = region.part.pace * motion.led.as_ref().map_or(1.0, Led::haste);
+        let pace = region.part.pace * motion.head_goal.as_ref().map_or(1.0, HeadGoal::pace_factor);
         let &BodyPart { rate, approach, acceleration, .. } = region.part;
         let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
         let (before, speed) = (sum(from, region.part), pair(from[outer].velocity));
@@ -266,40 +266,40 @@ impl<const C: usize> Gaze<'_, C> {
             goal += goals[index];
         }
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
-        let mut led = Led::default();
+        let mut head_goal = HeadGoal::default();
         if is_head {
-            led = motion.led.unwrap_or(Led { goal: ends(before), ..led });
+            head_goal = motion.head_goal.unwrap_or(HeadGoal { angles: to_array(before), ..head_goal });
         }
         if motion.stays {
-            glide.speed = speed + pair(led.speed);
-            (glide.offset, led) = stopping(before, glide.speed, bounds.pace);
-            goal = pair(led.goal);
-        } else if is_head && motion.fades && motion.led.is_some() {
-            led.fade([before, goal], &mut glide, dt);
+            glide.speed = speed + pair(head_goal.feed_forward);
+            (glide.offset, head_goal) = stopping(before, glide.speed, bounds.pace);
+            goal = pair(head_goal.angles);
+        } else if is_head && motion.fades && motion.head_goal.is_some() {
+            head_goal.fade([before, goal], &mut glide, dt);
         } else if is_head {
-            let leap;
+            let jump;
             // An eye compensates for what its head does not follow.
             let part = if self.has_eye { 1.0 / 3.0 } else { 1.0 };
-            [begins, leap] = follow(&mut led, [before, goal], &mut glide, part, &bounds);
+            [begins, jump] = split_goal_motion(&mut head_goal, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye {
-                let leapt = leapt(motion.memory.leapt(), leap).at_most(length(glide.offset));
-                motion.memory.set_leapt(leapt);
-                bounds.pace *= 1.0 + (quickness(leapt) - 1.0) * (1.0 - led.tired).at_least(0.0);
+                let jump_lag = jump_lag_after(motion.memory.jump_lag(), jump).at_most(length(glide.offset));
+                motion.memory.set_jump_lag(jump_lag);
+                bounds.pace *= 1.0 + (jump_pace_factor(jump_lag) - 1.0) * (1.0 - head_goal.slowdown).at_least(0.0);
             }
-            carries = pair(led.speed);
+            carries = pair(head_goal.feed_forward);
         } else {
             glide.offset = before - goal;
         }
         let inner = (outer < region.part.inner).then_some(region.part.inner);
         let shifts = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
-        let room = Room::new(Room::ends([region.lo, region.hi]), region.shifts, shifts, &bounds);
-        let room_ends = || {
+        let limits = RegionLimits::new(RegionLimits::pack([region.lo, region.hi]), region.shifts, shifts, &bounds);
+        let separate_limits = || {
             let own = &self.ranges[outer..region.part.inner + 1];
             let budget = [region.part.least, region.part.most].map(|end| end + region.shifts[1]);
-            [Room::ends(Range::sums(own)), Room::ends(budget)]
+            [RegionLimits::pack(Range::sums(own)), RegionLimits::pack(budget)]
         };
         let next = glide.after(&bounds, begins, carries);
-        let mut next = next.braked(&glide, before, &room, room_ends, [begins, carries], &bounds);
+        let mut next = next.braked(&glide, before, &limits, separate_limits, [begins, carries], &bounds);
         if next.is_over(bounds.pace) {
             next = Glide::default();
         } else {
@@ -326,14 +326,14 @@ impl<const C: usize> Gaze<'_, C> {
             next.speed = Vec4::select(is_free, next.speed, (now - before) * per_dt - carries);
             next.acceleration = Vec4::select(is_free, next.acceleration, Vec4::ZERO);
         }
-        joints[outer].velocity = ends(next.speed);
-        joints[outer].set_destination(Some(ends(next.acceleration)));
+        joints[outer].velocity = to_array(next.speed);
+        joints[outer].set_destination(Some(to_array(next.acceleration)));
         if let Some(inner) = inner {
-            joints[inner].velocity = ends(region.shifts[0]);
-            joints[inner].set_destination(Some(ends(region.shifts[1])));
+            joints[inner].velocity = to_array(region.shifts[0]);
+            joints[inner].set_destination(Some(to_array(region.shifts[1])));
         }
         if is_head {
-            motion.led = Some(led);
+            motion.head_goal = Some(head_goal);
         }
     }
 
@@ -381,7 +381,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Turns the eye by one frame towards its view of the point. Stores its goal and the velocity of the saccade.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn leap(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
+    fn turn_eye(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
         let first = self.body.first;
         let now = angles(joint);
         let before = joint.destination().map_or(now, pair);
@@ -392,8 +392,8 @@ impl<const C: usize> Gaze<'_, C> {
         let change = if square(change) <= step * step { change } else { Vec4::ZERO };
         let (offset, speed) = saccade(now + change - held, pair(joint.velocity), motion.dt, rate);
         let mut next = with_angles(motion.reaches[first].hold(held + offset));
-        next.velocity = ends(speed);
-        next.set_destination(Some(ends(held)));
+        next.velocity = to_array(speed);
+        next.set_destination(Some(to_array(held)));
         next
     }
 
@@ -401,12 +401,12 @@ impl<const C: usize> Gaze<'_, C> {
     /// gaze moves straight while the head follows, and keeps its elevation if the head does not get there. Towards a
     /// point far aside it turns level, because a straight line would lead round the other way.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn held_straight(&self, seen: &Seen, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
-        if seen.is_within() { seen.held } else { self.held_aside(seen.wanted, joint, posture) }
+    fn clamp_straight(&self, sight: &SightAngles, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
+        if sight.is_within() { sight.clamped } else { self.clamp_far_aside(sight.unclamped, joint, posture) }
     }
 
     #[inline(never)]
-    fn held_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
+    fn clamp_far_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         /// Headings between which the eye changes from the straight line to the point's elevation.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
         let range = &self.ranges[self.body.first];
@@ -429,10 +429,10 @@ impl<const C: usize> Gaze<'_, C> {
     fn level_pitch(&self, heading: f32, posture: &Posture<'_, C>) -> f32 {
         let body = self.body;
         let up = (body.first + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
-            body.take_back(index, &Turn::new(angles(&posture.joints[index])), up)
+            body.undo_turn(index, &Turn::new(angles(&posture.joints[index])), up)
         });
         let up = body.rows[body.first] * up;
-        let local = self.local(posture.point);
+        let local = self.local(posture.aim_point);
         let (sin, cos) = trig::sin_cos(heading);
         let (a, b) = (up.x * cos + up.y * sin, up.z);
         let sin_elevation = local.dot(up) / local.length().at_least(f32::MIN_POSITIVE);
@@ -454,25 +454,25 @@ impl<const C: usize> Gaze<'_, C> {
 /// does.
 #[cold]
 #[inline(never)]
-fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, Led) {
+fn stopping(before: Pair, speed: Pair, pace: f32) -> (Pair, HeadGoal) {
     let offset = speed * (-2.0 / pace);
-    (offset, Led { goal: ends(before - offset), ..Led::default() })
+    (offset, HeadGoal { angles: to_array(before - offset), ..HeadGoal::default() })
 }
 
 /// Returns the angle by which the target's jumps have left the head behind, after another jump. Small ones, as from
 /// jerks of the animation, do not count.
-fn leapt(before: f32, leap: Pair) -> f32 {
-    const LEAP_RAD: f32 = 5.0 * PI / 180.0;
-    let size = length(leap);
-    if size > LEAP_RAD { before + size } else { before }
+fn jump_lag_after(before: f32, jump: Pair) -> f32 {
+    const JUMP_RAD: f32 = 5.0 * PI / 180.0;
+    let size = length(jump);
+    if size > JUMP_RAD { before + size } else { before }
 }
 
-/// Returns the factor by which a leading head decays its offset faster, if the target's jumps account for `leapt`
+/// Returns the factor by which a leading head decays its offset faster, if the target's jumps account for `jump_lag`
 /// radians of it: up to 3 for a small angle, 1 for a large one. The lag behind the animation's glances is then too
 /// short to be seen. Small offsets also need little acceleration.
-fn quickness(leapt: f32) -> f32 {
+fn jump_pace_factor(jump_lag: f32) -> f32 {
     const SMALL_RAD: f32 = 3.0 * PI / 180.0;
-    math::sqrt(SMALL_RAD / leapt.at_least(SMALL_RAD / 9.0)).at_least(1.0)
+    math::sqrt(SMALL_RAD / jump_lag.at_least(SMALL_RAD / 9.0)).at_least(1.0)
 }
 
 /// Returns a joint at these angles with an empty memory.

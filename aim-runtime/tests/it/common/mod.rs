@@ -29,7 +29,7 @@ pub struct NumericRig {
     pub joints: Vec<Joint>,
     pub memory: Memory,
     /// If present, records the targets that the residual is evaluated for.
-    pub asked: Option<RefCell<Vec<[f32; 3]>>>,
+    pub kernel_targets: Option<RefCell<Vec<[f32; 3]>>>,
     corrections: Vec<Quat>,
     other_eye_correction: Option<Quat>,
 }
@@ -40,7 +40,7 @@ impl NumericRig {
         let (joints, corrections) = (vec![Joint::default(); infos.len()], vec![Quat::IDENTITY; infos.len()]);
         let memory = Memory::NONE;
         let budgets = Budgets::HUMAN;
-        Self { infos, effector, budgets, joints, memory, asked: None, corrections, other_eye_correction: None }
+        Self { infos, effector, budgets, joints, memory, kernel_targets: None, corrections, other_eye_correction: None }
     }
 
     pub fn call<A: AsRef<[Affine3A]>>(&mut self, pose: &Pose<A>, call: &Call<'_>) -> Outcome {
@@ -162,8 +162,8 @@ impl Rig for NumericRig {
     }
 
     fn residual_jacobian(&self, links: &[[f32; 12]], target: &[f32; 3], sin_cos: &[[f32; 4]], out: &mut [f32]) {
-        if let Some(asked) = &self.asked {
-            asked.borrow_mut().push(*target);
+        if let Some(kernel_targets) = &self.kernel_targets {
+            kernel_targets.borrow_mut().push(*target);
         }
         out.copy_from_slice(&self.chain_residual(links, target, sin_cos));
     }
@@ -191,7 +191,7 @@ impl NumericRig {
         let Some(info) = self.infos.get(joint) else {
             return [S::ZERO; 3];
         };
-        let mut state = Swept::effector(self.infos[0].axes(), &self.effector);
+        let mut state = EffectorState::effector(self.infos[0].axes(), &self.effector);
         state.through(effector_to_joint);
         state.turn(info, sin_cos);
         let [aim, rest @ ..] = &state.aim(target)[..] else { unreachable!() };
@@ -214,8 +214,8 @@ impl NumericRig {
         self.chain(links, sin_cos).residual(target)
     }
 
-    fn chain<S: Scalar>(&self, links: &[[S; 12]], sin_cos: &[[S; 4]]) -> Swept<S> {
-        let mut state = Swept::effector(self.infos[0].axes(), &self.effector);
+    fn chain<S: Scalar>(&self, links: &[[S; 12]], sin_cos: &[[S; 4]]) -> EffectorState<S> {
+        let mut state = EffectorState::effector(self.infos[0].axes(), &self.effector);
         for ((info, link), sin_cos) in self.infos.iter().zip(links).zip(sin_cos) {
             state.through(link);
             state.turn(info, sin_cos);
@@ -230,13 +230,13 @@ type V<S> = [S; 3];
 const MOST_JOINTS: usize = 8;
 
 /// Effector's origin, forward, left and up, with their derivatives by the angles of all joints passed so far.
-struct Swept<S> {
+struct EffectorState<S> {
     value: [V<S>; 4],
     derivatives: [[V<S>; 4]; 2 * MOST_JOINTS],
     passed: usize,
 }
 
-impl<S: Scalar> Swept<S> {
+impl<S: Scalar> EffectorState<S> {
     fn effector(axes: &Axes, effector: &Effector) -> Self {
         let forward = Vec3::from(effector.forward);
         let [up, ahead, left] = [axes.up, axes.forward, axes.left].map(Vec3::from);
@@ -376,18 +376,18 @@ impl Transform64 {
 pub fn gaze64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) =
         if k == 0 { (rig.effector.origin, rig.effector.forward) } else { ([0.0; 3], rig.infos[k].axes().forward) };
-    carried64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
+    to_pose64(rig, pose, k, origin.map(f64::from), forward.map(f64::from))
 }
 
 /// Transforms a point and a direction from joint `k`'s bone space to the pose's space; normalises the direction.
-fn carried64(
+fn to_pose64(
     rig: &NumericRig,
     pose: &[Affine3A],
     k: usize,
     origin: [f64; 3],
     forward: [f64; 3],
 ) -> ([f64; 3], [f64; 3]) {
-    carried_by(pose, k, origin, forward, |i, v| {
+    to_pose_with(pose, k, origin, forward, |i, v| {
         let axes = rig.infos[i].axes();
         let [f, u, l] = [axes.forward, axes.up, axes.left].map(|v| v.map(f64::from));
         let pitched = plane_turn(v, f, u, rig.joints[i].pitch().into());
@@ -395,8 +395,8 @@ fn carried64(
     })
 }
 
-/// Like [`carried64`], with `turn` rotating a vector by a joint's correction.
-fn carried_by(
+/// Like [`to_pose64`], with `turn` rotating a vector by a joint's correction.
+fn to_pose_with(
     pose: &[Affine3A],
     k: usize,
     mut origin: [f64; 3],
@@ -429,14 +429,14 @@ pub fn pair_gaze64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f6
     match pose.get(1) {
         Some(next) => {
             let next = Transform64::of(next);
-            carried64(rig, pose, 1, next.inverse_point(origin), next.inverse_vector(direction))
+            to_pose64(rig, pose, 1, next.inverse_point(origin), next.inverse_vector(direction))
         }
         None => (origin, scale(direction, 1.0 / dot(direction, direction).sqrt())),
     }
 }
 
 /// Returns the angle between a gaze and the direction to `target`, radians.
-pub fn off64((origin, direction): ([f64; 3], [f64; 3]), target: Vec3) -> f64 {
+pub fn angle_to64((origin, direction): ([f64; 3], [f64; 3]), target: Vec3) -> f64 {
     let v = sub(target.to_array().map(f64::from), origin);
     let off = cross(direction, v);
     dot(off, off).sqrt().atan2(dot(direction, v))
@@ -452,7 +452,7 @@ fn plane_turn(v: V<f64>, a: V<f64>, b: V<f64>, angle: f64) -> V<f64> {
 
 /// Returns the remaining angle between effector `k` and `target`, radians, by the independent forward kinematics.
 pub fn remaining64(rig: &NumericRig, pose: &[Affine3A], k: usize, target: Vec3) -> f64 {
-    off64(gaze64(rig, pose, k), target)
+    angle_to64(gaze64(rig, pose, k), target)
 }
 
 /// Returns the point at `distance` along effector `k`'s direction.

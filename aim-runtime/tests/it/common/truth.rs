@@ -9,13 +9,13 @@ use super::*;
 /// Returns effector `k`'s origin and direction after applying the corrections, including upright tilts.
 pub fn seen64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) = declared_effector(rig, k);
-    corrected64(rig, pose, k, origin, forward)
+    corrected_gaze64(rig, pose, k, origin, forward)
 }
 
 /// Returns effector `k`'s origin and direction in the animation, without corrections.
 pub fn animated64(rig: &NumericRig, pose: &[Affine3A], k: usize) -> ([f64; 3], [f64; 3]) {
     let (origin, forward) = declared_effector(rig, k);
-    carried_by(pose, k, origin, forward, |_, v| v)
+    to_pose_with(pose, k, origin, forward, |_, v| v)
 }
 
 /// Returns the other eye's origin and direction after applying its correction.
@@ -27,7 +27,7 @@ pub fn seen_pair64(rig: &NumericRig, pose: &[Affine3A], pair: &Affine3A) -> ([f6
     match pose.get(1) {
         Some(next) => {
             let next = Transform64::of(next);
-            corrected64(rig, pose, 1, next.inverse_point(origin), next.inverse_vector(direction))
+            corrected_gaze64(rig, pose, 1, next.inverse_point(origin), next.inverse_vector(direction))
         }
         None => (origin, scale(direction, 1.0 / dot(direction, direction).sqrt())),
     }
@@ -39,7 +39,7 @@ fn declared_effector(rig: &NumericRig, k: usize) -> ([f64; 3], [f64; 3]) {
     (origin.map(f64::from), forward.map(f64::from))
 }
 
-fn corrected64(
+fn corrected_gaze64(
     rig: &NumericRig,
     pose: &[Affine3A],
     k: usize,
@@ -47,7 +47,7 @@ fn corrected64(
     forward: [f64; 3],
 ) -> ([f64; 3], [f64; 3]) {
     let corrections: Vec<Quat> = rig.corrections().map(|(_, q)| q).collect();
-    carried_by(pose, k, origin, forward, |joint, v| turned64(corrections[joint], v))
+    to_pose_with(pose, k, origin, forward, |joint, v| turned64(corrections[joint], v))
 }
 
 fn turned64(turn: Quat, v: [f64; 3]) -> [f64; 3] {
@@ -129,7 +129,7 @@ pub fn tilt64(rig: &NumericRig, pose: &[Affine3A], up: Option<Vec3>, index: usiz
 }
 
 /// Returns the effective range for a declared one.
-fn counted(range: Option<[f32; 2]>) -> [f64; 2] {
+fn effective_range(range: Option<[f32; 2]>) -> [f64; 2] {
     let full = core::f64::consts::TAU;
     match range.map(|range| range.map(f64::from)) {
         Some([lo, hi]) if lo == f64::NEG_INFINITY && hi == f64::INFINITY => [lo, hi],
@@ -142,14 +142,14 @@ fn counted(range: Option<[f32; 2]>) -> [f64; 2] {
 }
 
 /// Returns the range that may be added if the animation is already at `animated`.
-fn counted_from([lo, hi]: [f64; 2], animated: Option<f64>) -> [f64; 2] {
+fn remaining_range([lo, hi]: [f64; 2], animated: Option<f64>) -> [f64; 2] {
     animated.map_or([lo, hi], |animated| [(lo - animated).min(0.0), (hi - animated).max(0.0)])
 }
 
 /// Returns a joint's range of added headings.
 pub fn heading_range(info: &JointInfo, animated: Option<[f64; 2]>) -> [f64; 2] {
     match info.heading {
-        Some(_) => counted_from(counted(info.heading), animated.map(|[heading, _]| heading)),
+        Some(_) => remaining_range(effective_range(info.heading), animated.map(|[heading, _]| heading)),
         None => [0.0; 2],
     }
 }
@@ -159,14 +159,14 @@ pub fn pitch_range(info: &JointInfo, animated: Option<[f64; 2]>, heading: f64) -
     if info.pitch.is_none() {
         return [0.0; 2];
     }
-    let [lo, hi] = counted(info.pitch);
-    let [right, left] = counted(info.heading);
+    let [lo, hi] = effective_range(info.pitch);
+    let [right, left] = effective_range(info.heading);
     let most = if info.pitch_taper.is_nan() { 0.0 } else { f64::from(info.pitch_taper).clamp(0.0, 1.0) };
     let heading = heading + animated.map_or(0.0, |[heading, _]| heading);
     let end = if heading < 0.0 { -right } else { left };
     let lost = if end > 0.0 && lo.is_finite() { (most * heading.abs() / end).min(most) } else { 0.0 };
     let kept = |x: f64| if lost > 0.0 { x * (1.0 - lost) } else { x };
-    counted_from([kept(lo), kept(hi)], animated.map(|[_, pitch]| pitch))
+    remaining_range([kept(lo), kept(hi)], animated.map(|[_, pitch]| pitch))
 }
 
 /// Call with all its inputs.
@@ -248,7 +248,7 @@ impl Call<'_> {
         }
         let (mut at_limit, mut off_limit) = (vec![false; rig.infos.len()], vec![true; rig.infos.len()]);
         let (mut outside, mut inside) = (at_limit.clone(), off_limit.clone());
-        let mut told = String::new();
+        let mut moves_text = String::new();
         for (index, info, old, new) in moves {
             let mut slack = 2e-6;
             let mut animated = None;
@@ -278,23 +278,23 @@ impl Call<'_> {
                     at_limit[index] |= new < lo + 1e-6 - slack || new > hi - 1e-6 + slack;
                     off_limit[index] &= new > lo + 1e-5 + slack && new < hi - 1e-5 - slack;
                 }
-                told += &format!("{index}: {old} to {new} in {lo}..{hi} ± {slack}; ");
+                moves_text += &format!("{index}: {old} to {new} in {lo}..{hi} ± {slack}; ");
                 outside[index] |= out(new) > slack + 1e-6;
                 inside[index] &= declared.is_none() || (new >= lo + slack + 1e-6 && new <= hi - slack - 1e-6);
             }
         }
         for index in 0..rig.infos.len() {
             if at_limit[index] && !outcome.at_limit.contains(index) && self.similar {
-                return Err(format!("joint {index} is at a limit and that is not said: {told}"));
+                return Err(format!("joint {index} is at a limit and that is not said: {moves_text}"));
             }
             if off_limit[index] && outcome.at_limit.contains(index) {
-                return Err(format!("joint {index} is said to be at a limit: {told}"));
+                return Err(format!("joint {index} is said to be at a limit: {moves_text}"));
             }
             if outside[index] && !outcome.recovering.contains(index) {
-                return Err(format!("joint {index} is outside its range and that is not said: {told}"));
+                return Err(format!("joint {index} is outside its range and that is not said: {moves_text}"));
             }
             if inside[index] && outcome.recovering.contains(index) {
-                return Err(format!("joint {index} is said to be outside its range: {told}"));
+                return Err(format!("joint {index} is said to be outside its range: {moves_text}"));
             }
         }
         Ok(())
@@ -302,7 +302,7 @@ impl Call<'_> {
 
     /// Returns the factor by which a direction loses precision on the way through the bones' spaces: 1 in the
     /// animations of characters, but an awkward number may make one axis of a bone a thousand times as long as another.
-    fn lost(&self) -> f64 {
+    fn precision_loss(&self) -> f64 {
         let stretch = |joint: &Affine3A| {
             let lengths = Transform64::of(joint).columns.map(|v| dot(v, v).sqrt());
             lengths.into_iter().fold(0.0, f64::max) / lengths.into_iter().fold(f64::INFINITY, f64::min)
@@ -318,14 +318,14 @@ impl Call<'_> {
             return Ok(());
         }
         let aimed = self.settings.effector.min(rig.infos.len() - 1);
-        let gazes = [Some(seen64(rig, self.joints, aimed)), self.seen_pair(rig, aimed)];
-        for (gaze, told) in gazes.into_iter().zip([Some(outcome.remaining), outcome.other_eye_remaining]) {
-            let (Some(gaze), Some(told)) = (gaze, told) else { continue };
-            self.check_remaining(gaze, told)?;
-            let truth = off64(gaze, self.target);
+        let gazes = [Some(seen64(rig, self.joints, aimed)), self.other_eye_gaze(rig, aimed)];
+        for (gaze, reported) in gazes.into_iter().zip([Some(outcome.remaining), outcome.other_eye_remaining]) {
+            let (Some(gaze), Some(reported)) = (gaze, reported) else { continue };
+            self.check_remaining(gaze, reported)?;
+            let truth = angle_to64(gaze, self.target);
             let blur = self.blur(gaze.0);
-            if (truth - f64::from(told)).abs() > blur {
-                return Err(format!("forward kinematics is off by {truth}, told are {told}, within {blur}"));
+            if (truth - f64::from(reported)).abs() > blur {
+                return Err(format!("forward kinematics is off by {truth}, told are {reported}, within {blur}"));
             }
         }
         Ok(())
@@ -354,23 +354,26 @@ impl Call<'_> {
     /// Checks a reported angle by forward kinematics, to 1e-5 rad plus four rounding errors of the largest coordinate,
     /// as seen from the target's distance. For targets nearer than a thirtieth of that coordinate, nine: there a
     /// chain's rounding errors accumulate.
-    pub fn check_remaining(&self, (origin, direction): ([f64; 3], [f64; 3]), told: f32) -> Result<(), String> {
+    pub fn check_remaining(&self, (origin, direction): ([f64; 3], [f64; 3]), reported: f32) -> Result<(), String> {
         let points = self.joints.iter().chain(self.pair).map(|joint| Vec3::from(joint.translation));
         let points = points.chain([self.target]);
         let largest = points.map(|point| point.abs().max_element()).fold(0.0, f32::max);
         let v = sub(self.target.to_array().map(f64::from), origin);
         let nearness = f64::from(largest) / dot(v, v).sqrt();
         let roundings = if nearness > 30.0 { 9.0 } else { 4.0 };
-        let blur = self.lost() * 1e-5 + roundings * f64::from(f32::EPSILON) * nearness;
-        let truth = off64((origin, direction), self.target);
-        let told = f64::from(told);
-        if (truth - told).abs() <= blur {
+        let blur = self.precision_loss() * 1e-5 + roundings * f64::from(f32::EPSILON) * nearness;
+        let truth = angle_to64((origin, direction), self.target);
+        let reported = f64::from(reported);
+        if (truth - reported).abs() <= blur {
             return Ok(());
         }
-        Err(format!("{told} remain, by forward kinematics {truth}: {} times {blur} apart", (truth - told).abs() / blur))
+        Err(format!(
+            "{reported} remain, by forward kinematics {truth}: {} times {blur} apart",
+            (truth - reported).abs() / blur
+        ))
     }
 
-    fn seen_pair(&self, rig: &NumericRig, aimed: usize) -> Option<([f64; 3], [f64; 3])> {
+    fn other_eye_gaze(&self, rig: &NumericRig, aimed: usize) -> Option<([f64; 3], [f64; 3])> {
         rig.other_eye_correction()?;
         (aimed == 0).then_some(seen_pair64(rig, self.joints, self.pair?))
     }
@@ -390,7 +393,7 @@ impl Call<'_> {
         let v = sub(self.target.to_array().map(f64::from), origin);
         let near = f64::from(self.size) / dot(v, v).sqrt();
         let bent = if self.similar { 1.0 } else { 10.0 };
-        self.lost().max(bent) * (3e-5 + 4e-6 * near)
+        self.precision_loss().max(bent) * (3e-5 + 4e-6 * near)
     }
 
     /// Returns `true` if the call may be degenerate: nothing to aim, or nearly so.

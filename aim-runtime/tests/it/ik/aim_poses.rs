@@ -90,7 +90,7 @@ fn judge(set: &Set, triangles: &[[usize; 3]], rng: &mut Rng) -> f32 {
 }
 
 #[test]
-fn a_grid() {
+fn a_grid_of_poses_is_blended() {
     let set = Set::grid(5, 3);
     let mut triangles = [[0; 3]; 16];
     assert_eq!(judge(&set, grid(5, 3, &mut triangles).unwrap(), &mut Rng(1)), 1.0);
@@ -100,7 +100,7 @@ fn a_grid() {
 }
 
 #[test]
-fn scattered() {
+fn scattered_poses_are_blended() {
     let mut rng = Rng(2);
     for count in [5, 9, 14, 20] {
         let set = Set::scattered(count);
@@ -113,7 +113,7 @@ fn scattered() {
 
 /// Triangles cover the hull of the directions exactly once, also if all are on circles or surround the origin.
 #[test]
-fn triangles_cover_once() {
+fn triangles_cover_the_hull_once() {
     let octahedron = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
     let cube: Vec<Vec3> =
         (0..8).map(|i| Vec3::from([1, 2, 4].map(|bit| if i & bit == 0 { 1.0 } else { -1.0 }))).collect();
@@ -145,7 +145,7 @@ fn triangles_cover_once() {
 
 /// Outside the poses, the blend stays at their edge and remains continuous all the way round.
 #[test]
-fn beyond_the_edge() {
+fn outside_the_poses_the_blend_stays_on_the_edge() {
     let set = Set::grid(5, 3);
     let poses = set.poses();
     let mut triangles = [[0; 3]; 16];
@@ -168,7 +168,7 @@ fn beyond_the_edge() {
 
 /// The aim solver completes blended poses, including limits and directions outside the poses.
 #[test]
-fn finished_by_the_aim_solver() {
+fn the_aim_solver_completes_blended_poses() {
     let rig = NumericRig::thug();
     let animated = upright(&rig);
     // Local rotations from the spine outward, posed by the exact solver.
@@ -224,7 +224,7 @@ fn finished_by_the_aim_solver() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(5);
     for _ in 0..20_000 {
         let n: [f32; 42] = numbers(&mut rng);

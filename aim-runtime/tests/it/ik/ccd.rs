@@ -72,7 +72,7 @@ fn bones(joints: &[CcdJoint], tip: Vec3) -> Vec<f32> {
 
 /// Without limits, nearly every reachable target is met; the others still converge, slowly.
 #[test]
-fn reachable_targets() {
+fn reachable_targets_are_reached() {
     for (iterations, share) in [(50, 0.84), (200, 0.96)] {
         let mut rng = Rng(1);
         let (mut met, mut passes) = (0, 0);
@@ -125,7 +125,7 @@ fn limits_hold() {
 
 /// The tip never ends further from the target than in the animation.
 #[test]
-fn never_worse() {
+fn the_tip_never_ends_further_away() {
     let mut rng = Rng(3);
     for _ in 0..5000 {
         let (mut joints, tip) = any_chain(&mut rng, false);
@@ -137,7 +137,7 @@ fn never_worse() {
 
 /// A straight chain with its target on its own line, where no single joint sees a way to get nearer.
 #[test]
-fn out_of_the_straight() {
+fn a_straight_chain_bends() {
     for count in [2_u8, 3, 5] {
         let mut joints: Vec<_> = (0..count).map(|i| CcdJoint::new(Vec3::X * f32::from(i))).collect();
         let (tip, target) = (Vec3::X * f32::from(count), Vec3::X * (0.6 * f32::from(count)));
@@ -182,7 +182,7 @@ fn stiff_joints_are_not_bent_out_of_the_straight() {
 
 /// A trial bend that does not bring the tip nearer is undone.
 #[test]
-fn a_bend_for_nothing_is_taken_back() {
+fn a_useless_bend_is_undone() {
     let (tip, target) = (Vec3::X * 2.0, Vec3::X * 1.5);
     let mut joints = [CcdJoint::new(Vec3::ZERO), CcdJoint::new(Vec3::X).with_stiffness(1.0)];
     for iterations in [1, 2, 50] {
@@ -231,7 +231,7 @@ fn a_chain_of_infinite_length_is_degenerate() {
 }
 
 #[test]
-fn says_what_it_hit() {
+fn the_status_names_the_limit() {
     let chain = || {
         let elbow = CcdLimit::Hinge { axis: Vec3::Z, least_rad: 0.0, most_rad: 1.0 };
         [
@@ -259,7 +259,7 @@ fn says_what_it_hit() {
 
 /// A chain in centimetres behaves like one in metres.
 #[test]
-fn of_any_size() {
+fn results_do_not_depend_on_the_scale() {
     let mut rng = Rng(4);
     for _ in 0..300 {
         let (mut joints, tip) = any_chain(&mut rng, true);
@@ -275,7 +275,7 @@ fn of_any_size() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(5);
     for _ in 0..50_000 {
         let n: [f32; 30] = numbers(&mut rng);

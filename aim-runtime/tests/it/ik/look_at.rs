@@ -131,7 +131,7 @@ fn each_angle_at_its_own_speed() {
 
 /// The shortest path runs at full speed; it may add roll and exceed limits, so it is not the default.
 #[test]
-fn the_short_way_round_at_constant_speed() {
+fn the_shortest_path_runs_at_constant_speed() {
     let mut rng = Rng(3);
     let mut rolled = 0.0_f64;
     for _ in 0..500 {
@@ -164,7 +164,7 @@ fn the_short_way_round_at_constant_speed() {
 }
 
 #[test]
-fn beyond_the_limits() {
+fn targets_beyond_the_limits_are_clamped_or_refused() {
     let neck = Affine3A::IDENTITY;
     // In front; far to the left; behind.
     for (local, beyond) in [(Vec3::new(0.0, 1.0, 0.5), false), (Vec3::Z, true), (Vec3::new(0.1, -1.0, 0.2), true)] {
@@ -185,7 +185,7 @@ fn beyond_the_limits() {
 
 /// A head that the animation left rolled and beyond its limits returns, no faster than allowed.
 #[test]
-fn recovers() {
+fn a_head_beyond_its_limits_returns() {
     let mut rng = Rng(4);
     for _ in 0..300 {
         let neck = Affine3A::IDENTITY;
@@ -204,7 +204,7 @@ fn recovers() {
 
 /// Positive heading turns left and positive pitch turns up, in every convention of bones, including mirrored ones.
 #[test]
-fn signs_are_those_of_the_rigs() {
+fn positive_angles_turn_left_and_up() {
     for (axes, _) in triples() {
         let neck = bone(&axes, Quat::IDENTITY, Vec3::ZERO);
         let look = LookAt::new(axes, axes).with_heading(-10.0 * DEG, 70.0 * DEG).with_pitch(-10.0 * DEG, 50.0 * DEG);
@@ -237,7 +237,7 @@ fn nothing_moves_without_time_or_target() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(5);
     for _ in 0..100_000 {
         let n: [f32; 40] = numbers(&mut rng);

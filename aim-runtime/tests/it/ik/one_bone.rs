@@ -13,7 +13,7 @@ fn in_space(bone: &Affine3A, v: Vec3) -> Vec3 {
 }
 
 #[test]
-fn any_bone_along_any_direction_under_any_parent() {
+fn any_bone_is_turned_along_any_direction() {
     let mut rng = Rng(1);
     for (name, parent, _) in parents() {
         for _ in 0..5000 {
@@ -47,7 +47,7 @@ fn any_bone_along_any_direction_under_any_parent() {
 
 /// Nearly aligned and nearly opposite directions, where products of unit vectors lose all precision.
 #[test]
-fn a_little_off_and_nearly_opposite() {
+fn nearly_aligned_and_nearly_opposite_directions_are_accurate() {
     let mut rng = Rng(2);
     for exponent in 0..9 {
         for _ in 0..2000 {
@@ -62,7 +62,7 @@ fn a_little_off_and_nearly_opposite() {
 }
 
 #[test]
-fn rolled_and_weighted() {
+fn roll_and_weight_take_effect() {
     let mut rng = Rng(3);
     for _ in 0..5000 {
         let (bone, axis, to) = (any_bone(&mut rng), rng.direction(), rng.direction());
@@ -94,7 +94,7 @@ fn up_along_the_direction_and_nothing_to_point_at() {
 }
 
 #[test]
-fn whatever_the_bits() {
+fn random_bits_are_harmless() {
     let mut rng = Rng(4);
     for _ in 0..100_000 {
         let n: [f32; 23] = numbers(&mut rng);

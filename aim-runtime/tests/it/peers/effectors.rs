@@ -13,13 +13,15 @@ fn offset() {
             let rig = offset_ball(origin);
             let pose = moved(&parent, &alone());
             for target in [Vec3::new(2.0, 0.3, 0.0), Vec3::new(-1.0, 0.2, -1.0), Vec3::new(0.1, 1.0, -1.5)] {
-                reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {origin:?}, {target}"));
+                assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {origin:?}, {target}"));
             }
         }
         // Nearer to the joint than the effector's line: out of reach, and reported as such.
         let rig = offset_ball([0.5, 0.0, 0.5]);
         let pose = moved(&parent, &alone());
-        for (_, outcome, case) in every_way(&rig, &pose, parent.transform_point3(Vec3::new(0.1, 0.0, -0.1)), &world) {
+        for (_, outcome, case) in
+            solve_by_every_solver(&rig, &pose, parent.transform_point3(Vec3::new(0.1, 0.0, -0.1)), &world)
+        {
             assert_eq!(outcome.status, Status::AtLimit, "{case}");
         }
     }
@@ -45,17 +47,17 @@ fn head_as_effector() {
             let outcome = snapped.snap_with(&Pose::new(pose.clone()), target, &settings);
             let case = format!("{world}, {solver:?}");
             assert_eq!(outcome.status, Status::Reached, "{case}");
-            is_true(&snapped, &pose, 1, target, &outcome, &case);
+            assert_true_outcome(&snapped, &pose, 1, target, &outcome, &case);
             assert_eq!((snapped.joints[0].heading(), snapped.joints[0].pitch()), (0.0, 0.0), "{case}");
 
             for frame in 0..120 {
                 let before = rig.joints[0].heading();
                 let outcome = rig.aim_with(&Pose::new(pose.clone()), target, DT, &settings);
-                is_true(&rig, &pose, 1, target, &outcome, &case);
+                assert_true_outcome(&rig, &pose, 1, target, &outcome, &case);
                 let moved = before - rig.joints[0].heading();
                 assert!((0.0..450.0 * DEG / 60.0 + 1e-6).contains(&moved), "{case}, {frame}");
             }
-            assert!(off64(seen64(&rig, &pose, 1), target) < TOLERANCE_RAD, "{case}");
+            assert!(angle_to64(seen64(&rig, &pose, 1), target) < TOLERANCE_RAD, "{case}");
             assert_eq!((rig.joints[0].heading(), rig.joints[0].pitch()), (0.0, 0.0), "{case}");
         }
     }
@@ -71,7 +73,7 @@ fn effector_past_the_chain() {
         let settings = Settings::default().with_effector(99).with_solver(solver);
         let outcome = rig.snap_with(&Pose::new(pose.clone()), target, &settings);
         assert_eq!(outcome.status, Status::Reached);
-        assert!(off64(seen64(&rig, &pose, 2), target) < TOLERANCE_RAD);
+        assert!(angle_to64(seen64(&rig, &pose, 2), target) < TOLERANCE_RAD);
     }
 }
 
@@ -93,7 +95,7 @@ fn forward_up_pairs() {
                 assert_eq!(outcome.status, Status::Reached, "{solver:?}, {axes:?}");
                 for _ in 0..180 {
                     let outcome = rig.aim_with(&Pose::new(pose.clone()), target, DT, &settings);
-                    is_true(&rig, &pose, 0, target, &outcome, "a pair of axes");
+                    assert_true_outcome(&rig, &pose, 0, target, &outcome, "a pair of axes");
                 }
                 (snapped, rig)
             };
@@ -117,6 +119,6 @@ fn translated_joint() {
     for at in [Vec3::new(0.5, 0.0, 0.0), Vec3::new(-7.0, 30.0, 2.0)] {
         let rig = offset_ball([0.2, 0.1, 0.05]);
         let pose = [bone(&THUG, Quat::from_rotation_z(0.3), at)];
-        reached(&rig, &pose, at + Vec3::new(2.0, 0.5, -1.0), &format!("{at}"));
+        assert_reached(&rig, &pose, at + Vec3::new(2.0, 0.5, -1.0), &format!("{at}"));
     }
 }

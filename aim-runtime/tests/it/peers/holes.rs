@@ -21,11 +21,11 @@ fn twist_times_weight() {
         let posed = Pose::new(pose.to_vec()).with_up(Vec3::Y);
         let outcome = rig.snap_with(&posed, target, &settings);
         let [animated, now] = [animated64(&rig, &pose, 0), seen64(&rig, &pose, 0)];
-        let whole = off64(animated, target);
+        let whole = angle_to64(animated, target);
         assert!(sound(&rig), "case {case}");
         // The poles are out of reach.
         if outcome.status == Status::Reached {
-            let part = off64(now, target);
+            let part = angle_to64(now, target);
             assert!((part - (1.0 - f64::from(weight)) * whole).abs() < 2e-3, "case {case}: {part} of {whole}");
         }
     }
@@ -42,7 +42,7 @@ fn near_targets() {
         for near in [0.1, 1e-2, 1e-3, 1e-4] {
             let pose = moved(&parent, &alone());
             let target = parent.transform_point3(Vec3::new(-near, 0.0, -near));
-            for (rig, outcome, case) in every_way(&NumericRig::ball(THUG), &pose, target, &world) {
+            for (rig, outcome, case) in solve_by_every_solver(&NumericRig::ball(THUG), &pose, target, &world) {
                 assert_eq!(outcome.status, Status::Reached, "{case}, {near}");
                 let heading = rig.joints[0].heading();
                 assert!(!similar || (heading - 45.0 * DEG).abs() < 2e-3, "{case}, {near}: {heading}");
@@ -54,7 +54,7 @@ fn near_targets() {
         let eye = upright(&rig)[0].translation;
         for near in [0.1, 1e-2, 5e-3] {
             let target = Vec3::from(eye) + Quat::from_rotation_y(0.2) * WORLD[0] * near;
-            reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {near}"));
+            assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {near}"));
         }
     }
 }
@@ -100,7 +100,7 @@ fn awkward_numbers() {
                 }
                 let outcome = rig.aim_with(&Pose::new(pose.clone()), target, dt, &settings);
                 let case = format!("{solver:?}, {awkward} as {which}: {outcome:?}");
-                held(&rig, &before, if dt > 0.0 { dt.min(0.1) } else { 0.0 }, &case);
+                assert_within_limits(&rig, &before, if dt > 0.0 { dt.min(0.1) } else { 0.0 }, &case);
                 assert!(
                     (-1.0..=1.0).contains(&outcome.aim)
                         && (0.0..=core::f32::consts::PI + 1e-6).contains(&outcome.remaining),

@@ -29,7 +29,7 @@ fn job_validity() {
             rig.effector.forward = (length * Vec3::from(THUG.forward)).to_array();
             let outcome = rig.snap_with(&Pose::new(pose.clone()), target, &settings);
             assert!(length != 1.0 || outcome.status == Status::Reached, "{solver:?}, {length}: {outcome:?}");
-            is_true(&rig, &pose, 0, target, &outcome, "a forward of another length");
+            assert_true_outcome(&rig, &pose, 0, target, &outcome, "a forward of another length");
         }
         let mut rig = person();
         rig.effector.forward = [0.0; 3];
@@ -47,7 +47,7 @@ fn correction() {
             let pose = moved(&parent, &[bone(&THUG, Quat::IDENTITY, Vec3::new(0.1, 1.6, 0.2))]);
             for target in targets {
                 let case = format!("{name}, {world}, {target}");
-                reached(&rig, &pose, parent.transform_point3(target + Vec3::new(0.1, 1.6, 0.2)), &case);
+                assert_reached(&rig, &pose, parent.transform_point3(target + Vec3::new(0.1, 1.6, 0.2)), &case);
             }
         }
     }
@@ -69,7 +69,7 @@ fn correction_of_a_chain() {
             // A stretched world stretches angles, too: keep to targets well within the ranges.
             let target = if similar { target } else { eye + (target - eye) * Vec3::new(0.5, 0.2, 1.0) };
             let pose = moved(&parent, &pose);
-            reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, case {case}"));
+            assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, case {case}"));
         }
     }
 }
@@ -86,7 +86,7 @@ fn sense_of_the_angles() {
             (WORLD[0] + WORLD[1], 0.0, 1.0),
             (WORLD[0] - WORLD[1], 0.0, -1.0),
         ] {
-            for (rig, _, case) in every_way(&rig, &pose, parent.transform_point3(target), &world) {
+            for (rig, _, case) in solve_by_every_solver(&rig, &pose, parent.transform_point3(target), &world) {
                 let joint = rig.joints[0];
                 for (angle, sense) in [(joint.heading(), heading), (joint.pitch(), pitch)] {
                     assert!((angle - sense * 45.0 * DEG).abs() < 0.2 * DEG, "{case}, {target}: {joint:?}");
@@ -107,7 +107,7 @@ fn forward() {
             let gaze = Vec3::from(animated64(&rig, &alone(), 0).1.map(|x| x as f32));
             let target = Quat::from_axis_angle(WORLD[2], 20.0 * DEG) * gaze * 3.0;
             let pose = moved(&parent, &alone());
-            reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {forward}"));
+            assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {forward}"));
         }
     }
 }
@@ -121,7 +121,7 @@ fn up() {
         let pose = moved(&parent, &alone());
         for heading in [-150.0, -90.0, -30.0, 10.0, 60.0, 120.0] {
             let target = Quat::from_rotation_y(heading * DEG) * WORLD[0];
-            for (rig, _, case) in every_way(&rig, &pose, parent.transform_point3(target), &world) {
+            for (rig, _, case) in solve_by_every_solver(&rig, &pose, parent.transform_point3(target), &world) {
                 let up = Vec3::from(THUG.up);
                 let (_, q) = rig.corrections().next().unwrap();
                 assert!((q * up - up).length() < 4e-3, "{case}, {heading}: {}", q * up);
@@ -165,7 +165,7 @@ fn pole() {
                     None => rig.snap_with(&joints, target, &settings),
                 };
                 assert_eq!(outcome.status, Status::Reached, "{world}, {pole:?}");
-                is_true(&rig, &pose, 0, target, &outcome, &format!("{world}, {pole:?}"));
+                assert_true_outcome(&rig, &pose, 0, target, &outcome, &format!("{world}, {pole:?}"));
                 (roll_deg(&rig, &pose, &parent), rig.corrections().next().unwrap().1)
             };
             let (level, reference) = aimed(Some(up));
@@ -203,7 +203,7 @@ fn twist() {
                 let outcome = rig.snap_with(&posed, target, &Settings::default().with_solver(solver));
                 let case = format!("{world}, {solver:?}, {level}");
                 assert_eq!(outcome.status, Status::Reached, "{case}");
-                is_true(&rig, &pose, 0, target, &outcome, &case);
+                assert_true_outcome(&rig, &pose, 0, target, &outcome, &case);
                 let roll = roll_deg(&rig, &pose, &parent).abs();
                 if similar {
                     assert!(roll < last, "{case}: {roll} after {last}");
@@ -224,7 +224,9 @@ fn aligned_target() {
         let pose = moved(&parent, &upright(&rig));
         for distance in [0.1, 1.0, 2.0, 50.0] {
             let target = upright(&rig)[0].translation + Vec3A::from(WORLD[0]) * distance;
-            for (rig, outcome, case) in every_way(&rig, &pose, parent.transform_point3(target.into()), &world) {
+            for (rig, outcome, case) in
+                solve_by_every_solver(&rig, &pose, parent.transform_point3(target.into()), &world)
+            {
                 assert_eq!(outcome.status, Status::Reached, "{case}, {distance}");
                 assert!(rig.joints.iter().all(|joint| joint.heading().abs() < 1e-4), "{case}: {:?}", rig.joints);
             }
@@ -239,7 +241,7 @@ fn aligned_target_up() {
         for &above in if world.ends_with("× 1") { &[1.0, 2.0, -2.0][..] } else { &[1.0] } {
             let pose = moved(&parent, &alone());
             let target = parent.transform_point3(Vec3::Y * above);
-            for (rig, outcome, case) in every_way(&NumericRig::ball(THUG), &pose, target, &world) {
+            for (rig, outcome, case) in solve_by_every_solver(&NumericRig::ball(THUG), &pose, target, &world) {
                 assert_eq!(outcome.status, Status::AtLimit, "{case}, {above}");
                 if similar {
                     assert!((outcome.remaining - DEG).abs() < 1e-3, "{case}, {above}: {outcome:?}");
@@ -254,7 +256,7 @@ fn aligned_target_up() {
         let pose = moved(&parent, &upright(&rig));
         let eye = Vec3::from(upright(&rig)[0].translation);
         for target in [eye + Vec3::Y * 2.0, eye - Vec3::Y * 2.0, eye + Vec3::Z * 3.0] {
-            every_way(&rig, &pose, parent.transform_point3(target), &world);
+            solve_by_every_solver(&rig, &pose, parent.transform_point3(target), &world);
         }
     }
 }
@@ -272,8 +274,8 @@ fn aligned_target_pole() {
             for _ in 0..120 {
                 let before = rig.joints.clone();
                 let outcome = rig.aim_with(&posed, target, DT, &settings);
-                is_true(&rig, &pose, 0, target, &outcome, &world);
-                held(&rig, &before, DT, &world);
+                assert_true_outcome(&rig, &pose, 0, target, &outcome, &world);
+                assert_within_limits(&rig, &before, DT, &world);
             }
             let outcome = rig.snap_with(&posed, target, &settings);
             // Leaning forward by 30°, the head would have to pitch up by 120° but can by 89°.
@@ -299,7 +301,7 @@ fn target_too_close() {
             let outcome = rig.aim_with(&Pose::new(pose.clone()), on_effector, DT, &settings);
             if solver == Solver::Natural && outcome.status != Status::Degenerate {
                 // The head moved on and took the eye slightly off the target, so there is a direction again.
-                held(&rig, &before, DT, &world);
+                assert_within_limits(&rig, &before, DT, &world);
                 continue;
             }
             assert_eq!((outcome.status, outcome.aim), (Status::Degenerate, 0.0), "{world}, {solver:?}");
@@ -364,12 +366,12 @@ fn forward_parallel_to_up() {
             let from = upright(&rig)[0].transform_point3(rig.effector.origin.into());
             for (axis, angle) in [(WORLD[2], 10.0), (WORLD[2], -10.0)] {
                 let target = from + Quat::from_axis_angle(axis, angle * DEG) * gaze * 3.0;
-                reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, {angle}"));
+                assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, {angle}"));
             }
             // About the other axis, heading and pitch are both needed, if it is reachable at all: only check the
             // outcome.
             let target = from + Quat::from_axis_angle(WORLD[0], 10.0 * DEG) * gaze * 3.0;
-            every_way(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, aside"));
+            solve_by_every_solver(&rig, &pose, parent.transform_point3(target), &format!("{world}, {along:?}, aside"));
         }
     }
 }

@@ -59,7 +59,7 @@ fn aim_for(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, seconds: f32, 
     for _ in 1..(seconds * 60.0) as usize {
         let before = rig.joints.clone();
         outcome = rig.aim_with(&pose, target, DT, settings);
-        held(rig, &before, DT, "on the way");
+        assert_within_limits(rig, &before, DT, "on the way");
         let angles = |joints: &[Joint]| joints.iter().map(|j| [j.heading(), j.pitch()]).collect::<Vec<_>>();
         unchanged = if angles(&before) == angles(&rig.joints) { unchanged + 1 } else { 0 };
         if unchanged > if outcome.status == Status::Reached { 1 } else { 30 } {
@@ -70,7 +70,7 @@ fn aim_for(rig: &mut NumericRig, pose: &[Affine3A], target: Vec3, seconds: f32, 
 }
 
 /// Asserts that no angle has left its range or moved faster than its rate.
-fn held(rig: &NumericRig, before: &[Joint], dt: f32, case: &str) {
+fn assert_within_limits(rig: &NumericRig, before: &[Joint], dt: f32, case: &str) {
     for (index, ((info, old), new)) in rig.infos.iter().zip(before).zip(&rig.joints).enumerate() {
         for (range, old, new) in [(info.heading, old.heading(), new.heading()), (info.pitch, old.pitch(), new.pitch())]
         {
@@ -83,7 +83,12 @@ fn held(rig: &NumericRig, before: &[Joint], dt: f32, case: &str) {
 }
 
 /// Aims with every solver, by snap and frame by frame, and checks each outcome.
-fn every_way(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) -> Vec<(NumericRig, Outcome, String)> {
+fn solve_by_every_solver(
+    rig: &NumericRig,
+    pose: &[Affine3A],
+    target: Vec3,
+    case: &str,
+) -> Vec<(NumericRig, Outcome, String)> {
     let mut ways = Vec::new();
     for solver in SOLVERS {
         let settings = Settings::default().with_solver(solver);
@@ -94,25 +99,32 @@ fn every_way(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) -> V
         ways.push((stepped, step, format!("{case}, {solver:?}, frames")));
     }
     for (rig, outcome, case) in &ways {
-        is_true(rig, pose, 0, target, outcome, case);
+        assert_true_outcome(rig, pose, 0, target, outcome, case);
     }
     ways
 }
 
 /// Asserts that the outcome of a call is right.
-fn is_true(rig: &NumericRig, pose: &[Affine3A], effector: usize, target: Vec3, outcome: &Outcome, case: &str) {
+fn assert_true_outcome(
+    rig: &NumericRig,
+    pose: &[Affine3A],
+    effector: usize,
+    target: Vec3,
+    outcome: &Outcome,
+    case: &str,
+) {
     assert!(sound(rig), "{case}");
     if outcome.status == Status::Degenerate {
         return;
     }
-    let left = off64(seen64(rig, pose, effector), target);
+    let left = angle_to64(seen64(rig, pose, effector), target);
     assert!((left - f64::from(outcome.remaining)).abs() < 3e-5, "{case}: {left} but {outcome:?}");
     assert_eq!(outcome.status == Status::Reached, outcome.remaining <= TOLERANCE_RAD as f32, "{case}");
     assert!((outcome.aim - outcome.remaining.cos()).abs() < 2e-6, "{case}");
 }
 
-fn reached(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) {
-    for (_, outcome, case) in every_way(rig, pose, target, case) {
+fn assert_reached(rig: &NumericRig, pose: &[Affine3A], target: Vec3, case: &str) {
+    for (_, outcome, case) in solve_by_every_solver(rig, pose, target, case) {
         assert_eq!(outcome.status, Status::Reached, "{case}: {outcome:?}");
     }
 }

@@ -14,8 +14,9 @@ fn parent_turned_by_a_quarter() {
             let parent = Affine3A::from_axis_angle(axis, f32::from(quarters) * 90.0 * DEG);
             let rig = person();
             let target = Vec3::new(-1.0, 1.9, -1.5);
-            let straight = every_way(&rig, &upright(&rig), target, "straight");
-            let turned = every_way(&rig, &moved(&parent, &upright(&rig)), parent.transform_point3(target), "turned");
+            let straight = solve_by_every_solver(&rig, &upright(&rig), target, "straight");
+            let turned =
+                solve_by_every_solver(&rig, &moved(&parent, &upright(&rig)), parent.transform_point3(target), "turned");
             for ((a, reached, _), (b, outcome, case)) in straight.into_iter().zip(turned) {
                 assert_eq!((reached.status, outcome.status), (Status::Reached, Status::Reached), "{case}");
                 for (a, b) in a.joints.iter().zip(&b.joints) {
@@ -39,8 +40,8 @@ fn neck_rest_other_than_head_rest() {
         }
         rig.effector.forward = others[0].forward;
         let target = Vec3::new(-1.2, 1.8, -1.4);
-        let expected = every_way(&person(), &upright(&person()), target, "one convention");
-        let found = every_way(&rig, &upright(&rig), target, &format!("{axes:?}"));
+        let expected = solve_by_every_solver(&person(), &upright(&person()), target, "one convention");
+        let found = solve_by_every_solver(&rig, &upright(&rig), target, &format!("{axes:?}"));
         for ((a, ..), (b, outcome, case)) in expected.into_iter().zip(found) {
             assert_eq!(outcome.status, Status::Reached, "{case}");
             for (a, b) in a.joints.iter().zip(&b.joints) {
@@ -59,7 +60,7 @@ fn facing_anywhere() {
         let rig = person();
         let pose = moved(&parent, &upright(&rig));
         for target in [Vec3::new(-1.0, 1.9, -1.5), Vec3::new(1.0, 1.3, -1.5)] {
-            reached(&rig, &pose, parent.transform_point3(target), &format!("{heading}"));
+            assert_reached(&rig, &pose, parent.transform_point3(target), &format!("{heading}"));
         }
     }
 }
@@ -80,7 +81,7 @@ fn influence_below_one_behind() {
                     let target = Vec3::new(-0.03, 1.68, -0.1) + turn * WORLD[0] * 2.0;
                     let before = rig.joints.clone();
                     rig.aim_with(&Pose::new(pose.clone()), target, DT, &settings);
-                    held(&rig, &before, DT, "behind");
+                    assert_within_limits(&rig, &before, DT, "behind");
                     let aside = seen64(&rig, &pose, 0).1[0] * f64::from(-side);
                     assert!(frame < 100 || aside > 0.5, "{solver:?}, {behind:?}, {frame}: {aside}");
                 }
@@ -111,8 +112,8 @@ fn eyes_of_different_rests() {
                 let mut rig = rig.clone();
                 let outcome = rig.snap_with(&Pose::new(pose.clone()).with_other_eye(pair), target, &settings);
                 assert_eq!(outcome.status, Status::Reached, "{solver:?}, {own}");
-                is_true(&rig, &pose, 0, target, &outcome, "an eye");
-                assert!(off64(seen_pair64(&rig, &pose, &pair), target) < TOLERANCE_RAD, "{solver:?}, {own}");
+                assert_true_outcome(&rig, &pose, 0, target, &outcome, "an eye");
+                assert!(angle_to64(seen_pair64(&rig, &pose, &pair), target) < TOLERANCE_RAD, "{solver:?}, {own}");
             }
         }
     }

@@ -12,21 +12,21 @@ use crate::{Joint, JointSet, Outcome, Settings};
 
 /// The results of a chain's solve that its eyes need.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Found {
+pub(crate) struct ChainSolution {
     pub(crate) goal: Goal,
     pub(crate) space: Space,
-    /// The point that the outcome is measured against, with the turns of the joints inside the leading one taken back,
+    /// The point that the outcome is measured against, with the turns of the joints inside the leading one undone,
     /// in solver space; `None` if the solver did not compute it.
-    pub(crate) seen: Option<Vec3A>,
+    pub(crate) measured_point: Option<Vec3A>,
 }
 
 /// The state that a solve changes and the corrections that it writes, one for each joint.
-pub(crate) struct Moved<'a, const C: usize> {
+pub(crate) struct SolveOutput<'a, const C: usize> {
     pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
     pub(crate) corrections: &'a mut [Quat],
     /// Receives the results for the eyes, if requested.
-    pub(crate) found: Option<&'a mut Option<Found>>,
+    pub(crate) solution: Option<&'a mut Option<ChainSolution>>,
 }
 
 /// The task of the joints, and the inputs to judge its result.
@@ -48,26 +48,26 @@ impl<const C: usize> Task<'_, C> {
     pub(crate) fn finish_chain(
         &self,
         chain: &Chain<C>,
-        Moved { joints, memory, corrections, found }: Moved<'_, C>,
+        SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
     ) -> Option<Outcome> {
-        if let Some(found) = found {
-            *found = Some(Found { goal: *self.goal, space: self.space, seen: None });
+        if let Some(solution) = solution {
+            *solution = Some(ChainSolution { goal: *self.goal, space: self.space, measured_point: None });
         }
         self.finish(joints, memory, |joints| {
-            let (gaze, posed) = chain.posed(self.rig, joints);
-            corrections.copy_from_slice(&posed);
-            gaze.angle_to(self.goal.wanted)
+            let (gaze, turns) = chain.gaze_and_corrections(self.rig, joints);
+            corrections.copy_from_slice(&turns);
+            gaze.angle_to(self.goal.measured_point)
         })
     }
 
-    /// Updates the memory and judges the joints' present angles by the remaining angle that `posed` measures with
+    /// Updates the memory and judges the joints' present angles by the remaining angle that `measure` measures with
     /// forward kinematics.
     #[inline(always)]
     pub(crate) fn finish(
         &self,
         joints: &mut [Joint],
         memory: &mut Memory,
-        posed: impl FnOnce(&[Joint]) -> Option<f32>,
+        measure: impl FnOnce(&[Joint]) -> Option<f32>,
     ) -> Option<Outcome> {
         let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
         if !rig.has_fixed_ranges {
@@ -76,7 +76,7 @@ impl<const C: usize> Task<'_, C> {
             }
         }
         (memory.side, memory.behind) = (goal.side, goal.behind);
-        let remaining = posed(joints)?;
+        let remaining = measure(joints)?;
         let tolerance = settings.effective_tolerance();
         let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
         let outcome = if well_within {

@@ -1,4 +1,4 @@
-//! [`Played`]: a clip that can be played, packed or not.
+//! [`PlayableClip`]: a clip that can be played, packed or not.
 
 use core::fmt::Debug;
 
@@ -8,7 +8,7 @@ use crate::packed::PackedClip;
 use crate::transform::Transform;
 
 /// A clip that can be played, packed or not.
-pub(crate) trait Played: Debug {
+pub(crate) trait PlayableClip: Debug {
     fn bytes(&self) -> usize;
     fn length_s(&self) -> f32;
     fn events(&self) -> &[Event];
@@ -18,7 +18,7 @@ pub(crate) trait Played: Debug {
     fn scalar(&self, time_s: f32, place: usize) -> f32;
 }
 
-impl Played for Clip {
+impl PlayableClip for Clip {
     fn bytes(&self) -> usize {
         self.bytes()
     }
@@ -39,7 +39,7 @@ impl Played for Clip {
     }
 }
 
-impl Played for PackedClip {
+impl PlayableClip for PackedClip {
     fn bytes(&self) -> usize {
         self.bytes()
     }

@@ -1,4 +1,4 @@
-//! [`Ends`]: the points of each bone at which errors are measured, and the size of the effects of its channels.
+//! [`BoneEnds`]: the points of each bone at which errors are measured, and the size of the effects of its channels.
 
 use alloc::vec::Vec;
 
@@ -13,18 +13,18 @@ const LENGTH_OF_A_POINT: f32 = 1.0;
 /// Points at which the error of a bone is measured: its origin, its children's origins, and a point at the bone's
 /// length on both sides of each of its axes.
 #[derive(Clone, Debug)]
-pub(super) struct Ends {
+pub(super) struct BoneEnds {
     /// Origins of its children at rest, in the bone's space.
     pub(super) children: Vec<[f64; 3]>,
     /// Distances of the points on its axes from the origin, in the units of those axes.
-    pub(super) along: [f64; 3],
+    pub(super) axis_distances: [f64; 3],
     /// Distance from the bone's origin to the farthest point of its subtree at rest, model units.
     pub(super) reach: f32,
     /// Factor from the units of the bone's translation to model units, at rest.
     pub(super) parent_scale: f32,
 }
 
-impl Ends {
+impl BoneEnds {
     /// Computes the points for each bone. A bone's length is the distance to its farthest child; a leaf has its
     /// parent's length, or else a tenth of the skeleton's extent.
     pub(super) fn of(skeleton: &Skeleton) -> Vec<Self> {
@@ -46,7 +46,7 @@ impl Ends {
         };
         (0..bones)
             .map(|bone| {
-                let along = scales(bone).map(|scale| {
+                let axis_distances = scales(bone).map(|scale| {
                     let along = f64::from(lengths[bone]) / f64::from(scale);
                     // An axis whose scale at rest is 0 has no finite distance.
                     if along.is_finite() { along } else { f64::from(lengths[bone]) }
@@ -57,7 +57,12 @@ impl Ends {
                     skeleton.parents()[bone].map_or(1.0, |parent| scales(parent).into_iter().fold(0.0, larger));
                 let offset = |child: usize| skeleton.rest()[child].translation.to_array().map(f64::from);
                 let children = skeleton.children(bone).map(offset).collect();
-                Self { children, along, reach, parent_scale: if parent_scale > 0.0 { parent_scale } else { 1.0 } }
+                Self {
+                    children,
+                    axis_distances,
+                    reach,
+                    parent_scale: if parent_scale > 0.0 { parent_scale } else { 1.0 },
+                }
             })
             .collect()
     }
