@@ -219,7 +219,7 @@ type Choices<T> = [(T, &'static str, &'static str)];
 
 /// Values of `--solver`: each solver, and all of them side by side. Reports use the same words.
 pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
-    (&[Solver::Natural], "natural", "Eyes leap, head and spine follow smoothly, and the eyes return"),
+    (&[Solver::Natural], "natural", "Eyes jump to the target, head and spine follow smoothly, and the eyes return"),
     (&[Solver::Exact], "exact", "All joints at once, with the least displacement that meets the target"),
     (&[Solver::Ascent], "ascent", "The paper's steepest ascent, joint by joint from the eye inward"),
     (&[Solver::Natural, Solver::Exact, Solver::Ascent], "all", "All three, side by side"),
@@ -227,10 +227,10 @@ pub(crate) const SOLVERS: &Choices<&[Solver]> = &[
 
 /// Values of `--behind`.
 const BEHINDS: &Choices<Behind> = &[
-    (Behind::Clip, "clip", "Turn to the edge of what is in reach, on the target's side"),
-    (Behind::Plane, "plane", "Turn to it as a plane in front has it: at most 80° aside"),
-    (Behind::Off, "off", "Go as near as the joints come, on the side they are on"),
-    (Behind::Hold, "hold", "Stay as it is"),
+    (Behind::Clip, "clip", "Turn to the edge of the reachable directions, on the target's side"),
+    (Behind::Plane, "plane", "Move the target forward until it is at most 80° to the side"),
+    (Behind::Off, "off", "Get as close as the joints can, on their current side"),
+    (Behind::Hold, "hold", "Keep the current angles"),
     (Behind::Release, "release", "Return to the animation"),
 ];
 
@@ -249,7 +249,7 @@ fn share(text: &str) -> Result<f32, String> {
 /// Parses one name of a comma-separated list, without the blanks around it.
 fn bone_name(text: &str) -> Result<String, String> {
     match text.trim() {
-        "" => Err("a name is missing; write names as a,b or in quotes as \"a, b\"".into()),
+        "" => Err("a name is empty; separate names with commas, as in a,b or \"a, b\"".into()),
         name => Ok(name.to_owned()),
     }
 }
@@ -257,7 +257,7 @@ fn bone_name(text: &str) -> Result<String, String> {
 /// Parses a number of seconds, at least 0.
 fn patience(text: &str) -> Result<f32, String> {
     let number = text.parse().ok().filter(|seconds: &f32| *seconds >= 0.0);
-    number.ok_or_else(|| "expected seconds from 0 on, such as 2".into())
+    number.ok_or_else(|| "expected a number of seconds, 0 or more, such as 2".into())
 }
 
 /// Parses one of the words in `all` to its value.

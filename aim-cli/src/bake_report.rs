@@ -251,22 +251,23 @@ impl BakeReport {
     /// Returns the summary in words; `file` is the path of the written model.
     pub(crate) fn in_words(&self, file: &Path) -> String {
         let BakeSummary { frames, reached, max_error_deg_reached, .. } = self.summary;
-        let mut out = format!("wrote {}: {frames} frames of {:?} aimed by {}", file.display(), self.over, self.rig);
+        let mut out =
+            format!("wrote {}: {frames} frames of {:?}, aimed with the rig {}", file.display(), self.over, self.rig);
         if self.aimed.joint > 0 {
-            out += &format!(" with the effector {:?}", self.effector.bone.name);
+            out += &format!(", effector {:?}", self.effector.bone.name);
         }
         if self.clip != self.over || self.replaces {
-            out += &format!(" as {:?}", self.clip);
+            out += &format!(", saved as {:?}", self.clip);
         }
         if self.replaces {
-            out += ", in place of the clip of that name";
+            out += ", replacing the clip of that name";
         }
-        out += ", ";
+        out += "; ";
         out += &match reached {
-            0 => format!("none of them {}", self.on_it()),
+            0 => format!("none {}", self.on_it()),
             _ => {
-                let when = if self.reduction.is_some() { " before the reduction" } else { "" };
-                format!("{reached} of them {} (error at most {max_error_deg_reached:.3}°{when})", self.on_it())
+                let when = if self.reduction.is_some() { " before reduction" } else { "" };
+                format!("{reached} {} (error at most {max_error_deg_reached:.3}°{when})", self.on_it())
             }
         };
         for (_, frames, words) in self.counts().into_iter().filter(|(status, ..)| *status != "reached") {

@@ -34,9 +34,9 @@ impl BakedReduction {
     pub(crate) fn in_words(&self) -> String {
         let Self { tolerance_mm, error_mm, weights_error, gaze_error_deg, key_bytes: [before, after] } = self;
         format!(
-            "{} bytes of keys of {} at {tolerance_mm} mm: as written at most {} mm off, the gaze {}°{}",
-            grouped(*after),
+            "keys reduced from {} to {} bytes at {tolerance_mm} mm: error at most {} mm, gaze error at most {}°{}",
             grouped(*before),
+            grouped(*after),
             fixed(*error_mm, 3),
             fixed(*gaze_error_deg, 3),
             weights_in_words(*weights_error)

@@ -209,7 +209,7 @@ impl RootReport {
 
     pub(crate) fn in_words(&self) -> String {
         format!(
-            "{} units/s ({} m/s of a 1.7 m figure), turns {}°/s; a way of {} units",
+            "{} units/s ({} m/s for a 1.7 m figure), turning {}°/s; path length {} units",
             trimmed(self.speed, 3),
             trimmed(self.speed_m_s, 2),
             trimmed(self.turn_deg_s, 1),
@@ -299,10 +299,10 @@ impl ClipReport {
                 out += &format!("  hips  {}\n", root.in_words());
             }
             match &cost.extracted {
-                Some(Extracted { nothing: true, .. }) => out += "  nothing to take out: the clip is in place\n",
+                Some(Extracted { nothing: true, .. }) => out += "  nothing to extract: the clip is already in place\n",
                 Some(Extracted { motion, distance, turn_deg, .. }) => {
                     out += &format!(
-                        "  taken out as {motion}: {} units, turned by {}° in the end\n",
+                        "  extracted as {motion}: path length {} units, final turn {}°\n",
                         trimmed(*distance, 3),
                         trimmed(*turn_deg, 1)
                     );
@@ -313,17 +313,17 @@ impl ClipReport {
                 out += &format!("  loop  {words}\n");
             }
             if !is_preview {
-                out += &format!("  seam after it  {}\n", cost.after.seam.in_words());
+                out += &format!("  seam after  {}\n", cost.after.seam.in_words());
             }
             if let Some(reduced) = &cost.reduced {
                 out += &format!("  at {} mm  {}\n", reduced.tolerance_mm, reduced.in_words());
             }
         }
         let [before, after] = self.file_bytes;
-        let file = format!("{} bytes of {}", grouped(after), grouped(before));
+        let file = format!("{} bytes (before: {})", grouped(after), grouped(before));
         out += &match &self.out {
             Some(out) => format!("\nwrote {}: {file}\n", out.display()),
-            None if is_preview => format!("\nThe file would have {file} with --reduce 1mm.\n"),
+            None if is_preview => format!("\nWith --reduce 1mm, the file would have {file}.\n"),
             None => format!("\nThe file would have {file}; write it with --out.\n"),
         };
         out
@@ -333,12 +333,12 @@ impl ClipReport {
         let head = [
             "clip",
             "length",
-            "tracks: moving",
+            "moving tracks",
             "constant",
             "at rest",
             "keys",
             "bytes",
-            "a second",
+            "bytes/s",
             if is_preview { "at 1 mm" } else { "after" },
             "share",
         ];
@@ -375,24 +375,26 @@ impl ClipCost {
     /// Returns the result of `--loop` in words; `None` without that option.
     pub(crate) fn loop_in_words(&self) -> Option<String> {
         Some(match (self.mended?, &self.reduced) {
-            (true, Some(_)) => "mended: its seam fades within 0.25 s".into(),
+            (true, Some(_)) => "mended: the jump at the seam is blended out within 0.25 s".into(),
             (true, None) => {
-                "mended: its seam fades within 0.25 s; its tracks are cubic now, --reduce makes them small".into()
+                "mended: the jump at the seam is blended out within 0.25 s; the tracks are now cubic, add --reduce to \
+                 shrink them"
+                    .into()
             }
-            (false, _) => "left as it is: place and speed change no more at the seam than elsewhere".into(),
+            (false, _) => "unchanged: position and speed change no more at the seam than elsewhere".into(),
         })
     }
 }
 
 impl ReducedReport {
     pub(crate) fn in_words(&self) -> String {
-        let off = format!("at most {} mm off", fixed(self.error_mm, 3));
+        let off = format!("error at most {} mm", fixed(self.error_mm, 3));
         let place = match (&self.bone, self.t) {
-            (Some(bone), Some(t)) => format!(", at {bone}, {} s", trimmed(t, 3)),
+            (Some(bone), Some(t)) => format!(" ({bone} at {} s)", trimmed(t, 3)),
             _ => String::new(),
         };
         let pins =
-            if self.pins.is_empty() { String::new() } else { format!("; {} kept", counted(self.pins.len(), "pose")) };
+            if self.pins.is_empty() { String::new() } else { format!("; {} pinned", counted(self.pins.len(), "pose")) };
         off + &place + &weights_in_words(self.weights_error) + &pins
     }
 }

@@ -43,7 +43,7 @@ impl Effector {
         let bones = joints.map(|joint| bone(joint).to_owned());
         let [roles, bones] = [roles.collect::<Vec<_>>(), bones.collect()];
         let [roles, bones] = [&roles, &bones].map(|all| listed(&all.iter().map(String::as_str).collect::<Vec<_>>()));
-        let or_roles = if roles.is_empty() { String::new() } else { format!(", and by what they are of {roles}") };
+        let or_roles = if roles.is_empty() { String::new() } else { format!("; its roles are {roles}") };
         Err(Failure::input(format!(
             "--effector {word}: the rig {} has no such joint; its bones are {bones}{or_roles}",
             spec.name

@@ -37,7 +37,7 @@ impl Facing {
                 Err(Failure::in_file(
                     file,
                     format!(
-                        "--forward {axis} lies along the character's up, {up}; give another axis, or its up with --up"
+                        "--forward {axis} is parallel to the character's up axis, {up}; give another axis, or set the up axis with --up"
                     ),
                 ))
             }
@@ -60,8 +60,8 @@ fn warn_of_evidence(stated: SignedAxis, file: &Path, document: &Document, measur
     if weight(false) > weight(true) {
         let against = evidence::against(measurement, document).join("; ");
         eprintln!(
-            "warning: {}: --forward {stated} is against most of the evidence: {against}; leave it out if the character \
-             faces another way",
+            "warning: {}: --forward {stated} contradicts most of the evidence: {against}; omit it if the character faces \
+             another way",
             file.display()
         );
     }

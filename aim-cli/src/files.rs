@@ -10,14 +10,14 @@ use crate::failure::{Failure, Result};
 
 /// Reads and checks a rig's TOML file.
 pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
-    let text = read_text(path, "give a rig's TOML file")?;
+    let text = read_text(path, "expected a rig declaration in TOML")?;
     Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
 }
 
-/// Reads a text file. The error message ends with `instead`, which says what to give.
-pub(crate) fn read_text(path: &Path, instead: &str) -> Result<String> {
+/// Reads a text file. The error message ends with `expected`, which says what to give.
+pub(crate) fn read_text(path: &Path, expected: &str) -> Result<String> {
     fs::read_to_string(path)
-        .map_err(|error| Failure::in_file(path, format!("cannot be read as text ({error}); {instead}")))
+        .map_err(|error| Failure::in_file(path, format!("cannot read as text: {error}; {expected}")))
 }
 
 /// Returns the extension of a file in lower case; empty if there is none.
@@ -59,7 +59,7 @@ pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result {
 /// Returns indented JSON text that ends with a newline.
 pub(crate) fn to_json(value: &impl serde::Serialize) -> Result<String> {
     let text = serde_json::to_string_pretty(value)
-        .map_err(|error| Failure::input(format!("the result does not fit into JSON: {error}")))?;
+        .map_err(|error| Failure::input(format!("cannot write the result as JSON: {error}")))?;
     Ok(text + "\n")
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn print(text: &str) -> Result {
     use std::io::{ErrorKind, Write};
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(Failure::input(format!("standard output cannot be written: {error}")))
+            Err(Failure::input(format!("cannot write to standard output: {error}")))
         }
         _ => Ok(()),
     }

@@ -50,15 +50,15 @@ fn film([front, side, events]: &[Markup; 3]) -> Markup {
         section.film-strip {
             h2 { "How it looks" }
             p {
-                "Evenly over the whole length, always from the same side. The line is the gaze, the dot the target; where "
-                "the target is outside the picture, an arrow at the border points to it. The disc shows both from above, "
-                "with the viewer at its lower edge."
+                "Frames at even intervals, all from the same side. The line is the gaze, the dot is the target; if the target "
+                "is outside the picture, an arrow at the border points to it. The disc shows both from above, with the "
+                "viewer at its lower edge."
             }
             (front)
-            p { "The same from the side, where a head that is thrown back or leans cannot hide." }
+            p { "The same frames from the side, where a head that tilts back or leans is easy to see." }
             (side)
             @if !events.0.is_empty() {
-                p { "Moments to look at, from the side." }
+                p { "Notable moments, from the side." }
                 (events)
             }
         }

@@ -27,7 +27,7 @@ impl Outputs {
     /// Adds the files that a model refers to as inputs.
     pub(crate) fn reading_parts_of(mut self, model: &Document) -> Self {
         let parts = model.external_files();
-        self.taken.extend(parts.iter().map(|file| (place(file), "a part of the model".to_owned())));
+        self.taken.extend(parts.iter().map(|file| (place(file), "part of the model".to_owned())));
         self
     }
 
@@ -38,13 +38,13 @@ impl Outputs {
     pub(crate) fn writes(&mut self, path: &Path, option: &str) -> Result {
         let at = place(path);
         if let Some((_, what)) = self.taken.iter().find(|(taken, _)| *taken == at) {
-            return Err(Failure::in_file(path, format!("is used twice: it is {what}; give {option} another name")));
+            return Err(Failure::in_file(path, format!("used twice: it is {what}; choose another path for {option}")));
         }
         // Reported before the work instead of after it.
         if let Err(source) = at.parent().map_or(Ok(()), |folder| fs::metadata(folder.join(".")).map(drop)) {
             return Err(Failure::input(aim_gltf::Error::Write { path: path.to_owned(), source }.to_string()));
         }
-        self.taken.push((at, format!("what {option} writes")));
+        self.taken.push((at, format!("the output of {option}")));
         Ok(())
     }
 
@@ -55,7 +55,7 @@ impl Outputs {
     pub(crate) fn write_model(mut self, targets: Targets<'_>, model: &Path) -> Result {
         let Targets { out, report, html } = targets;
         if out.is_none_or(|out| place(out) != place(model)) {
-            self.taken.push((place(model), "the model itself".into()));
+            self.taken.push((place(model), "the model".into()));
         }
         for (path, option) in [(out, "--out"), (report, "--report"), (html, "--html")] {
             path.map_or(Ok(()), |path| self.writes(path, option))?;
@@ -63,7 +63,7 @@ impl Outputs {
         let kinds = [
             (out, "--out", "a binary glTF file", &["glb", "vrm"][..]),
             (report, "--report", "JSON", &["json"]),
-            (html, "--html", "a page", &["html", "htm"]),
+            (html, "--html", "an HTML page", &["html", "htm"]),
         ];
         for (path, option, what, endings) in kinds {
             let wrong = |path: &&Path| !matches!(files::ending(path), ending if ending.is_empty() || endings.contains(&&*ending));
@@ -71,7 +71,7 @@ impl Outputs {
                 let right = endings[0];
                 return Err(Failure::in_file(
                     path,
-                    format!("would be {what}; give {option} a name that ends in .{right}"),
+                    format!("{option} writes {what}; use a name that ends in .{right}"),
                 ));
             }
         }

@@ -53,23 +53,23 @@ pub(crate) fn rows(measured: &Plausibility) -> impl Iterator<Item = Row> + '_ {
 
 fn name(criterion: Criterion) -> &'static str {
     match criterion {
-        Criterion::HeadToChestHeading => "head from chest",
+        Criterion::HeadToChestHeading => "head relative to chest",
         Criterion::HeadRoll => "head roll",
-        Criterion::ElevationError => "gaze above or below the target",
-        Criterion::HeadingError => "gaze beside the target",
-        Criterion::LimbShift => "hands and clavicles moved, of the height",
+        Criterion::ElevationError => "vertical gaze error",
+        Criterion::HeadingError => "horizontal gaze error",
+        Criterion::LimbShift => "hand and clavicle shift",
         Criterion::HeadSpeed => "head speed",
         Criterion::HeadAcceleration => "head acceleration",
-        Criterion::Reversals => "reversals in half a second",
+        Criterion::Reversals => "acceleration reversals",
     }
 }
 
 fn shown(criterion: Criterion, value: f64) -> String {
     match criterion {
-        Criterion::LimbShift => format!("{} %", trimmed(100.0 * value, 1)),
+        Criterion::LimbShift => format!("{} % of the height", trimmed(100.0 * value, 1)),
         Criterion::HeadSpeed => format!("{}°/s", trimmed(value, 0)),
         Criterion::HeadAcceleration => format!("{}°/s²", trimmed(value, 0)),
-        Criterion::Reversals => trimmed(value, 0),
+        Criterion::Reversals => format!("{} in 0.5 s", trimmed(value, 0)),
         _ => format!("{}°", trimmed(value, 1)),
     }
 }
@@ -80,7 +80,7 @@ fn exceeded(measured: &Plausibility) -> Vec<String> {
     too_much
         .map(|Row { name, value, limit, when, .. }| {
             let (limit, when) = (limit.unwrap_or_default(), when.unwrap_or_default());
-            format!("{name} {value} (at most {limit}) at {when}")
+            format!("{name} {value} (limit {limit}) at {when}")
         })
         .collect()
 }
@@ -88,10 +88,10 @@ fn exceeded(measured: &Plausibility) -> Vec<String> {
 /// Returns a line with all criteria, and, if any are exceeded, a second line with those.
 pub(crate) fn in_words(measured: &Plausibility) -> String {
     let all: Vec<String> = rows(measured).map(|row| format!("{} {}", row.name, row.value)).collect();
-    let mut out = format!("how it looks: {}", all.join(", "));
+    let mut out = format!("plausibility: {}", all.join(", "));
     let exceeded = exceeded(measured);
     if !exceeded.is_empty() {
-        out += &format!("\nmore than is plausible: {}", exceeded.join(", "));
+        out += &format!("\nexceeds plausible limits: {}", exceeded.join(", "));
     }
     out
 }
@@ -106,5 +106,5 @@ pub(crate) fn insist(measured: &Plausibility, file: &Path) -> Result {
         return Ok(());
     }
     let parts: Vec<&str> = exceeded.iter().map(String::as_str).collect();
-    Err(Failure::Check(format!("{}: was written, but does not look plausible: {}", file.display(), listed(&parts))))
+    Err(Failure::Check(format!("{}: written, but exceeds plausible limits: {}", file.display(), listed(&parts))))
 }

@@ -28,7 +28,7 @@ pub(crate) fn flat(subject: &JointPlot, size: Size) -> PlotPicture {
 pub(crate) fn surface(subject: &JointPlot, size: Size) -> Result<PlotPicture, String> {
     if subject.is_hinge() {
         return Err(format!(
-            "the joint {} has one angle, over which there is no surface; leave --surface out for its curve",
+            "the joint {} has only one angle, so it has no surface; omit --surface to draw its curve",
             subject.joint.name
         ));
     }

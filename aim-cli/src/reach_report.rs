@@ -139,9 +139,9 @@ impl ReachReport {
         for target in &self.targets {
             let [x, y, z] = target.aimed;
             words += &match target.status {
-                "reached" => format!("{} is on its target at {} s", self.bone, target.at),
+                "reached" => format!("{} reaches its target at {} s", self.bone, target.at),
                 too => format!(
-                    "{} cannot get to its target at {} s, it is {}: it comes as near as {}, at {x:.4},{y:.4},{z:.4}",
+                    "{} cannot reach its target at {} s, which is {}: the closest it gets is {} away, at {x:.4},{y:.4},{z:.4}",
                     self.bone,
                     target.at,
                     too.replace('_', " "),
@@ -152,7 +152,7 @@ impl ReachReport {
         }
         if self.summary.stretched > 0 {
             words += &format!(
-                "In {} of {} frames the way there is beyond the limb, which is stretched towards it\n",
+                "In {} of {} frames the path is out of reach, and the limb is stretched towards it\n",
                 self.summary.stretched, self.summary.frames
             );
         }

@@ -28,7 +28,7 @@ impl FromStr for Millimetres {
         };
         match length("mm") {
             Some(length) if length <= MOST_MM => return Ok(Self(length)),
-            Some(_) => return Err(format!("a tolerance is {MOST_MM}mm at most, such as 1mm")),
+            Some(_) => return Err(format!("the tolerance must be at most {MOST_MM}mm, such as 1mm")),
             None => {}
         }
         let meant =
@@ -117,17 +117,17 @@ impl WrittenError {
             |error: f64, limit: f64, rounding: f64| error.is_nan() || error > limit + f64::max(0.01 * limit, rounding);
         let problem = if is_above(self.mm, tolerance.0, 1e-3) {
             let place = match &self.at {
-                Some((bone, t)) => format!(", at {bone}, {} s", trimmed(*t, 3)),
+                Some((bone, t)) => format!(" ({bone} at {} s)", trimmed(*t, 3)),
                 None => String::new(),
             };
-            format!("it would be {} mm off{place}", fixed(self.mm, 3))
+            format!("the written clip would be off by {} mm{place}", fixed(self.mm, 3))
         } else if let Some(error) = self.weights.filter(|error| is_above(*error, weight_tolerance(tolerance.0), 1e-6)) {
-            format!("its morph weights would be {} off", trimmed(error, 6))
+            format!("the written morph weights would be off by {}", trimmed(error, 6))
         } else {
             return Ok(());
         };
         Err(Failure::Check(format!(
-            "{}: clip {clip:?} cannot be reduced at {} mm: as written {problem}; nothing was written",
+            "{}: cannot reduce clip {clip:?} to within {} mm: {problem}; nothing was written",
             file.display(),
             tolerance.0
         )))
@@ -272,7 +272,7 @@ mod tests {
             ("1", "did you mean 1mm?"),
             ("1cm", "did you mean 10mm?"),
             ("0.01m", "did you mean 10mm?"),
-            ("1001mm", "1000mm at most"),
+            ("1001mm", "at most 1000mm"),
             ("infmm", "such as 1mm or 0.5mm"),
         ] {
             let error = text.parse::<Millimetres>().expect_err(text);
@@ -306,11 +306,11 @@ mod tests {
             assert!(check(mm, weights, tolerance).is_ok(), "{mm} {weights:?} of {tolerance}");
         }
         for (mm, weights, tolerance, words) in [
-            (1.02, None, 1.0, "1.020 mm off, at head, 0.25 s"),
-            (0.0011, None, 0.0, "0.001 mm off"),
-            (f64::NAN, None, 1.0, "NaN mm off"),
-            (0.1, Some(0.043), 1.0, "weights would be 0.043 off"),
-            (0.0, Some(f64::INFINITY), 1.0, "weights would be inf off"),
+            (1.02, None, 1.0, "off by 1.020 mm (head at 0.25 s)"),
+            (0.0011, None, 0.0, "off by 0.001 mm"),
+            (f64::NAN, None, 1.0, "off by NaN mm"),
+            (0.1, Some(0.043), 1.0, "weights would be off by 0.043"),
+            (0.0, Some(f64::INFINITY), 1.0, "weights would be off by inf"),
         ] {
             let error = check(mm, weights, tolerance).expect_err(words);
             assert!(matches!(error, Failure::Check(_)) && error.to_string().contains(words), "{error}");

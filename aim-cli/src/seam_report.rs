@@ -64,7 +64,7 @@ impl SeamReport {
             }
         };
         format!(
-            "{}, {}; in speed {}, {}",
+            "{}, {}; speed {}, {}",
             part(&self.mm, " mm", 1),
             part(&self.deg, "°", 1),
             part(&self.mm_s, " mm/s", 0),

@@ -32,15 +32,15 @@ impl FromStr for TargetSpec {
         match text.split_once(':') {
             Some(("orbit", orbit)) => {
                 let [radius, height, seconds] = three_numbers(orbit)
-                    .ok_or("orbit: needs three numbers, such as orbit:2,0,8 (radius, height, seconds a turn)")?;
+                    .ok_or("orbit: expected radius, height and seconds per turn, such as orbit:2,0,8")?;
                 if radius <= 0.0 || seconds.abs() < 1e-6 {
-                    return Err("orbit: needs a positive radius and a time for one turn that is not 0".into());
+                    return Err("orbit: expected a positive radius and seconds per turn that are not 0".into());
                 }
                 Ok(Self::Orbit { radius, height, seconds })
             }
-            Some(("node", "")) => Err("node: needs a node's name".into()),
+            Some(("node", "")) => Err("node: expected a node's name".into()),
             Some(("node", name)) => Ok(Self::Node(name.into())),
-            Some(("file", "")) => Err("file: needs the path of a CSV file".into()),
+            Some(("file", "")) => Err("file: expected the path of a CSV file".into()),
             Some(("file", path)) => Ok(Self::File(path.into())),
             _ => three_numbers(text).map(|p| Self::Point(DVec3::from_array(p))).ok_or_else(|| EXPECTED.into()),
         }
@@ -124,7 +124,7 @@ fn on_path(rows: &[(f64, DVec3)], t: f64) -> DVec3 {
 fn read_path(path: &Path) -> Result<Vec<(f64, DVec3)>> {
     let fail = |problem: String| Failure::in_file(path, problem);
     let text = fs::read_to_string(path)
-        .map_err(|error| fail(format!("cannot be read as text ({error}); give a CSV file with the columns t,x,y,z")))?;
+        .map_err(|error| fail(format!("cannot read as text: {error}; expected a CSV file with the columns t,x,y,z")))?;
     parse_path(&text).map_err(fail)
 }
 
@@ -136,24 +136,26 @@ fn parse_path(text: &str) -> std::result::Result<Vec<(f64, DVec3)>, String> {
     let mut lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
     let header = lines.next().map_or("", |(line, _)| line);
     if cells(header) != ["t", "x", "y", "z"] {
-        return Err(format!("its first line is {header:?}; expected t,x,y,z"));
+        return Err(format!("the first line is {header:?}; expected t,x,y,z"));
     }
     let mut rows: Vec<(f64, DVec3)> = Vec::new();
     for (line, number) in lines {
         let numbers: Option<Vec<f64>> = cells(line).iter().map(|cell| cell.parse().ok()).collect();
         let Some([t, x, y, z]) = numbers.and_then(|numbers| <[f64; 4]>::try_from(numbers).ok()) else {
-            return Err(format!("line {number} is {line:?}; expected four numbers: t,x,y,z"));
+            return Err(format!("line {number}: expected four numbers t,x,y,z, found {line:?}"));
         };
         if ![t, x, y, z].into_iter().all(is_usable) {
-            return Err(format!("line {number} holds a number that is not finite or beyond single precision"));
+            return Err(format!("line {number}: a number is not finite or exceeds the range of single precision"));
         }
         if rows.last().is_some_and(|(before, _)| *before >= t) {
-            return Err(format!("line {number}: the time {t} does not come after the line before; sort the rows by t"));
+            return Err(format!(
+                "line {number}: the time {t} is not after that of the previous row; sort the rows by t"
+            ));
         }
         rows.push((t, DVec3::new(x, y, z)));
     }
     if rows.is_empty() {
-        return Err("has no rows; give at least one line of t,x,y,z".into());
+        return Err("no rows; add at least one line of t,x,y,z".into());
     }
     Ok(rows)
 }
@@ -176,7 +178,7 @@ mod tests {
             ["", "1,2", "1,2,x", "NaN,0,0", "orbit:", "orbit:1,2", "orbit:-1,0,8", "orbit:1,0,0", "node:", "file:"]
         {
             let error = text.parse::<TargetSpec>().expect_err(text);
-            assert!(error.contains("expected") || error.contains("needs"), "{text}: {error}");
+            assert!(error.contains("expected"), "{text}: {error}");
         }
     }
 

@@ -10,10 +10,10 @@ pub(crate) type StatusWords = (&'static str, &'static str, &'static str, &'stati
 /// Words for all statuses, in the order of listings.
 const STATUSES: [StatusWords; 5] = [
     ("reached", "on target", "on target", "within the tolerance of the target"),
-    ("rate_limited", "on the way", "on the way", "within reach as soon as the rates allow"),
-    ("at_limit", "out of reach", "out of reach", "beyond the ranges of motion"),
+    ("rate_limited", "on the way", "on the way", "within reach, but the rates do not allow it yet"),
+    ("at_limit", "out of reach", "out of reach", "outside the ranges of motion"),
     ("behind", "behind", "with the target behind the character", "the target is behind the character"),
-    ("degenerate", "no direction", "without a direction", "the target or the pose has no direction to aim along"),
+    ("degenerate", "no direction", "without a direction", "the target or the pose gives no direction to aim in"),
 ];
 
 /// Words for `reached` if the weight is below 1.
@@ -21,7 +21,7 @@ const OF_THE_GOAL: StatusWords = (
     "reached",
     "on the goal",
     "on the weighted goal",
-    "within the tolerance of the goal, which the weight leaves of the way",
+    "within the tolerance of the weighted goal, which lies between the animated gaze and the target",
 );
 
 /// Direction that statuses and errors refer to.
@@ -98,7 +98,7 @@ pub(crate) fn trimmed(value: f64, decimals: usize) -> String {
 
 /// Returns the error of morph weights as a clause that continues a sentence; empty if there are none.
 pub(crate) fn weights_in_words(error: Option<f64>) -> String {
-    error.map_or_else(String::new, |error| format!(", weights at most {} off", fixed(error, 4)))
+    error.map_or_else(String::new, |error| format!(", morph weight error at most {}", fixed(error, 4)))
 }
 
 /// Formats a number with exactly that many decimals; zero has no sign.

@@ -26,7 +26,7 @@ use crate::target::TargetSpec;
 pub(super) fn run(arguments: &args::Bake) -> Result {
     let document = files::load_model(&arguments.file)?;
     let path = if let TargetSpec::File(path) = &arguments.target { Some(path) } else { None };
-    let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target's path")];
+    let read = [(arguments.rig.as_ref(), "the rig"), (path, "the target path")];
     Outputs::reading(read).reading_parts_of(&document).write_model(arguments.written.targets(), &arguments.file)?;
     let measurement = arguments.facing.measure(&arguments.file, &document)?;
     let mut spec = match &arguments.rig {
@@ -55,19 +55,19 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     };
     if let (None, Some(clip), [_, _, ..]) = (&arguments.clip, clip, document.clips()) {
         eprintln!(
-            "warning: {} has {} clips: aimed over {:?}; choose another with --clip (aim inspect lists them)",
+            "warning: {} has {} clips; using {:?}; choose another with --clip (`aim inspect` lists them)",
             arguments.file.display(),
             document.clips().len(),
             clip.name()
         );
     }
     let unknown_length =
-        |what: &str| Err(Failure::in_file(&arguments.file, format!("{what}; say how long to aim with --seconds")));
+        |what: &str| Err(Failure::in_file(&arguments.file, format!("{what}; set the length with --seconds")));
     let seconds = match (arguments.seconds, clip) {
         (Some(seconds), _) => seconds,
         (None, Some(clip)) if clip.length_s() > 0.0 => clip.length_s(),
-        (None, Some(clip)) => return unknown_length(&format!("its clip {:?} has no length", clip.name())),
-        (None, None) => return unknown_length("has no clip to aim over"),
+        (None, Some(clip)) => return unknown_length(&format!("clip {:?} has no length", clip.name())),
+        (None, None) => return unknown_length("no clip to aim over"),
     };
     let mended = match clip.filter(|_| arguments.looped) {
         Some(clip) => {
@@ -84,13 +84,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let both_eyes = arguments.aiming.both_eyes;
     if both_eyes && chain.other_eye.is_none() {
         return Err(Failure::input(format!(
-            "the rig {} has no other eye to aim; name it with other_eye = \"…\" on its first joint, or leave --both-eyes out",
+            "the rig {} declares no other eye; set other_eye = \"…\" on its first joint, or omit --both-eyes",
             spec.name
         )));
     }
     if let (true, 1.., Some(word)) = (both_eyes, effector.joint, &arguments.effector) {
         return Err(Failure::input(format!(
-            "--both-eyes aims eyes, and with --effector {word} they are at rest; leave one of the two out"
+            "--both-eyes conflicts with --effector {word}, which leaves the eyes at rest; omit one of the two"
         )));
     }
     let aimed = chain.joints[effector.joint];
@@ -102,7 +102,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     for (option, is_given) in [("--attention", arguments.attention > 0.0), ("--patience", arguments.patience.is_some())]
     {
         if is_given && solver != Solver::Natural {
-            eprintln!("warning: {option} is of the natural solver; another one moves this rig, which does without it");
+            eprintln!("warning: {option} has no effect; only the natural solver uses it");
         }
     }
     let plan = Plan {
@@ -130,9 +130,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let live = Live::new(&character.rig, document, measurement, &chain, both_eyes).map_err(Failure::of(file))?;
     if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint)) {
         let name = &skeleton.names()[node];
-        eprintln!(
-            "warning: the target {name} moves with the gaze itself: aimed is at where the animation alone has it"
-        );
+        eprintln!("warning: the target {name} moves with the gaze; aiming at its position in the animation alone");
     }
     let held: Vec<usize> = live.held().collect();
     let bar = progress_bar();
@@ -188,9 +186,9 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
 /// A loop of whole repetitions needs only the clip itself to be mended. Any other length is cut out of the clip,
 /// repeated if it is too short, and the new seam is mended as well.
 fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<MendedLoop>>) -> Result<Option<Clip>> {
-    let mended = |piece: &Clip, are_no_loop: &str| -> Result<Option<Clip>> {
+    let mended = |piece: &Clip, problem: &str| -> Result<Option<Clip>> {
         let Some(MendedLoop { clip, seam, .. }) = mend(piece)? else { return Ok(None) };
-        files::print(&format!("{are_no_loop}: {}\n", in_words(&seam)))?;
+        files::print(&format!("{problem}: {}\n", in_words(&seam)))?;
         Ok(Some(clip))
     };
     // Tolerance for the number of repetitions, because lengths are rounded.
@@ -198,21 +196,21 @@ fn mended_for(seconds: f32, clip: &Clip, mend: impl Fn(&Clip) -> Result<Option<M
     let name = clip.name();
     let rounds = seconds / clip.length_s();
     let has_round = rounds >= 1.0 - NONE;
-    let round = if has_round { mended(clip, &format!("{name:?} is no loop"))? } else { None };
+    let round = if has_round { mended(clip, &format!("{name:?} does not loop"))? } else { None };
     let is_whole = has_round && (rounds - rounds.round()).abs() <= NONE;
     // Nothing can be cut out of a clip without a length, or for no length.
     if is_whole || !(rounds > 0.0 && rounds.is_finite()) {
         return Ok(round);
     }
     let piece = round.as_ref().unwrap_or(clip).repeated(seconds);
-    Ok(mended(&piece, &format!("{seconds} s of {name:?} are no loop"))?.or(round))
+    Ok(mended(&piece, &format!("{seconds} s of {name:?} do not loop"))?.or(round))
 }
 
 /// Describes the seam that was mended.
 fn in_words(seam: &Seam) -> String {
     let Gap { translation, rotation_rad, .. } = seam.place;
     format!(
-        "its end was {translation:.3} units and {:.1}° from its beginning, {:.3} units and {:.1}° a second in speed; mended",
+        "the end was off the beginning by {translation:.3} units and {:.1}°, and by {:.3} units/s and {:.1}°/s in speed; mended",
         rotation_rad.to_degrees(),
         seam.speed.translation,
         seam.speed.rotation_rad.to_degrees()
@@ -245,9 +243,7 @@ fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement
         if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {
             let more = if rest.is_empty() { String::new() } else { format!(" (and {} more)", rest.len()) };
             let (file, rig) = (arguments.file.display(), rig.display());
-            eprintln!(
-                "warning: {rig} and {file} contradict each other: {first}{more}; see aim check {file} --rig {rig}"
-            );
+            eprintln!("warning: {rig} does not match {file}: {first}{more}; run `aim check {file} --rig {rig}`");
         }
     }
 }

@@ -37,7 +37,10 @@ pub(super) fn run(arguments: &args::Check) -> Result {
             verdict.single
         );
     }
-    files::print(&format!("{}: {} random poses against central differences\n{report}", spec.name, arguments.samples))?;
+    files::print(&format!(
+        "{}: {} random poses compared with central differences\n{report}",
+        spec.name, arguments.samples
+    ))?;
     all_passed(&arguments.rig, &spec, &verdicts)
 }
 
@@ -73,11 +76,11 @@ pub(crate) fn all_passed(rig: &Path, spec: &RigSpec, verdicts: &[Verdict]) -> Re
         return Ok(());
     }
     Err(Failure::Check(format!(
-        "{}: the derived {} of {} differ from central differences by more than {TOLERANCE_F64:.0e} (f64) or {TOLERANCE_F32:.0e} \
-         (f32)",
+        "{}: derivatives of {} differ from central differences by more than {TOLERANCE_F64:.0e} (f64) or {TOLERANCE_F32:.0e} \
+         (f32): {}",
         rig.display(),
-        failed.join(", "),
-        spec.name
+        spec.name,
+        failed.join(", ")
     )))
 }
 

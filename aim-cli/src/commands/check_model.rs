@@ -17,7 +17,7 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
     if !fit.problems.is_empty() {
         let facing = evidence::facing(&measurement, &document);
         return Err(Failure::Check(format!(
-            "{} and {} contradict each other:\n  {}\n{facing} See it: aim inspect {} --rig {} --html look.html",
+            "{} does not match {}:\n  {}\n{facing} To see the axes, run `aim inspect {} --rig {} --html look.html`.",
             rig.display(),
             file.display(),
             fit.problems.join("\n  "),
@@ -25,13 +25,13 @@ pub(super) fn run(file: &Path, rig: &Path) -> Result {
             rig.display()
         )));
     }
-    let mut out = format!("{} fits {}\n", rig.display(), file.display());
+    let mut out = format!("{} matches {}\n", rig.display(), file.display());
     for joint in &fit.joints {
         let off = (0..3).map(|at| joint.off_deg(at)).fold(0.0, f64::max);
         let bone = Some(&joint.bone.name).filter(|bone| *bone != joint.joint);
-        let bone = bone.map_or(String::new(), |bone| format!("{bone} is "));
-        out += &format!("{}: {bone}as declared, {off:.1}° off at most", joint.joint);
-        out += if off > NEAR_DEG { "; its exact frame (aim rig) would aim better\n" } else { "\n" };
+        let bone = bone.map_or(String::new(), |bone| format!(" (bone {bone})"));
+        out += &format!("{}{bone}: axes as declared, off by at most {off:.1}°", joint.joint);
+        out += if off > NEAR_DEG { "; the exact frame from `aim rig` would aim better\n" } else { "\n" };
     }
     out += &about_limbs(&spec, &document, &measurement);
     files::print(&out)
@@ -52,12 +52,15 @@ fn about_limbs(spec: &RigSpec, document: &Document, measurement: &Measurement) -
             limbs.iter().map(|&limb| format!("{:?}", skeleton.names()[limb])).collect::<Vec<_>>().join(", ")
         };
         if !held.is_empty() {
-            let how = if chain.holds.is_some() { "held, as declared" } else { "held unless a joint declares hold" };
+            let how =
+                if chain.holds.is_some() { "held as declared" } else { "held by default, as no joint declares hold" };
             out += &format!("{joint}: carries {}, {how}\n", names(&held));
         }
         if !loose.is_empty() {
             let all = names(&loose);
-            out += &format!("{joint}: carries {all}, which turn with it; hold = [{all}] keeps them with the trunk\n");
+            out += &format!(
+                "{joint}: carries {all}, which turn with it; declare hold = [{all}] to keep them with the trunk\n"
+            );
         }
     }
     out

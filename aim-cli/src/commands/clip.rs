@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &args::Clip) -> Result {
     let file = &arguments.file;
     let changes = arguments.extract.is_some() || arguments.looped || arguments.reduce.is_some();
     if let (false, Some(out)) = (changes, &arguments.out) {
-        let what = "would be the model as it is; say what to change with --reduce, --loop or --extract";
+        let what = "--out would write the model unchanged; add --reduce, --loop or --extract";
         return Err(Failure::in_file(out, what));
     }
     let document = files::load_model(file)?;
@@ -110,13 +110,13 @@ fn chosen<'d>(arguments: &args::Clip, document: &'d Document) -> Result<Vec<&'d 
     for clip in document.clips().iter().filter(is_asked) {
         if chosen.iter().any(|other| other.name() == clip.name()) {
             let file = arguments.file.display();
-            eprintln!("warning: {file} has several clips {:?}: only the first of them is looked at", clip.name());
+            eprintln!("warning: {file} has several clips named {:?}; using the first", clip.name());
         } else {
             chosen.push(clip);
         }
     }
     if chosen.is_empty() {
-        return Err(Failure::in_file(&arguments.file, "has no clips; export the character with an animation"));
+        return Err(Failure::in_file(&arguments.file, "no clips; export the character with an animation"));
     }
     Ok(chosen)
 }
@@ -128,7 +128,8 @@ fn check_pins(arguments: &args::Clip, clips: &[&Clip]) -> Result {
             return Err(Failure::in_file(
                 &arguments.file,
                 format!(
-                    "the pin at {pin} s is no time of its clip {:?}, which is {} s long; give times from 0 to that, and the clip with --clip",
+                    "--pin {pin} s is outside the clip {:?}, which is {} s long; give times from 0 to its length, or select \
+                     clips with --clip",
                     clip.name(),
                     clip.length_s()
                 ),
@@ -168,10 +169,10 @@ impl Request<'_> {
         if let Some(kind) = self.extract {
             let Some(path) = &path else {
                 return Err(format!(
-                    "clip {:?} has no way to take out: {}",
+                    "cannot extract root motion from clip {:?}: {}",
                     clip.name(),
                     if clip.length_s() > 0.0 {
-                        "no hips are found in the file (see aim inspect)"
+                        "no hips found in the file (see `aim inspect`)"
                     } else {
                         "it has no length"
                     }

@@ -64,7 +64,7 @@ impl Counts {
         let rows =
             self.rows.iter().map(|one| row(&one.title, numbers(one.count).map(|(_, number)| number.to_string())));
         let rows: String = rows.collect();
-        format!("{}: operations, sines and cosines given, negations free\n{head}{rows}", self.rig)
+        format!("{}: operation counts (sines and cosines are inputs, negations are free)\n{head}{rows}", self.rig)
     }
 
     fn json(&self) -> Value {

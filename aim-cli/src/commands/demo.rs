@@ -26,12 +26,12 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     // One orbit takes the length of the clip, so that the result loops.
     let seconds = document.clips().first().map_or(ORBIT, Clip::length_s);
     files::print(&format!(
-        "aiming the mannequin's eye, neck and spine, as it walks and runs, at a target that orbits it once in {seconds:.1} s\n"
+        "aiming the eye, neck and spine of the walking and running mannequin at a target that orbits it once in {seconds:.1} s\n"
     ))?;
     let first = document.clips().first().map(|clip| clip.name().to_owned());
     let out = |name: &str| arguments.out.join(name);
     fs::create_dir_all(&arguments.out).map_err(|error| {
-        Failure::in_file(&arguments.out, format!("cannot be made ({error}); give a folder with --out"))
+        Failure::in_file(&arguments.out, format!("cannot create the folder: {error}; choose another with --out"))
     })?;
     let request = args::Bake {
         facing: Facing::default(),
@@ -65,7 +65,7 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     bake(&request, &document, &Measurement::of(&document), &spec)?;
     files::write(&out("mannequin.glb"), &model)?;
     files::print(&format!(
-        "wrote {}, before it was aimed; open {}\n",
+        "wrote {}: the mannequin before aiming\nopen {} to see the result\n",
         out("mannequin.glb").display(),
         out("report.html").display()
     ))

@@ -14,7 +14,7 @@ pub(super) fn run(arguments: &args::Explain) -> Result {
     let paper = paper(arguments)?;
     let spec = files::load_rig(&arguments.rig)?;
     if let Some(path) = &arguments.output {
-        Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(path, "-o")?;
+        Outputs::reading([(Some(&arguments.rig), "the rig")]).writes(path, "-o")?;
     }
     let kernels = kernels(&spec);
     let verdicts = verdicts(&spec, &kernels, arguments.samples);
@@ -48,7 +48,7 @@ fn paper(arguments: &args::Explain) -> Result<Paper> {
         (None, "tex") => Ok(Paper::Latex),
         (None, _) => Err(Failure::in_file(
             path,
-            "does not tell by its ending what to write; give -o a name that ends in .html or .tex, or add --format",
+            "unknown extension; use a name that ends in .html or .tex with -o, or add --format",
         )),
     }
 }

@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
         Some(path) => {
             Outputs::reading([(
                 Some(&arguments.rig),
-                if arguments.function.is_some() { "what is read" } else { "the rig itself" },
+                if arguments.function.is_some() { "the input" } else { "the rig" },
             )])
             .writes(path, "-o")?;
             files::write(path, code.as_bytes())
@@ -43,13 +43,13 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
 /// Loads the rig. Rust files are rejected, because they are read for `--function` only.
 fn load_rig(path: &Path) -> Result<RigSpec> {
     if files::ending(path) == "rs" {
-        return Err(Failure::in_file(path, "is no rig; name a differentiated function of it: --function NAME"));
+        return Err(Failure::in_file(path, "not a rig; name one of its differentiated functions with --function NAME"));
     }
     files::load_rig(path)
 }
 
 fn load_function(path: &Path, function: &str) -> Result<Differentiated> {
-    let text = files::read_text(path, "give a Rust file")?;
+    let text = files::read_text(path, "expected a Rust file")?;
     Ok(Differentiated::from_file(&path.display().to_string(), &text, function)?)
 }
 
@@ -60,18 +60,19 @@ fn differentiated(path: &Path, function: &str, language: Language) -> Result<Str
     match language {
         Language::C => Ok(emit::c::emit_procedures(&what, &derived.procedures())),
         Language::Wgsl if derived.precision() == Precision::Double => {
-            Err(Failure::in_file(path, format!("{function} computes in f64, which WGSL has not; write it in f32")))
+            Err(Failure::in_file(path, format!("{function} uses f64, which WGSL does not have; write it in f32")))
         }
         Language::Wgsl if derived.has_infinities() => Err(Failure::in_file(
             path,
-            format!("{function} has an infinity in it, which WGSL cannot write; use f32::MAX"),
+            format!("{function} contains an infinity, which WGSL cannot express; use f32::MAX"),
         )),
         Language::Wgsl => Ok(emit::wgsl::emit_procedures(&what, &derived.procedures())),
-        Language::Rust => {
-            Err(Failure::in_file(path, "#[differentiate] itself writes Rust where it stands; give --lang c or wgsl"))
-        }
+        Language::Rust => Err(Failure::in_file(
+            path,
+            "#[differentiate] already generates the Rust code in place; use --lang c or wgsl",
+        )),
         Language::Latex | Language::Maxima => {
-            Err(Failure::in_file(path, "functions are written in C and WGSL only; give --lang c or wgsl"))
+            Err(Failure::in_file(path, "functions can be generated in C and WGSL only; use --lang c or wgsl"))
         }
     }
 }
@@ -111,9 +112,7 @@ fn trace_of(path: &Path, function: &str) -> Result<String> {
 }
 
 fn heading(name: &str) -> String {
-    format!(
-        "{name}: operations if rewriting stopped there and derivatives were taken of what was there (sines and cosines given)\n"
-    )
+    format!("{name}: operation count after each step, derivatives included (sines and cosines are inputs)\n")
 }
 
 /// Returns the steps of a derivation and the singular points of its statement, one per line.
@@ -151,14 +150,14 @@ fn rust(rig: &Rig<'_>) -> String {
 /// Checks that the file `existing` contains `code`, apart from line endings.
 fn check(existing: &Path, code: &str, arguments: &args::Generate) -> Result {
     let found = fs::read_to_string(existing)
-        .map_err(|error| Failure::in_file(existing, format!("cannot be read ({error}); generate it first with -o")))?;
+        .map_err(|error| Failure::in_file(existing, format!("cannot read: {error}; generate it first with -o")))?;
     if found.lines().eq(code.lines()) {
         return Ok(());
     }
     let language = arguments.lang.map(|language| format!("{language:?}").to_lowercase()).unwrap_or_default();
     let function = arguments.function.as_ref().map(|name| format!(" --function {name}")).unwrap_or_default();
     Err(Failure::Check(format!(
-        "{} is stale: it is not what {} gives now. Write it again:\n  aim generate {}{function} --lang {language} -o {}",
+        "{} is stale: it differs from what {} generates now. Regenerate it:\n  aim generate {}{function} --lang {language} -o {}",
         existing.display(),
         arguments.rig.display(),
         arguments.rig.display(),

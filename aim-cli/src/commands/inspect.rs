@@ -20,7 +20,7 @@ const FAR_OFF_DEG: f64 = 20.0;
 fn in_words(measurement: &Measurement, document: &Document) -> String {
     let mut out = format!("{}\n", evidence::facing(measurement, document));
     for against in evidence::against(measurement, document) {
-        out += &format!("Against it: {against}.\n");
+        out += &format!("Contrary evidence: {against}.\n");
     }
     out += &format!("Confidence {:.2}.", measurement.confidence);
     out += &evidence::doubt(measurement).map_or("\n".to_owned(), |doubt| format!(" {doubt}\n"));
@@ -30,21 +30,21 @@ fn in_words(measurement: &Measurement, document: &Document) -> String {
     let bones = measurement.bones.iter().filter(|bone| !any || has_role(bone));
     let turned = bones.max_by(|a, b| a.rest_deg.total_cmp(&b.rest_deg));
     out += &match (measurement.pose, turned.filter(|bone| bone.rest_deg > 0.1)) {
-        (MeasuredPose::Rest, _) => "Measured in the rest pose: no skin tells a bind pose.\n".to_owned(),
+        (MeasuredPose::Rest, _) => "Measured in the rest pose, because no skin defines a bind pose.\n".to_owned(),
         (_, Some(BoneAxes { name, rest_deg, .. })) => {
             format!("Measured in the bind pose; the rest pose differs from it by up to {rest_deg:.1}° ({name}).\n")
         }
         _ => "Measured in the bind pose; the rest pose is the same.\n".to_owned(),
     };
-    out += &format!("{:.4} high, in the file's units.\n", measurement.height);
+    out += &format!("Height {:.4}, in the file's units.\n", measurement.height);
     let far = measurement.bones.iter().filter(|bone| bone.role.is_some() && bone.deviation_deg > FAR_OFF_DEG);
     let far: Vec<String> = far.map(|bone| format!("{} ({:.0}°)", bone.name, bone.deviation_deg)).collect();
     if !far.is_empty() {
-        out += &format!("Far off any axis, so that `aim rig` gives the exact frame: {}.\n", far.join(", "));
+        out += &format!("Far from any axis, so `aim rig` writes the exact frame: {}.\n", far.join(", "));
     }
     for (neck, limbs) in limbs_on_necks(measurement, document) {
         out += &format!(
-            "{neck} carries {}, which turn with it unless held: `aim rig` and `aim bake` hold them on the trunk.\n",
+            "{neck} carries {}, which turn with it unless held; `aim rig` and `aim bake` keep them with the trunk.\n",
             limbs.join(", ")
         );
     }
@@ -139,7 +139,7 @@ fn draw(arguments: &args::Inspect, page: &Path, document: &Document, measurement
 
 pub(super) fn run(arguments: &args::Inspect) -> Result {
     let document = files::load_model(&arguments.file)?;
-    let read = [(Some(&arguments.file), "the model itself"), (arguments.rig.as_ref(), "the rig")];
+    let read = [(Some(&arguments.file), "the model"), (arguments.rig.as_ref(), "the rig")];
     let mut outputs = Outputs::reading(read).reading_parts_of(&document);
     let measurement = arguments.facing.measure(&arguments.file, &document)?;
     if let Some(page) = &arguments.html {

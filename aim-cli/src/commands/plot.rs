@@ -10,10 +10,15 @@ pub(super) fn run(arguments: &args::Plot) -> Result {
     let as_png = match &*files::ending(&arguments.output) {
         "svg" => false,
         "png" => true,
-        _ => return Err(Failure::in_file(&arguments.output, "is neither .svg nor .png; give -o one of these endings")),
+        _ => {
+            return Err(Failure::in_file(
+                &arguments.output,
+                "unknown extension; use a name that ends in .svg or .png with -o",
+            ));
+        }
     };
     let spec = files::load_rig(&arguments.rig)?;
-    Outputs::reading([(Some(&arguments.rig), "the rig itself")]).writes(&arguments.output, "-o")?;
+    Outputs::reading([(Some(&arguments.rig), "the rig")]).writes(&arguments.output, "-o")?;
     let fail = |problem| Failure::in_file(&arguments.rig, problem);
     let target = arguments.target.map(|point| point.0);
     let subject = JointPlot::new(&spec, arguments.joint.as_deref(), target).map_err(fail)?;

@@ -14,7 +14,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let (times, targets) = (&arguments.at, &arguments.target);
     if times.len() != targets.len() {
         return Err(Failure::input(format!(
-            "--at is given {} times and --target {} times; give both once for each point",
+            "--at is given {} times but --target {} times; give both once for each point",
             times.len(),
             targets.len()
         )));
@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &args::Reach) -> Result {
     let clip = match &arguments.clip {
         Some(name) => document.clip(name).map_err(Failure::of(file))?,
         None => document.default_clip().ok_or_else(|| {
-            Failure::in_file(&arguments.file, "has no clip to change; export the character with an animation")
+            Failure::in_file(&arguments.file, "no clip to change; export the character with an animation")
         })?,
     };
     let limb = LimbNodes::find(document.skeleton(), &arguments.bone).map_err(Failure::of(file))?;

@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &args::Rig) -> Result {
     }
     // The proposal must pass the same checks as any other declaration.
     aim_codegen::declare::from_toml(&name, &toml).map_err(|errors| {
-        Failure::in_file(file, format!("no declaration can be proposed for it: {}; rename its bones", errors.render()))
+        Failure::in_file(file, format!("cannot propose a valid declaration: {}; rename the bones", errors.render()))
     })?;
     files::print(&match arguments.format {
         Notation::Toml => toml,

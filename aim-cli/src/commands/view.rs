@@ -7,8 +7,8 @@ use crate::failure::{Failure, Result};
 #[cfg(not(feature = "view"))]
 pub(super) fn run(_: args::View) -> Result {
     Err(Failure::input(
-        "this aim was built without its window; build it with the feature `view`, as in cargo install --path aim-cli \
-         --features view; it needs Rust 1.92",
+        "this aim was built without the viewer; rebuild it with the feature `view`, which needs Rust 1.92: cargo install \
+         --path aim-cli --features view",
     ))
 }
 
@@ -27,9 +27,9 @@ pub(super) fn run(arguments: args::View) -> Result {
 fn check_outputs(arguments: &args::View) -> Result {
     let Some(out) = &arguments.screenshot else { return Ok(()) };
     if crate::files::ending(out) != "png" {
-        return Err(Failure::in_file(out, "would be a PNG picture; give --screenshot a name that ends in .png"));
+        return Err(Failure::in_file(out, "--screenshot writes a PNG picture; use a name that ends in .png"));
     }
-    let read = [(arguments.file.as_ref(), "the model itself"), (arguments.rig.as_ref(), "the rig")];
+    let read = [(arguments.file.as_ref(), "the model"), (arguments.rig.as_ref(), "the rig")];
     let mut outputs = crate::outputs::Outputs::reading(read);
     if let Some(file) = &arguments.file {
         outputs = outputs.reading_parts_of(&crate::files::load_model(file)?);
@@ -98,7 +98,7 @@ mod hidden {
         }
         let Size { width, height } = arguments.size;
         let program = std::env::current_exe()
-            .map_err(|error| Failure::input(format!("the command itself is not found ({error})")))?;
+            .map_err(|error| Failure::input(format!("cannot find the path of this executable: {error}")))?;
         let status = Command::new("xvfb-run")
             .args(["--auto-servernum", "--server-args"])
             .arg(format!("-screen 0 {width}x{height}x24"))
@@ -115,9 +115,9 @@ mod hidden {
             // The other process has printed the reason.
             Ok(_) => std::process::exit(2),
             Err(_) if has_display => Ok(None),
-            Err(_) => Err(Failure::input(
-                "there is no display to draw on; install xvfb (its xvfb-run gives a hidden one), or set DISPLAY",
-            )),
+            Err(_) => {
+                Err(Failure::input("no display; install xvfb, whose xvfb-run provides a virtual one, or set DISPLAY"))
+            }
         }
     }
 }

@@ -30,23 +30,23 @@ pub(super) fn section(subject: &Explained<'_>) -> Section {
         ]
     });
     let head = ["derived program", "largest deviation, f64", "largest deviation, f32", "verdict"];
-    let caption = format!("{} against central differences", counted(subject.samples as usize, "random pose"));
+    let caption = format!("{} compared with central differences", counted(subject.samples as usize, "random pose"));
     Section {
         id: "check",
-        title: "The numerical check".into(),
+        title: "Numerical check".into(),
         blocks: vec![
             Block::Paragraph(text![
-                "A derivation can be followed; its result can also be tried. For poses at random within the rig’s ranges, the \
-                 objective is computed from its statement, nothing rewritten, the effector pushed forward through all joints, \
-                 and its derivatives by moving each angle a little both ways (central differences of sixth order). The derived \
-                 programs have to agree, in double precision and in the single precision that ships. Deviations are relative \
-                 to the larger of 1 and the expected value; they may be ",
+                "The result of the derivation is also tested numerically. For random poses within the rig’s ranges, the objective \
+                 is evaluated as stated, without rewriting, by moving the effector through all joints, and its derivatives by \
+                 central differences of sixth order. The derived programs must agree, both in double precision and in the \
+                 single precision of the emitted code. Deviations are relative to the larger of 1 and the expected value; they \
+                 may be at most ",
                 scientific(TOLERANCE_F64),
                 " and ",
                 scientific(TOLERANCE_F32),
-                " at most. ",
+                ", respectively. ",
                 code("aim check"),
-                " does the same with as many poses as one likes.",
+                " runs the same comparison with any number of poses.",
             ]),
             Block::Table(Table::new(Kind::Numbers, caption, &head, rows.collect())),
         ],
@@ -62,12 +62,12 @@ pub(super) fn counts(subject: &Explained<'_>) -> Section {
     });
     Section {
         id: "counts",
-        title: "What it costs".into(),
+        title: "Operation counts".into(),
         blocks: vec![
             Block::Paragraph(text![
-                "The operations of what is emitted, as ",
+                "The operation counts of the emitted code, as printed by ",
                 code("aim count"),
-                " tells them; the first four are of the joint next to the effector. Sines and cosines are given, subtractions count \
+                "; the first four rows belong to the joint next to the effector. Sines and cosines are inputs, subtractions count \
                  as additions, comparisons and selects are not in the total, and negations are free.",
             ]),
             Block::Table(Table::new(Kind::Numbers, "Operations", &head, rows.collect())),

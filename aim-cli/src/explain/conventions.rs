@@ -15,29 +15,30 @@ pub(super) fn section(spec: &RigSpec) -> Section {
     let frames = basis_symbols(spec);
     let mut blocks = vec![
         Block::Paragraph(text![
-            "Every bone has axes of its own, and nothing says by itself which of them points where on the character. The \
-             declaration does. ",
-            Inline::Strong("In every convention heading turns a bone’s forward towards its left, and pitch turns it towards its up".into()),
-            "; pitch acts first, next to the effector, then heading. Both are added to the animation: 0 leaves it as it is.",
+            "Every bone has its own axes, and only the declaration states which of them points up, forward or left on the \
+             character. ",
+            Inline::Strong("In every convention, heading turns a bone’s forward towards its left, and pitch turns it towards its up".into()),
+            "; pitch is applied first, next to the effector, then heading. Both are added to the animation: 0 leaves it \
+             unchanged.",
         ]),
         Block::Drawings(frames.iter().map(|(frame, _, joints)| axes(spec, frame, joints)).collect()),
         Block::Paragraph(text![
-            "In the axes forward, left, up the two turns are the same for every rig. Formulas here turn column vectors: the turn \
-             stands to the left of what it turns. Columns are the images of forward, left and up.",
+            "In the axes forward, left and up, the two rotations are the same for every rig. The formulas here use column vectors: \
+             a rotation is written to the left of the vector that it turns. Its columns are the images of forward, left and up.",
         ]),
         Block::Equations(turns()),
         Block::Paragraph(text![
-            "What differs between conventions is only how forward, left and up are written in the bone’s own axes: the columns of ",
+            "Conventions differ only in the components of forward, left and up in the bone’s own axes: the columns of ",
             frames[0].1.clone(),
             if frames.len() > 1 { " and the others." } else { "." },
-            " So an added rotation is led into these axes, turned, and led back. In the bone’s own axes it is",
+            " An added rotation therefore changes into these axes, turns, and changes back. In the bone’s own axes it is",
         ]),
     ];
     blocks.extend(frames.iter().map(|(frame, symbol, joints)| Block::Equations(in_bones(spec, frame, symbol, joints))));
     blocks.push(Block::Paragraph(text![
-        "The paper writes row vectors, to the left of what turns them, so its matrices (1) to (3) are the transposes of such ones, \
-         in reverse order. It counts pitch the other way: a positive angle about the thug’s left axis looks down. Here a positive \
-         pitch looks up and a positive heading looks left, whatever the axes.",
+        "The paper uses row vectors, written to the left of the matrix, so its matrices (1) to (3) are the transposes of these, in \
+         reverse order. Its pitch has the opposite sign: a positive angle about the thug’s left axis looks down. Here, a \
+         positive pitch looks up and a positive heading looks left, whatever the axes.",
     ]));
     Section { id: "conventions", title: "Conventions".into(), blocks }
 }
@@ -169,18 +170,15 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
         ],
         [
             text![v.clone(), " · ", w.clone(), ", ", Formula::Bars(Box::new(v.clone()))],
-            text!["the dot product of two vectors, the length of one"],
+            text!["the dot product of two vectors; the length of a vector"],
         ],
-        [
-            text![across],
-            text!["what is left of ", v, " without its part along ", w, ": its part across that direction"],
-        ],
-        [text![Formula::italic("R").transposed()], text!["the way back of a rotation, its transpose: R Rᵀ = 1"]],
+        [text![across], text!["the part of ", v, " perpendicular to ", w]],
+        [text![Formula::italic("R").transposed()], text!["the inverse of a rotation, its transpose: R Rᵀ = 1"]],
         [
             text![Formula::italic("ε")],
             text![
-                "the smallest length that is divided by. One over a length that is not above it counts as 0, so that no input \
-                 makes a result infinite",
+                "the threshold for divisions by a length. The reciprocal of a length that does not exceed it counts as 0, so no \
+                 input makes a result infinite",
             ],
         ],
     ];
@@ -189,10 +187,10 @@ pub(super) fn notation(spec: &RigSpec) -> Section {
         id: "notation",
         title: "Notation".into(),
         blocks: vec![
-            Block::Table(Table::new(Kind::Code, "Symbols of the formulas", &["symbol", "what it is"], rows)),
+            Block::Table(Table::new(Kind::Code, "Symbols of the formulas", &["symbol", "meaning"], rows)),
             Block::Paragraph(text![
-                "Two quarter turns come up in derivatives: what a vector’s part in the plane of heading, or of pitch, becomes when it is \
-                 turned by 90°. In the axes forward, left, up:",
+                "Two quarter turns occur in derivatives: a vector’s part in the plane of heading, or of pitch, turned by 90°. In the \
+                 axes forward, left and up:",
             ]),
             Block::Equations(quarter_turns(&letters)),
         ],
@@ -219,27 +217,27 @@ fn quarter_turns(letters: &Notation) -> Vec<Equation> {
 pub(super) fn chain(spec: &RigSpec, kernel: &Kernel<'_>) -> Section {
     let g = &kernel.derivation.graph;
     let mut blocks = vec![Block::Paragraph(text![
-        "From the effector inward. What is aimed is ",
+        "Joints from the effector inward. The aimed direction is ",
         code(spec.joints[0].name.clone()),
         format!(
-            "’s {}, from the point ({}) of its bone.",
+            "’s {}, starting at the point ({}) of its bone.",
             axis(spec.effector.frame.forward),
             spec.effector.origin.map(|c| format!("{c}").replace('-', "−")).join(", ")
         ),
-        " The point is the translation of the first link, so it is the caller’s and not in the formulas.",
+        " This point is the translation of the first link; the caller supplies it, so it does not appear in the formulas.",
     ])];
     blocks.push(Block::Table(joints(spec)));
     blocks.push(Block::Paragraph(text![
-        "Each link leads from a joint to the next, and each joint adds its rotation. One after the other, the effector nearest to \
-         what is moved, they take a direction of effector space to the last joint’s space:",
+        "Each link leads from one joint to the next, and each joint adds its rotation. Applied in order, starting at the \
+         effector, they transform a direction from effector space to the last joint’s space:",
     ]));
     if let Some(direction) = direction(g, kernel) {
         let formula = print::vector(g, direction, &kernel.notation);
         blocks.push(Block::Equations(vec![(Formula::upright("direction"), formula).into()]));
     }
     blocks.push(Block::Paragraph(text![
-        "Ranges, rates and stiffness are the solvers’ business: they decide how far along the gradient a joint may go, not what the \
-         gradient is. Nothing of them is in what follows.",
+        "Ranges, rates and stiffness concern the solvers: they decide how far a joint may follow the gradient, not what the \
+         gradient is. They do not appear in what follows.",
     ]));
     Section { id: "chain", title: "The chain".into(), blocks }
 }

@@ -1,7 +1,9 @@
 //! The section on derivatives: one sweep over whole vectors, part by part.
 
 use aim_symbolic::print::{self, Formula, Notation};
-use aim_symbolic::{Course, Graph, Node, Op, Passage, Rotation, RotationNode, Scalar, ScalarNode, Swept, VectorNode};
+use aim_symbolic::{
+    Graph, Node, Op, Rotation, RotationNode, Scalar, ScalarNode, SweepDirection, SweepRecord, VectorNode, VisitedNode,
+};
 
 use super::document::{Block, Kind, Section, Table, Text, text};
 use super::kernel::Kernel;
@@ -10,22 +12,22 @@ use super::{rewriting, statement};
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let mut blocks = vec![
         Block::Paragraph(text![
-            "A derivative asks: by how much does the aim change, to first order, when an angle changes a little? The chain rule \
-             answers it one part of the expression at a time, and parts may be whole vectors. If the aim depends on a vector ",
+            "A derivative contributions the first-order change of the aim when an angle changes slightly. The chain rule computes it one \
+             part of the expression at a time, and a part may be a whole vector. If the aim depends on a vector ",
             Formula::vector("w"),
             ", then ",
             Formula::vector("w").barred(),
-            " denotes its derivative by that vector: the aim changes by ",
+            " denotes its derivative with respect to that vector: the aim changes by ",
             Formula::infix(Formula::vector("w").barred(), print::Sign::Dot, Formula::upright("change")),
             " of ",
             Formula::vector("w"),
-            ". Going from the aim back to the angles, each part hands its derivative on to the parts that it is made of. So every \
-             part is visited once, however many angles there are.",
+            ". Going backwards from the aim to the angles, each part passes its derivative on to its own parts. Every part is \
+             therefore visited once, however many angles there are.",
         ]),
         Block::Paragraph(text![
-            "A turn is where angles come in. Differentiating the cosines and sines of its matrix gives the same matrix, followed by a \
-             quarter turn in its plane: what a turned vector moves by per radian is its own perpendicular in the plane of the \
-             turn, which is at hand already.",
+            "Angles enter through rotations. Differentiating the cosines and sines of a rotation matrix contributions the same matrix, \
+             followed by a quarter turn in its plane: per radian, a rotated vector moves by its own perpendicular in that \
+             plane, which is already available.",
         ]),
     ];
     blocks.extend(self::blocks(kernel));
@@ -38,26 +40,26 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     let mut blocks = Vec::new();
     if !kernel.parts.is_empty() {
         blocks.push(Block::Paragraph(text![
-            "What depends on the angles, from the inside out, with names for all parts:"
+            "The parts that depend on the angles, from the inside out, each with a name:"
         ]));
         blocks.push(Block::Equations(kernel.parts.clone()));
     }
     blocks.extend(derivation.sweeps.iter().map(|swept| Block::Table(sweep(kernel, swept))));
     blocks.extend(rewriting::after_derivatives(kernel));
-    blocks.push(Block::Paragraph(text!["These are the formulas that the code computes:"]));
+    blocks.push(Block::Paragraph(text!["The code computes these formulas:"]));
     blocks.push(statement::defined(&derivation.graph, &derivation.outputs, &kernel.outputs, &kernel.named));
     blocks
 }
 
-fn sweep(kernel: &Kernel<'_>, swept: &Swept) -> Table {
-    let (caption, head, rows) = match swept.course {
-        Course::Back(scalar) => (
-            "The way back: each part’s derivative, from those of the parts that need it",
+fn sweep(kernel: &Kernel<'_>, swept: &SweepRecord) -> Table {
+    let (caption, head, rows) = match swept.direction {
+        SweepDirection::Backward(scalar) => (
+            "Backward sweep: each part’s derivative, from those of the parts that use it",
             ["derivative", "is", "because"],
             back(kernel, swept, scalar),
         ),
-        Course::Forward(_) => (
-            "The way forward: each part’s change with the angle, from those of its own parts",
+        SweepDirection::Forward(_) => (
+            "Forward sweep: each part’s change with the angle, from the changes of its own parts",
             ["part", "changes by", "because"],
             forward(kernel, swept),
         ),
@@ -68,13 +70,13 @@ fn sweep(kernel: &Kernel<'_>, swept: &Swept) -> Table {
 /// Length up to which a formula is repeated instead of named.
 const SHORT: usize = 3;
 
-fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
+fn back(kernel: &Kernel<'_>, swept: &SweepRecord, scalar: Scalar) -> Vec<Vec<Text>> {
     let g = &kernel.derivation.graph;
     let mut notation = kernel.named.clone();
     let place = kernel.derivation.values.iter().position(|&known| known == scalar);
     let value = kernel.outputs[place.unwrap_or_default()].clone();
     let mut rows = Vec::new();
-    for Passage { node, derivative, gives } in &swept.passages {
+    for VisitedNode { node, derivative, contributions } in &swept.visited {
         let symbol = if *node == Node::Scalar(scalar) {
             Formula::derivative(value.clone(), value.clone())
         } else {
@@ -86,7 +88,7 @@ fn back(kernel: &Kernel<'_>, swept: &Swept, scalar: Scalar) -> Vec<Vec<Text>> {
         if right.length() > SHORT && !notation.parts.iter().any(|(known, _)| known == derivative) {
             notation.parts.push((*derivative, symbol));
         }
-        for &(variable, change) in gives {
+        for &(variable, change) in contributions {
             let by = Formula::derivative(value.clone(), kernel.variable(variable));
             let because = match *node {
                 Node::Vector(vector) => match g.vector_node(vector) {
@@ -112,18 +114,18 @@ fn turned(g: &Graph, rotation: Rotation, part: &Formula, notation: &Notation) ->
         if back { " turns " } else { " turned " },
         part.clone(),
         if back {
-            " back: per radian it moves against its perpendicular"
+            " back: per radian, it moves against its perpendicular"
         } else {
-            ": per radian it moves along its perpendicular"
+            ": per radian, it moves along its perpendicular"
         },
     ]
 }
 
 /// Returns the rules by which the parts that use this one pass their derivatives on to it.
-fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
+fn needed_by(g: &Graph, swept: &SweepRecord, node: Node) -> Text {
     let mut reasons: Vec<&'static str> = Vec::new();
     let mut times = 0;
-    for Passage { node: needing, .. } in &swept.passages {
+    for VisitedNode { node: needing, .. } in &swept.visited {
         if g.parts(*needing).contains(&node) {
             times += 1;
             let reason = rule(g, *needing, Some(node));
@@ -133,10 +135,10 @@ fn needed_by(g: &Graph, swept: &Swept, node: Node) -> Text {
         }
     }
     match (reasons.as_slice(), times) {
-        ([], _) => text!["it is the value itself"],
+        ([], _) => text!["this is the value itself"],
         (reasons, times) => {
             let all = reasons.join("; ");
-            if times > 1 { text![format!("needed {times} times, which add up: {all}")] } else { text![all] }
+            if times > 1 { text![format!("used {times} times, so the terms add up: {all}")] } else { text![all] }
         }
     }
 }
@@ -146,7 +148,7 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
     const SUM: &str = "a sum changes as its terms do";
     const FIRST_TERM: &str = "a difference changes as its first term does";
     const SECOND_TERM: &str = "a difference changes against its second term";
-    const SIGN: &str = "the sign stays";
+    const SIGN: &str = "the sign is kept";
     const PRODUCT: &str = "a product changes by the change of one factor, times the other";
     match whole {
         Node::Scalar(scalar) => match g.scalar_node(scalar) {
@@ -166,8 +168,8 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
         },
         Node::Vector(vector) => match g.vector_node(vector) {
             VectorNode::Normalize(_) => {
-                "a direction changes only by what its vector moves across it, divided by the length; a move along it changes \
-                 the length alone"
+                "a direction changes only by the motion of its vector across it, divided by the length; motion along it changes only \
+                 the length"
             }
             VectorNode::Rotate(..) => "v · R w = Rᵀ v · w, so the derivative is turned back",
             VectorNode::Sub(_, second) if part == Some(Node::Vector(second)) => SECOND_TERM,
@@ -184,11 +186,11 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
     }
 }
 
-fn forward(kernel: &Kernel<'_>, swept: &Swept) -> Vec<Vec<Text>> {
+fn forward(kernel: &Kernel<'_>, swept: &SweepRecord) -> Vec<Vec<Text>> {
     let g = &kernel.derivation.graph;
     let mut notation = kernel.named.clone();
     let mut rows = Vec::new();
-    for Passage { node, derivative, .. } in &swept.passages {
+    for VisitedNode { node, derivative, .. } in &swept.visited {
         let place = kernel.derivation.values.iter().position(|&value| *node == Node::Scalar(value));
         let symbol = place.map_or_else(|| print::node(g, *node, &notation), |place| kernel.outputs[place].clone());
         let right = print::node(g, *derivative, &notation);
@@ -196,8 +198,8 @@ fn forward(kernel: &Kernel<'_>, swept: &Swept) -> Vec<Vec<Text>> {
             Node::Vector(vector) => match g.vector_node(vector) {
                 VectorNode::Rotate(rotation, inner) => {
                     let turns = turned(g, rotation, &symbol, &notation);
-                    let moves = swept.passages.iter().any(|passage| passage.node == Node::Vector(inner));
-                    if moves { text!["the rotation takes the change along"] } else { turns }
+                    let moves = swept.visited.iter().any(|passage| passage.node == Node::Vector(inner));
+                    if moves { text!["the rotation turns the change as well"] } else { turns }
                 }
                 _ => text![rule(g, *node, None)],
             },

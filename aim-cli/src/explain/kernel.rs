@@ -3,7 +3,7 @@
 use aim_codegen::RigSpec;
 use aim_codegen::objective::{self, Scope, notation};
 use aim_symbolic::print::{self, Formula, Notation};
-use aim_symbolic::{Course, Derivation, Node, Variable};
+use aim_symbolic::{Derivation, Node, SweepDirection, Variable};
 
 use super::document::{Equation, Inline, code};
 
@@ -72,8 +72,8 @@ pub(super) fn joint_names(spec: &RigSpec, joints: &[usize]) -> String {
 fn parts(derivation: &Derivation, notation: &Notation, values: &[Formula]) -> (Notation, Vec<Equation>) {
     let mut nodes: Vec<Node> = Vec::new();
     for swept in &derivation.sweeps {
-        let mut passed: Vec<Node> = swept.passages.iter().map(|passage| passage.node).collect();
-        if matches!(swept.course, Course::Back(_)) {
+        let mut passed: Vec<Node> = swept.visited.iter().map(|passage| passage.node).collect();
+        if matches!(swept.direction, SweepDirection::Backward(_)) {
             passed.reverse();
         }
         passed.retain(|node| !nodes.contains(node));

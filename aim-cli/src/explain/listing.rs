@@ -12,13 +12,13 @@ use super::kernel::Kernel;
 
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
-        "In components the formulas become additions, multiplications, a root and a division, in an order in which each line \
-         needs earlier lines only; equal parts are computed once. What is needed once stands where it is needed. The lines are \
-         those that ",
+        "In components, the formulas become additions, multiplications, a root and a division, ordered so that each line needs \
+         only earlier lines; equal parts are computed once, and values used once are written inline. These are the lines \
+         that ",
         code("aim generate --lang rust"),
         " writes for ",
         kernel.names(),
-        "; those in C and WGSL do the same in the same order.",
+        "; the C and WGSL code does the same in the same order.",
     ])];
     blocks.extend(self::blocks(kernel));
     Section { id: "code", title: "The code of one joint".into(), blocks }
@@ -42,31 +42,31 @@ fn inputs(kernel: &Kernel<'_>) -> Table {
             row(
                 "effector_to_joint[0..9]",
                 input("m"),
-                "from effector space to the joint’s: the images of the three axes, one after the other",
+                "from effector space to the joint’s space: the images of the three axes in order",
             ),
-            row("effector_to_joint[9..12]", input("m_t"), "the effector’s origin there"),
+            row("effector_to_joint[9..12]", input("m_t"), "the effector’s origin in that space"),
             target("the target, in the joint’s space"),
-            row("sin_cos", sin_cos(&input("p"), &input("h")), "of the joint’s pitch and heading"),
+            row("sin_cos", sin_cos(&input("p"), &input("h")), "sines and cosines of the joint’s pitch and heading"),
         ],
         Scope::Chain => {
             let of_i = |symbol: Formula| symbol.indexed(Formula::italic("i"));
             let [pitch, heading] = ["p", "h"].map(|letter| of_i(Formula::italic(letter)));
-            let images = "link i: the images of the three axes, one after the other";
+            let images = "link i: the images of the three axes in order";
             vec![
                 row("links[i][0..9]", of_i(Formula::italic("L")), images),
                 row("links[i][9..12]", of_i(Formula::vector("t")), "link i: the image of the origin"),
                 target("the target, in the last joint’s space"),
-                row("sin_cos[i]", sin_cos(&pitch, &heading), "of joint i’s pitch and heading"),
+                row("sin_cos[i]", sin_cos(&pitch, &heading), "sines and cosines of joint i’s pitch and heading"),
             ]
         }
     };
-    Table::new(Kind::Code, "What the function is given", &["input", "symbol", "what it is"], rows)
+    Table::new(Kind::Code, "Inputs of the function", &["input", "symbol", "meaning"], rows)
 }
 
 fn lines(kernel: &Kernel<'_>) -> Table {
     let derivation = &kernel.derivation;
-    let defined = print::defined(&derivation.graph, &derivation.outputs, &kernel.named);
-    let told = print::told(&derivation.program, &kernel.notation);
+    let defined = print::name_parts(&derivation.graph, &derivation.outputs, &kernel.named);
+    let told = print::program_formulas(&derivation.program, &kernel.notation);
     let emitted = rust_kernels::lines(kernel.emitted, kernel.spec, &quote!(::aim));
     let mut rows = Vec::new();
     for ((number, symbol, right), meaning) in told.steps.iter().zip(derivation.meanings()) {
@@ -82,7 +82,7 @@ fn lines(kernel: &Kernel<'_>) -> Table {
         rows.push(vec![first, text![result.clone()], text![Inline::Math(name.clone())]]);
     }
     let caption = format!("{}: {}", rust_kernels::function_name(kernel.emitted), derivation.program.count());
-    Table::new(Kind::Code, caption, &["line", "formula", "what it is"], rows)
+    Table::new(Kind::Code, caption, &["line", "formula", "meaning"], rows)
 }
 
 /// Maximum length of a formula that is shown as the meaning of a line.

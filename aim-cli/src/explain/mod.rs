@@ -66,7 +66,7 @@ pub(crate) fn formulas(rig: &Rig<'_>) -> Explanation {
         let stated = statement::defined(&statement.graph, &statement.values, &symbols, &notation);
         let rewritten: Vec<_> = statement.values.iter().map(|&value| statement.graph.rewrite(value)).collect();
         let rewritten = statement::defined(&statement.graph, &rewritten, &symbols, &notation);
-        let told = print::told(&kernel.program, &notation);
+        let told = print::program_formulas(&kernel.program, &notation);
         let steps = told.steps.into_iter().map(|(_, symbol, right)| Equation::from((symbol, right)));
         let outputs = told.outputs.into_iter().enumerate();
         let outputs = outputs.map(|(i, output)| Equation::from((Formula::italic("r").numbered(i), output)));
@@ -94,22 +94,22 @@ fn lead(subject: &Explained<'_>, first: &Kernel<'_>) -> Vec<Block> {
     let before = first.derivation.steps.first().map_or(0, |step| step.before.total());
     vec![
         Block::Paragraph(text![
-            "Where does the code come from that turns ",
+            "This document derives the code that turns ",
             Inline::Strong(spec.name.clone()),
-            " to a target? This document leads from the axes of its bones to every line that ",
+            " towards a target, from the axes of its bones to every line that ",
             code("aim generate"),
-            " writes for it. All formulas, counts and lines of code are taken from the derivation itself, which keeps its \
-             books; none was typed. Who knows that the derivative of the sine is the cosine, and how to differentiate \
-             products and functions of functions, can follow every step.",
+            " writes for it. All formulas, counts and lines of code are taken from the recorded derivation; none was typed \
+             by hand. To follow every step, you need to know that the derivative of the sine is the cosine, and the product \
+             and chain rules.",
         ]),
         Block::Paragraph(text![
             "The objective is that of S. M. Johnson, ",
             Inline::Emphasis("A Method for Head and Eye Aiming using Steepest Descent".into()),
             "; “paper (4)” is equation 4 there. As it stands, the aim of one joint with both its derivatives takes ",
             Inline::Strong(counted(before, "operation")),
-            "; what is emitted takes ",
+            "; the emitted code takes ",
             Inline::Strong(first.derivation.program.count().total().to_string()),
-            ". What lies between is told here.",
+            ". The sections below explain the steps in between.",
         ]),
     ]
 }
@@ -117,7 +117,7 @@ fn lead(subject: &Explained<'_>, first: &Kernel<'_>) -> Vec<Block> {
 /// Returns the section on the joints whose axes or angles differ from those of the first.
 fn other_joints(kernels: &[Kernel<'_>]) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
-        "The same was done for the joints whose axes or angles are others than those of ",
+        "The same derivation for the joints whose axes or angles differ from those of ",
         kernels[0].names(),
         ".",
     ])];
@@ -127,8 +127,8 @@ fn other_joints(kernels: &[Kernel<'_>]) -> Section {
 
 fn whole_chain(chain: &[Kernel<'_>]) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
-        "The solvers that move all joints at once need the chain as a whole: its aim, and its residual, which says not only \
-         how far the effector is off but in which direction. The same rules lead from their statements to their code.",
+        "Solvers that move all joints at once need the whole chain: its aim, and its residual, which gives not only how far \
+         off the effector is but also in which direction. The same rules turn their statements into code.",
     ])];
     for kernel in chain {
         let title = format!("The chain’s {}", kernel.emitted.objective.title);

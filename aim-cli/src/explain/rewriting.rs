@@ -16,10 +16,10 @@ use crate::words::counted;
 /// Returns the section on rewriting the first joint's aim.
 pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let mut blocks = vec![Block::Paragraph(text![
-        "The statement is right, but as it stands it is dear, and so are its derivatives. Rules rewrite it. Each looks at one \
-         part of the expression and replaces it by another of the same value, whatever the inputs are. The number beside a step \
-         counts additions, multiplications, divisions and roots of the whole program, derivatives included, if rewriting \
-         stopped there. Sines and cosines are given, and a change of sign is free.",
+        "The statement is correct, but expensive to compute as it stands, and so are its derivatives. Rules rewrite it: each \
+         replaces one part of the expression by another that has the same value for all inputs. The number beside a step \
+         counts the additions, multiplications, divisions and roots of the whole program, derivatives included, if rewriting \
+         stopped there. Sines and cosines are inputs, and negations are free.",
     ])];
     blocks.extend(self::blocks(kernel));
     Section { id: "rewriting", title: "Rewriting the aim".into(), blocks }
@@ -33,9 +33,9 @@ pub(super) fn blocks(kernel: &Kernel<'_>) -> Vec<Block> {
     let mut blocks = vec![if kernel.is_small() { overview } else { Block::Fold(text![summary], vec![overview]) }];
     let mut told = Told::default();
     blocks.extend(arithmetic(kernel, &mut told));
-    blocks.push(Block::Heading(text!["Rotations to where they cancel"]));
+    blocks.push(Block::Heading(text!["Moving rotations to where they cancel"]));
     blocks.extend(steps(kernel, 0..derivation.before_sweeps, &kernel.notation, &mut told));
-    blocks.push(Block::Paragraph(text!["So this is what derivatives are taken of:"]));
+    blocks.push(Block::Paragraph(text!["Derivatives are taken of the result:"]));
     blocks.push(defined(&derivation.graph, &derivation.values, kernel.values(), &kernel.notation));
     if !derivation.singular.is_empty() {
         blocks.push(Block::Table(singular(kernel)));
@@ -49,7 +49,7 @@ fn singular(kernel: &Kernel<'_>) -> Table {
     let row = |Singular { at, convention }: &Singular| {
         vec![text![print::condition(graph, *at, &kernel.notation)], text![*convention]]
     };
-    let caption = "Where a derivative has no limit, and what is computed there";
+    let caption = "Where a derivative has no limit, and the value computed there";
     Table::new(Kind::Facts, caption, &["where", "by convention"], singular.iter().map(row).collect())
 }
 
@@ -59,7 +59,7 @@ pub(super) fn after_derivatives(kernel: &Kernel<'_>) -> Vec<Block> {
     let range = derivation.before_sweeps..derivation.rewrites.len();
     let mut blocks = steps(kernel, range, &kernel.named, &mut Told::default());
     if !blocks.is_empty() {
-        let words = "The derivatives are expressions as any other, and rules rewrite them, too:";
+        let words = "The derivatives are expressions like any other, and the rules rewrite them as well:";
         blocks.insert(0, Block::Paragraph(text![words]));
     }
     blocks
@@ -81,8 +81,8 @@ fn overview(steps: &[Step]) -> Table {
             step.rules.iter().map(|&(rule, times)| rule.to_string() + &multiplied(times)).collect();
         rows.push(row(place + 1, text![rules.join(", ")], step.after.total()));
     }
-    let head = ["step", "rules", "operations", "of the statement’s"];
-    Table::new(Kind::Facts, "Which rules brought the count from what to what", &head, rows)
+    let head = ["step", "rules", "operations", "share of the statement’s"];
+    Table::new(Kind::Facts, "Operation counts, and the rules that lowered them", &head, rows)
 }
 
 fn multiplied(times: usize) -> String {
@@ -122,13 +122,13 @@ fn arithmetic(kernel: &Kernel<'_>, told: &mut Told) -> Vec<Block> {
     let mut blocks = vec![
         Block::Heading(text!["Arithmetic"]),
         Block::Paragraph(text![
-            "Vectors have three components and rotations nine, and many of those are 0 or ±1. What any compiler of formulas does \
-             with them comes first, so that what the other rules gain is theirs alone.",
+            "Vectors have three components and rotations nine, and many of those are 0 or ±1. The simplifications that any compiler \
+             of formulas makes come first, so that the gain of the other rules is theirs alone.",
         ]),
     ];
     if kernel.is_small() {
         blocks.push(Block::Paragraph(text![
-            "For instance, the effector’s direction in the joint’s space needs no operation:"
+            "For example, the effector’s direction in the joint’s space, in components:"
         ]));
         blocks.push(example(kernel));
     }
@@ -175,13 +175,13 @@ fn steps(kernel: &Kernel<'_>, range: Range<usize>, notation: &Notation, told: &m
         if kernel.is_small() {
             let (g, outputs) = derivation.stopped_after(step.rewrites);
             let names = if step.rewrites <= derivation.before_sweeps { kernel.values() } else { &kernel.outputs };
-            blocks.push(Block::Paragraph(text!["That leaves"]));
+            blocks.push(Block::Paragraph(text!["The result:"]));
             blocks.push(defined(&g, &outputs[..names.len()], names, notation));
         }
     }
     let rest = &derivation.rewrites[from..range.end];
     if !rest.is_empty() {
-        let summary = format!("{} without effect on the count by now", counted(rest.len(), "more rewriting"));
+        let summary = format!("{} without effect on the count", counted(rest.len(), "further rewriting"));
         blocks.push(Block::Fold(text![summary], applied(kernel, rest, notation, told)));
     }
     blocks

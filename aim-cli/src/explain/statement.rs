@@ -31,8 +31,8 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     let g = &kernel.derivation.graph;
     let aim = kernel.derivation.stated[0];
     let mut blocks = vec![Block::Paragraph(text![
-        "Take one joint and hold still what lies between it and the effector. Then the effector’s place and direction in the joint’s space \
-         follow from the joint’s own angles alone. In effector space the effector’s origin is ",
+        "Consider one joint, and keep everything between it and the effector fixed. The effector’s position and direction in the joint’s \
+         space then depend only on the joint’s own angles. In effector space, the effector’s origin is ",
         Formula::vector("0"),
         " and its tip, one unit ahead, is ",
         Formula::vector("f"),
@@ -40,7 +40,7 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
         Formula::italic("M"),
         " and ",
         Formula::vector("t"),
-        " take both to the joint, and the joint’s added rotation turns them:",
+        " transform both to the joint’s space, and the joint’s added rotation turns them:",
     ])];
     let mut notation = kernel.notation.clone();
     let mut equations = Vec::new();
@@ -56,9 +56,9 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
     equations.push(Equation { left: Formula::upright("aim"), right, paper: Some(6) });
     blocks.push(Block::Equations(equations));
     blocks.push(Block::Paragraph(text![
-        "The aim is the cosine of the angle between where the effector points and where the target is: the dot product of two \
-         vectors of length 1. It is 1 with the target straight ahead and −1 with the target straight behind. Where the target \
-         is on the effector there is no direction to it; the fraction, and with it the aim, counts as 0 there.",
+        "The aim is the cosine of the angle between the effector’s direction and the direction to the target: the dot product \
+         of two unit vectors. It is 1 with the target straight ahead and −1 with the target straight behind. If the target \
+         coincides with the effector’s origin, it has no direction; the fraction, and with it the aim, is then defined as 0.",
     ]));
     Section { id: "aim", title: "The effector and its aim".into(), blocks }
 }
@@ -67,13 +67,13 @@ pub(super) fn section(kernel: &Kernel<'_>) -> Section {
 pub(super) fn of_chain(kernel: &Kernel<'_>) -> Vec<Block> {
     let words = if *kernel.emitted.objective == CHAIN_RESIDUAL_JACOBIAN {
         text![
-            "The residual says by how much the effector misses the target, to the left and up. It is the stereographic picture of \
-             the target’s direction, as a map of the globe from its antipode: its length is 2 tan(½ angle), 0 on target and \
-             growing all the way to behind, where it is not defined and counts as 0. With the way from the effector to the \
-             target, its length and its parts forward, left and up, it is stated as",
+            "The residual gives by how much the effector misses the target, to the left and up. It is the stereographic projection \
+             of the target’s direction from the point straight behind: its length is 2 tan(½ angle), which is 0 on target and \
+             grows until straight behind, where it is undefined and counts as 0. With the vector from the effector to the \
+             target, its length and its components forward, left and up, it is stated as",
         ]
     } else {
-        text!["The aim is stated as for one joint, through all joints at once:"]
+        text!["The aim is stated as for one joint, but through all joints:"]
     };
     let Kernel { derivation, notation, .. } = kernel;
     vec![Block::Paragraph(words), defined(&derivation.graph, &derivation.stated, kernel.values(), notation)]
@@ -81,7 +81,7 @@ pub(super) fn of_chain(kernel: &Kernel<'_>) -> Vec<Block> {
 
 /// Returns the equations that define these expressions under their names, after those of their common subexpressions.
 pub(super) fn defined(g: &Graph, scalars: &[Scalar], names: &[Formula], notation: &print::Notation) -> Block {
-    let defined = print::defined(g, scalars, notation);
+    let defined = print::name_parts(g, scalars, notation);
     let mut equations: Vec<Equation> = defined.equations(g).into_iter().map(Equation::from).collect();
     for (&scalar, name) in scalars.iter().zip(names) {
         equations.push((name.clone(), print::scalar(g, scalar, &defined.notation)).into());

@@ -23,12 +23,13 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
     let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
     html! {
         p {
-            "Azimuth and elevation are seen from the effector as its bind pose faces, carried by what the chain hangs on"
+            "Azimuth and elevation are measured at the effector in the axes of its bind pose, which move with the bone that "
+            "carries the chain"
             @if has_head {
-                "; the head is where the gaze would be with the eye at rest in it, eye in head is the rest of the gaze"
+                "; “head” is where the gaze would point with the eye at rest, “eye in head” is the remainder of the gaze"
             }
-            ". Dashed lines across are limits; shaded is where one of them binds: an angle at an end of its range, a speed at \
-             its rate. The band below each chart tells the status:"
+            ". Dashed horizontal lines are limits; shading marks where one is reached: an angle at an end of its range, a \
+             speed at its rate. The band below each chart shows the status:"
         }
         p.statuses {
             @for (word, ours, _, meaning) in report.wanted().statuses().filter(|(word, ..)| statuses.contains(word)) {
@@ -55,34 +56,35 @@ fn error(base: &Base<'_>, report: &BakeReport) -> Markup {
         words::degrees(worst),
         trimmed(tolerance, 3)
     );
-    let mut chart = base.chart(label, "degrees, logarithmic; below 0.001 drawn at 0.001", Scale::Log(1e-3, 180.0));
+    let mut chart =
+        base.chart(label, "degrees, logarithmic; values below 0.001 drawn at 0.001", Scale::Log(1e-3, 180.0));
     chart.wide = true;
     chart.series.push(Series { name: "error", class: "one", values });
     let pair: Vec<f64> = report.frames.iter().filter_map(BakeFrame::pair_off_deg).collect();
     if !pair.is_empty() && pair.len() == report.frames.len() {
         // Drawn below the error of the aimed eye, which decides the status.
-        chart.series.insert(0, Series { name: "the other eye's", class: "pitch", values: pair });
+        chart.series.insert(0, Series { name: "other eye", class: "pitch", values: pair });
     }
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{}°", trimmed(tolerance, 3)) });
     if report.wanted() == Wanted::Goal {
         let from_target = report.frames.iter().map(|frame| frame.error_deg).collect();
         chart.series.insert(0, Series { name: "from the target", class: "target-line", values: from_target });
     }
-    chart.figure(&format!("Error: the angle between gaze and {wanted}"))
+    chart.figure(&format!("Error: angle between gaze and {wanted}"))
 }
 
 fn roll(base: &Base<'_>, report: &BakeReport) -> Markup {
     let values: Vec<f64> = report.frames.iter().map(|frame| frame.roll_deg).collect();
     let most = report.summary.max_roll_deg;
     let label = format!(
-        "Roll of the effector's joint about the gaze beyond the animation's, over time, at most {} to either side.",
+        "Roll of the effector's joint about the gaze over time, in addition to the animation's; at most {} to either side.",
         words::degrees(most)
     );
     let room = (1.1 * most).max(5.0);
     let mut chart = base.chart(label, "degrees, positive to the left", Scale::Degrees(-room, room));
     chart.wraps = Some(360.0);
     chart.series.push(Series { name: "roll", class: "one", values });
-    chart.figure("Roll added about the gaze")
+    chart.figure("Added roll about the gaze")
 }
 
 fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
@@ -127,7 +129,7 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
     marks.retain(|mark| mark.value.is_finite());
     let parts: Vec<_> = parts.into_iter().filter_map(|(name, range, values)| Some((name, range?, values))).collect();
     let room = (0.06 * (high - low)).max(1.0);
-    let label = format!("Heading and pitch added to {bone} over time, with the ends of their ranges.");
+    let label = format!("Heading and pitch added to {bone} over time, with the limits of their ranges.");
     let mut chart = base.chart(label, "degrees", Scale::Degrees(low - room, high + room));
     chart.wraps = parts.iter().any(|(_, range, _)| *range == AngleRange::Free).then_some(360.0);
     chart.marks = marks;
@@ -135,8 +137,8 @@ fn angles(base: &Base<'_>, subject: &BakePage<'_>, index: usize) -> Markup {
     chart.bound = bound;
 
     let rate = joint.rate.to_degrees();
-    let label = format!("Angular speed of {bone} over time; its rate is {}° a second.", trimmed(rate, 1));
-    let mut speed = base.chart(label, "degrees a second", Scale::Linear(0.0, rate));
+    let label = format!("Angular speed of {bone} over time; its rate is {}° per second.", trimmed(rate, 1));
+    let mut speed = base.chart(label, "degrees per second", Scale::Linear(0.0, rate));
     speed.series.extend(parts.iter().map(|(name, range, values)| Series {
         name,
         class: name,

@@ -50,14 +50,14 @@ fn lead(report: &ClipReport, is_preview: bool) -> String {
     let (before, after) = (sum(|cost| &cost.before), sum(|cost| &cost.after));
     let [file_before, file_after] = report.file_bytes;
     let verb = match (is_preview, &report.out) {
-        (true, _) => "would be left at a tolerance of 1 mm of a 1.7 m figure",
-        (false, Some(_)) => "are left",
-        (false, None) => "would be left",
+        (true, _) => "would remain at a tolerance of 1 mm of a 1.7 m figure",
+        (false, Some(_)) => "remain",
+        (false, None) => "would remain",
     };
     let share = percent(after, before);
     let share = if share.is_empty() { share } else { format!(" ({share})") };
     format!(
-        "{}: {} bytes of keys, of which {}{share} {verb}; with them the file has {} bytes of {}.",
+        "{}: {} bytes of keys, of which {}{share} {verb}. File size: {} bytes (before: {}).",
         counted(report.clips.len(), "clip"),
         grouped(before),
         grouped(after),
@@ -71,7 +71,7 @@ fn costs(report: &ClipReport, is_preview: bool) -> Markup {
         table.costs {
             thead {
                 tr {
-                    @for head in ["Clip", "Length", "Tracks: moving", "Constant", "At rest", "Keys", "Bytes", "A second"] {
+                    @for head in ["Clip", "Length", "Moving tracks", "Constant", "At rest", "Keys", "Bytes", "Bytes/s"] {
                         th scope="col" { (head) }
                     }
                     th scope="col" { @if is_preview { "At 1 mm" } @else { "After" } }
@@ -105,9 +105,9 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
             ("Keys", grouped(side.keys)),
             (
                 "Bytes of keys",
-                format!("{}, {} a second", grouped(side.key_bytes), grouped(rounded(side.key_bytes_a_second))),
+                format!("{}, {} per second", grouped(side.key_bytes), grouped(rounded(side.key_bytes_a_second))),
             ),
-            ("Bytes of text", format!("{}, which describes them", grouped(side.text_bytes))),
+            ("Bytes of JSON", format!("{}, which describes the keys", grouped(side.text_bytes))),
             ("Seam", side.seam.in_words()),
         ]
     };
@@ -118,9 +118,10 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
     }
     let mut after = side(&cost.after);
     if let Some(taken) = &cost.extracted {
-        let way = format!("{} units, {}° in the end", trimmed(taken.distance, 3), trimmed(taken.turn_deg, 1));
-        let nothing = "nothing: the clip is in place".to_owned();
-        after.push(("Taken out", if taken.nothing { nothing } else { format!("{}: {way}", taken.motion) }));
+        let way =
+            format!("path length {} units, final turn {}°", trimmed(taken.distance, 3), trimmed(taken.turn_deg, 1));
+        let nothing = "nothing: the clip is already in place".to_owned();
+        after.push(("Extracted", if taken.nothing { nothing } else { format!("{}: {way}", taken.motion) }));
     }
     if let Some(words) = cost.loop_in_words() {
         after.push(("Loop", words));
@@ -132,7 +133,7 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
     html! {
         section.over-time {
             h2 { (cost.clip) }
-            div.facts { (table("As it is", &before)) (table(caption, &after)) }
+            div.facts { (table("Before", &before)) (table(caption, &after)) }
             div.charts {
                 (key_bars::charts(page.document, cost, take))
                 @if let Some(deviation) = &take.deviation { (error(page, cost, deviation)) }
@@ -144,12 +145,11 @@ fn clip(page: &ClipPage<'_>, cost: &ClipCost, take: &ClipTakes<'_>) -> Markup {
 fn error(page: &ClipPage<'_>, cost: &ClipCost, deviation: &Deviation) -> Markup {
     let values: Vec<f64> = deviation.distances.iter().map(|distance| distance / page.report.millimetre).collect();
     let tolerance = cost.reduced.as_ref().map_or(0.0, |reduced| reduced.tolerance_mm);
-    let label = format!("How far the bone that is furthest off is from where it was over {}, millimetres.", cost.clip);
+    let label = format!("Largest distance of any bone from its original place over {}, in millimetres.", cost.clip);
     // Gives the axis a length even if both tolerance and error are 0.
     let most = values.iter().copied().fold(tolerance.max(1e-3), f64::max);
     let base = Base { times: &deviation.times, statuses: &[], wanted: Wanted::Target };
-    let mut chart =
-        base.chart(label, "mm of a 1.7 m figure, of the bone that is furthest off", Scale::Linear(0.0, 1.1 * most));
+    let mut chart = base.chart(label, "mm of a 1.7 m figure, largest of all bones", Scale::Linear(0.0, 1.1 * most));
     chart.wide = true;
     chart.series.push(Series { name: "error", class: "one", values });
     chart.marks.push(Mark { value: tolerance, class: "plain", label: format!("{tolerance} mm") });

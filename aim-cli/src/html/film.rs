@@ -47,11 +47,11 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     let measured = &report.plausibility;
     let at = |t: f64| report.frames[..all].partition_point(|frame| f64::from(frame.t) < t - 1e-6);
     let worst = [
-        (Criterion::HeadToChestHeading, "head furthest from the chest"),
-        (Criterion::ElevationError, "gaze furthest above or below"),
-        (Criterion::HeadingError, "gaze furthest beside"),
-        (Criterion::HeadRoll, "head rolled most"),
-        (Criterion::HeadSpeed, "head fastest"),
+        (Criterion::HeadToChestHeading, "head turned furthest from the chest"),
+        (Criterion::ElevationError, "largest vertical gaze error"),
+        (Criterion::HeadingError, "largest horizontal gaze error"),
+        (Criterion::HeadRoll, "largest head roll"),
+        (Criterion::HeadSpeed, "fastest head motion"),
     ];
     let mut moments: Vec<Moment> = Vec::new();
     for (criterion, what) in worst {

@@ -61,8 +61,8 @@ pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
 
 fn what(directions: &Directions) -> &'static str {
     match directions.head {
-        Some(_) => "the target, of the gaze, of the head, and of the eye in the head",
-        None => "the target and of the gaze",
+        Some(_) => "target, gaze, head and eye in head",
+        None => "target and gaze",
     }
 }
 
@@ -130,7 +130,7 @@ fn close_up(base: &Base<'_>, directions: &Directions, shift: &Shift) -> Markup {
     let (low, high) = seen.fold((0.0_f64, 0.0_f64), |(low, high), value| (low.min(value), high.max(value)));
     let room = (0.06 * (high - low)).max(1.0);
     let label = format!(
-        "{} of {}, from {} s on, when the gaze shifts by {}.",
+        "{} of {} from {} s on, where the gaze shifts by {}.",
         shift.angle.name,
         what(directions),
         trimmed(start, 2),
@@ -140,7 +140,7 @@ fn close_up(base: &Base<'_>, directions: &Directions, shift: &Shift) -> Markup {
     chart.wraps = shift.angle.wraps;
     chart.wide = true;
     chart.series = series;
-    chart.figure(&format!("The furthest quick shift of the gaze, close up: {}", shift.angle.name.to_lowercase()))
+    chart.figure(&format!("Close-up of the largest gaze shift: {}", shift.angle.name.to_lowercase()))
 }
 
 #[cfg(test)]

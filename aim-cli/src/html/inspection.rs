@@ -44,12 +44,12 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
     let skinned = SkinnedSurface::new(document);
     let positions = Palette::new(document.skeleton(), &measurement.bind_world).positions(&skinned.surface);
     let views = views(inspected, &positions);
-    let title = format!("The axes of {file}");
+    let title = format!("Axes of {file}");
     let content = html! {
         h1 { (title) }
         p.lead { (evidence::facing(measurement, document)) " Confidence " (n(measurement.confidence * 100.0)) " %." }
         @if let Some(doubt) = evidence::doubt(measurement) { p.wrong { (doubt) } }
-        @for against in evidence::against(measurement, document) { p { "Against it: " (against) "." } }
+        @for against in evidence::against(measurement, document) { p { "Contrary evidence: " (against) "." } }
         @if let Some(fit) = fit { (verdict(fit, rig)) }
         div.views {
             @for (name, view) in &views { (drawing(inspected, name, view, &skinned)) }
@@ -62,12 +62,12 @@ pub(crate) fn page(inspected: &Inspected<'_>) -> String {
 fn verdict(fit: &Fit<'_>, rig: &str) -> Markup {
     html! {
         @if fit.problems.is_empty() {
-            p { "The arrows are the axes of " (rig) ". Right is: every green arrow leads to the character's up, every blue "
-                "one to where it faces, every red one to its left." }
+            p { "The arrows show the axes of " (rig) ". They are right if every green arrow points up, every blue one "
+                "forward and every red one to the left, as seen by the character." }
         } @else {
-            p.wrong { strong { (rig) " contradicts the file." } }
+            p.wrong { strong { (rig) " does not match the file." } }
             ul.wrong { @for problem in &fit.problems { li { (problem) } } }
-            p { "Arrows that are wrong are dashed and marked ✗; the thin arrow beside leads where they should." }
+            p { "Wrong arrows are dashed and marked ✗; the thin arrow beside each shows the measured direction." }
         }
     }
 }
@@ -93,7 +93,7 @@ fn views(inspected: &Inspected<'_>, positions: &[DVec3]) -> Vec<(&'static str, P
         view("From the front", forward, up, middle(chain), close),
         view("From its left", left, up, middle(chain), close),
         view("From above", up, -forward, middle(chain), close),
-        view("All of it", aside, up, middle(whole), 1.15 * size(whole)),
+        view("Whole figure", aside, up, middle(whole), 1.15 * size(whole)),
     ]
 }
 

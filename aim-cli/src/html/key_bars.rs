@@ -52,7 +52,7 @@ fn rows(cost: &ClipCost) -> Vec<Row> {
                 .fold(zero, |sum, of| [0, 1, 2, 3].map(|kind| sum[kind] + of[kind]))
         };
         rows.push(Row {
-            name: format!("{} others", others.len()),
+            name: format!("{} other bones", others.len()),
             bones: others.iter().map(|bone| bone.number).collect(),
             sides: [sum(|bone| bone.before), sum(|bone| bone.after)],
         });
@@ -103,7 +103,7 @@ fn bars(rows: &[Row], cost: &ClipCost, height: f64) -> Markup {
                 }
             }
             svg viewBox={ "0 0 " (n(WIDTH)) " " (n(height)) } role="img" aria-label=(label) {
-                text.unit x="4" y="9" { "bytes, above as it is, below after" }
+                text.unit x="4" y="9" { "bytes; upper bar before, lower bar after" }
                 @for (k, row) in rows.iter().enumerate() {
                     @let y = TOP + ROW * words::count(k);
                     (name(row, y))
@@ -142,7 +142,7 @@ fn ticks(rows: &[Row], document: &Document, take: &ClipTakes<'_>, height: f64) -
         figure.chart.bars {
             figcaption {
                 span.title { "Keys over time" }
-                @for (class, meaning) in [("before", "as it is"), ("after", "after")] {
+                @for (class, meaning) in [("before", "before"), ("after", "after")] {
                     span.key {
                         svg.line viewBox="0 0 22 10" aria-hidden="true" { path class={ "ticks " (class) } d="M3 1v8M8 1v8M13 1v8M18 1v8" {} }
                         (meaning)
@@ -150,7 +150,7 @@ fn ticks(rows: &[Row], document: &Document, take: &ClipTakes<'_>, height: f64) -
                 }
             }
             svg viewBox={ "0 0 " (n(WIDTH)) " " (n(height)) } role="img" aria-label=(label) {
-                text.unit x="4" y="9" { "a tick for each time at which a bone has keys" }
+                text.unit x="4" y="9" { "one tick for each time at which a bone has keys" }
                 @for t in nice(0.0, span, 6.0) {
                     line.grid x1=(n(axis.at(t))) x2=(n(axis.at(t))) y1=(n(TOP)) y2=(n(bottom)) {}
                     text.tick x=(n(axis.at(t))) y=(n(bottom + 13.0)) text-anchor="middle" { (shown(t, 3)) }

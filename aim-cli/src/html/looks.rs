@@ -31,24 +31,26 @@ fn chart(
     let must = criterion.must(measured.is_humanoid);
     let (title, label, unit) = match criterion {
         Criterion::HeadToChestHeading => (
-            "Head from chest",
-            "Heading of the head from the chest's over time, animation and correction together.",
+            "Head relative to chest",
+            "Heading of the head relative to the chest over time, animation and correction together.",
             "degrees, positive to the left",
         ),
         Criterion::ElevationError => (
-            "Gaze above or below the target",
-            "Elevation of the gaze less the target's over time; it counts once the gaze had the time to come, and within reach.",
+            "Vertical gaze error",
+            "Elevation of the gaze minus that of the target over time; it counts while the target is within reach \
+             and the gaze has had time to arrive.",
             "degrees, positive upwards",
         ),
         Criterion::HeadingError => (
-            "Gaze beside the target",
-            "Heading of the gaze less the target's over time; it counts once the gaze had the time to turn, and within reach.",
+            "Horizontal gaze error",
+            "Heading of the gaze minus that of the target over time; it counts while the target is within reach \
+             and the gaze has had time to turn.",
             "degrees, positive to the left",
         ),
         _ => (
             "Head acceleration",
-            "Acceleration of the head's correction against the chest's over time.",
-            "degrees a second squared",
+            "Acceleration of the head's correction relative to the chest's over time.",
+            "degrees per second squared",
         ),
     };
     // A limit far beyond all values is left out: it would flatten the curve.
@@ -74,6 +76,6 @@ fn chart(
             *value = f64::NAN;
         }
     }
-    chart.series.push(Series { name: "what counts", class: "one", values: counted });
+    chart.series.push(Series { name: "counted", class: "one", values: counted });
     chart.figure(title)
 }

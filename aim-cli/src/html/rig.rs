@@ -14,8 +14,8 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
         section.rig-table {
             h2 { "The rig" }
             p {
-                "From the effector inward. Heading turns a bone's forward to its left, pitch turns it up; both are added "
-                "to the animation. Used is what this bake made of it."
+                "Joints from the effector inward. Heading turns a bone's forward axis to its left, pitch turns it up; both are "
+                "added to the animation. The columns “used” show what this bake used."
             }
             div.scroll {
                 table.rig {

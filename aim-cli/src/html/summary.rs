@@ -35,9 +35,9 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
             p.lead { (in_words(spec, report)) }
             (shares(report.wanted(), &counts, all))
             div.facts {
-                (table("What was aimed", &facts(spec, report)))
+                (table("Setup", &facts(spec, report)))
                 table {
-                    caption { "What came of it" }
+                    caption { "Result" }
                     tbody {
                         @for (word, frames, _) in &counts {
                             tr {
@@ -60,14 +60,14 @@ fn looks(measured: &Plausibility) -> Markup {
         |name: &str| name.chars().take(1).flat_map(char::to_uppercase).chain(name.chars().skip(1)).collect::<String>();
     html! {
         table.looks {
-            caption { "How plausible it looks" }
+            caption { "Plausibility" }
             tbody {
                 @for row in plausibility::rows(measured) {
                     tr.exceeded[row.is_exceeded] {
                         th scope="row" { (sentence(row.name)) }
                         td {
                             @if row.is_exceeded { strong { (row.value) } } @else { (row.value) }
-                            @if let Some(limit) = &row.limit { " of at most " (limit) }
+                            @if let Some(limit) = &row.limit { " (limit " (limit) ")" }
                             @if let Some(when) = &row.when { ", at " (when) }
                         }
                     }
@@ -93,7 +93,7 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     };
     let all = report.frames.len();
     let mut text = format!(
-        "{} of {} followed a target for {} s, turned by {} on top of the clip “{}”. ",
+        "{} of {} followed a target for {} s, aimed by {} on top of the clip “{}”. ",
         listed(&bones),
         report.rig,
         trimmed(seconds(report), 2),
@@ -102,12 +102,12 @@ fn in_words(spec: &RigSpec, report: &BakeReport) -> String {
     );
     let reached = report.summary.reached;
     text += &match reached {
-        0 => format!("None of the {} came {}", counted(all, "frame"), report.on_it()),
+        0 => format!("None of the {} is {}", counted(all, "frame"), report.on_it()),
         n if n == all => format!("All {} are {}", counted(all, "frame"), report.on_it()),
         n => format!("{n} of {} are {}", counted(all, "frame"), report.on_it()),
     };
     if reached > 0 {
-        text += &format!(", {} off it at worst", words::degrees(report.summary.max_error_deg_reached));
+        text += &format!(" (error at most {})", words::degrees(report.summary.max_error_deg_reached));
     }
     let others = report.counts().into_iter().filter(|(word, ..)| *word != "reached");
     let others: Vec<String> = others.map(|(_, frames, words)| format!("{frames} {words}")).collect();
@@ -163,47 +163,47 @@ fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
         ("Aimed over", report.over.clone()),
         ("Written as", report.clip.clone()),
         ("Length", format!("{} s", trimmed(seconds(report), 3))),
-        ("Frames", format!("{}, {} a second", report.frames.len(), trimmed(report.fps.into(), 3))),
+        ("Frames", format!("{} at {} per second", report.frames.len(), trimmed(report.fps.into(), 3))),
         ("Solver", solver(report.solver).to_owned()),
         ("Weight", trimmed(report.weight.into(), 3)),
         ("Effector", format!("{bone}, along ({})", vector(ray.frame.forward))),
     ];
     if let Some(reduction) = &report.reduction {
-        facts.push(("Keys left out", reduction.in_words()));
+        facts.push(("Reduction", reduction.in_words()));
     }
     if ray.origin != [0.0; 3] {
-        facts.push(("Its origin", format!("({})", vector(ray.origin))));
+        facts.push(("Effector origin", format!("({})", vector(ray.origin))));
     }
     if let Some(pair) = &spec.joints[0].other_eye {
         let both = report.frames.iter().any(|frame| frame.pair_error_deg.is_some());
-        facts.push((if both || joint > 0 { "The other eye" } else { "Turns with it" }, pair.clone()));
+        facts.push((if both || joint > 0 { "Other eye" } else { "Following eye" }, pair.clone()));
     }
     facts
 }
 
 fn measured(report: &BakeReport) -> Vec<(&'static str, String)> {
     let held = |value: f64, unit: &str| match value {
-        x if x <= 0.0 => "held".to_owned(),
-        x if x <= ROUNDING => format!("held, within {}", tiny(x, unit)),
+        x if x <= 0.0 => "respected".to_owned(),
+        x if x <= ROUNDING => format!("respected, within {}", tiny(x, unit)),
         x => format!("exceeded by up to {}", tiny(x, unit)),
     };
     let summary = &report.summary;
     let worst = report.frames.iter().map(BakeFrame::off_deg).fold(0.0, f64::max);
     let on_target = if summary.reached > 0 { words::degrees(summary.max_error_deg_reached) } else { "–".into() };
     let [when_on_it, of_all] = match report.wanted() {
-        Wanted::Target => ["Worst error on target", "Worst error of all"],
-        Wanted::Goal => ["Worst error from the weighted goal, on it", "Worst error from the weighted goal of all"],
+        Wanted::Target => ["Largest error on target", "Largest error overall"],
+        Wanted::Goal => ["Largest error on the weighted goal", "Largest error from the weighted goal"],
     };
     let mut rows = vec![(when_on_it, on_target), (of_all, words::degrees(worst))];
     if let Some(worst) = report.frames.iter().filter_map(BakeFrame::pair_off_deg).reduce(f64::max) {
-        rows.push(("The other eye's worst", words::degrees(worst)));
+        rows.push(("Largest error of the other eye", words::degrees(worst)));
     }
     if report.wanted() == Wanted::Goal {
         let worst = report.frames.iter().map(|frame| frame.error_deg).fold(0.0, f64::max);
-        rows.push(("Furthest from the target", words::degrees(worst)));
+        rows.push(("Largest angle from the target", words::degrees(worst)));
     }
     rows.extend([
-        ("Most roll added", words::degrees(summary.max_roll_deg)),
+        ("Largest added roll", words::degrees(summary.max_roll_deg)),
         ("Ranges of motion", held(summary.max_limit_violation_deg, "°")),
         ("Rates", held(summary.max_rate_violation_deg_s, "°/s")),
     ]);

@@ -75,7 +75,7 @@ impl Takes<'_> {
                             (self.drawing(&scene, after, goal.target, &is, &format!("As written at {time} s")))
                             figcaption {
                                 span.time { (time) " s" }
-                                @if *t == goal.at { span.number { "the target's time" } }
+                                @if *t == goal.at { span.number { "target time" } }
                             }
                         }
                     }

@@ -153,7 +153,7 @@ fn the_mannequins_page_is_whole() {
         "eight drawings of the skin, from before and from the side"
     );
     assert!(
-        (3..=6).contains(&events) && text.contains("head fastest") && text.contains("first out of reach"),
+        (3..=6).contains(&events) && text.contains("fastest head motion") && text.contains("first out of reach"),
         "{events}"
     );
     let charts = 8 + 2 * case.spec.joints.len();
@@ -162,8 +162,8 @@ fn the_mannequins_page_is_whole() {
         charts + 1,
         "error, two directions and a close-up, roll, four of looks, two for each joint"
     );
-    assert!(text.contains("eye in head") && text.contains("close up"), "how eye and head share the gaze");
-    for title in ["Head from chest", "Gaze above or below the target", "Gaze beside the target", "Head acceleration"] {
+    assert!(text.contains("eye in head") && text.contains("Close-up"), "how eye and head share the gaze");
+    for title in ["Head relative to chest", "Vertical gaze error", "Horizontal gaze error", "Head acceleration"] {
         // Once in the table and once above a chart.
         assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
     }

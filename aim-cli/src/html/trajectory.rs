@@ -18,10 +18,10 @@ use crate::words::{Wanted, chip, counted, n, points, shown, tiny, trimmed};
 
 /// Statuses of a limb, each with its meaning.
 const STATUSES: [(&str, &str); 4] = [
-    ("follows", "the bone is on its way"),
-    ("stretched", "the way is beyond the limb, which is straight"),
-    ("folded", "the way is nearer than the limb folds"),
-    ("degenerate", "the limb has no length to turn"),
+    ("follows", "the bone follows its path"),
+    ("stretched", "the path is out of reach, and the limb is straight"),
+    ("folded", "the path is closer than the limb can fold"),
+    ("degenerate", "the limb has no length"),
 ];
 
 /// Returns the limb's status in a frame.
@@ -31,35 +31,35 @@ fn follows(frame: &ReachFrame) -> &'static str {
 
 /// Returns the page about a report; `takes` contains the same clip before and after.
 pub(crate) fn page(report: &ReachReport, goals: &[Goal], takes: &Takes<'_>) -> String {
-    let title = format!("{} led through {}", report.bone, report.clip);
+    let title = format!("{} guided through {}", report.bone, report.clip);
     let content = html! {
-        h1 { (report.bone) " led through " q { (report.clip) } }
+        h1 { (report.bone) " guided through " q { (report.clip) } }
         (summary(report))
         section {
             h2 { "How it looks" }
             p {
-                "Above as animated, below as written, at the same times and always from the same side, with the way of "
-                (report.bone) " about the target's time; where the target is outside the picture, an arrow at the border "
+                "As animated (above) and as written (below), at the same times and from the same side, with the path of "
+                (report.bone) " around the target time. If the target is outside the picture, an arrow at the border "
                 "points to it."
             }
             (takes.strips(goals))
         }
         section.film-strip {
-            h2 { "Its way" }
+            h2 { "Path" }
             p {
                 span.key { svg.line viewBox="0 0 22 10" aria-hidden="true" { line.plain x1="0" y1="5" x2="22" y2="5" stroke-width="2" {} } "as animated" }
                 " "
-                span.key { svg.line viewBox="0 0 22 10" aria-hidden="true" { line.heading x1="0" y1="5" x2="22" y2="5" stroke-width="2" {} } "as written, a dot a frame" }
+                span.key { svg.line viewBox="0 0 22 10" aria-hidden="true" { line.heading x1="0" y1="5" x2="22" y2="5" stroke-width="2" {} } "as written, one dot per frame" }
                 " "
-                span.key { svg.line viewBox="0 0 22 10" aria-hidden="true" { circle.target cx="11" cy="5" r="4" {} } "where it is to be" }
+                span.key { svg.line viewBox="0 0 22 10" aria-hidden="true" { circle.target cx="11" cy="5" r="4" {} } "target" }
             }
             div.film.sides { @for sides in VIEWS { (view(report, sides)) } }
         }
         section.over-time {
             h2 { "Over time" }
             p {
-                "Dotted lines are the targets' times, dashed ones limits; shaded is where the limb is at a limit, straight or \
-                 folded. The band below each chart tells how the limb follows:"
+                "Dotted lines mark the target times, dashed lines are limits; shading marks where the limb is at a limit, straight \
+                 or folded. The band below each chart shows how the limb follows:"
             }
             p.statuses {
                 @for (word, meaning) in STATUSES.iter().filter(|(word, _)| report.frames.iter().any(|frame| follows(frame) == *word)) {
@@ -80,8 +80,8 @@ fn summary(report: &ReachReport) -> Markup {
         ("Bone", bone.clone()),
         ("Followed by", format!("{lower} and {upper}")),
         ("Clip", clip.clone()),
-        ("Frames", format!("{}, {} a second", frames.len(), trimmed(report.fps.into(), 3))),
-        ("The limb's length", shown(*length, 4)),
+        ("Frames", format!("{} at {} per second", frames.len(), trimmed(report.fps.into(), 3))),
+        ("Limb length", shown(*length, 4)),
     ];
     led.extend(report.targets.iter().take(TARGETS_TOLD).map(|goal| {
         let point = goal.target.map(|x| shown(x, 4)).join(", ");
@@ -89,11 +89,14 @@ fn summary(report: &ReachReport) -> Markup {
     }));
     let mut came = vec![
         ("On target", format!("{} of {}", report.summary.reached, counted(report.targets.len(), "target"))),
-        ("Furthest off a target", tiny(report.targets.iter().map(|target| target.error).fold(0.0, f64::max), "")),
-        ("Furthest off its way", tiny(report.summary.max_error, "")),
         (
-            "Moved at most",
-            format!("{}, {} of the limb's length", shown(moved, 4), shown(moved / length.max(f64::MIN_POSITIVE), 2)),
+            "Largest distance from a target",
+            tiny(report.targets.iter().map(|target| target.error).fold(0.0, f64::max), ""),
+        ),
+        ("Largest distance from the path", tiny(report.summary.max_error, "")),
+        (
+            "Largest displacement",
+            format!("{}, {} limb lengths", shown(moved, 4), shown(moved / length.max(f64::MIN_POSITIVE), 2)),
         ),
     ];
     for (word, name) in [("stretched", "Stretched"), ("folded", "Folded"), ("degenerate", "Without a length")] {
@@ -104,11 +107,11 @@ fn summary(report: &ReachReport) -> Markup {
     html! {
         section.summary {
             p.lead {
-                (bone) " was led through " (counted(report.targets.len(), "point")) " of " q { (clip) } ", its whole way deformed as \
-                 rigidly as possible; " (lower) " and " (upper) " follow."
+                (bone) " was guided through " (counted(report.targets.len(), "point")) " in " q { (clip) } "; its whole path was deformed \
+                 as rigidly as possible, and " (lower) " and " (upper) " follow."
             }
             @for line in report.in_words().lines() { p.lead { (line) "." } }
-            div.facts { (table("What was led", &led)) (table("What came of it", &came)) }
+            div.facts { (table("Setup", &led)) (table("Result", &came)) }
         }
     }
 }
@@ -125,15 +128,16 @@ fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
     let bound: Vec<bool> = statuses.iter().map(|status| *status != "follows").collect();
     let limb_lengths = |distance: f64| distance / length.max(f64::MIN_POSITIVE);
 
-    let label = format!("Distance of {bone} from its way over time, in lengths of the limb.");
+    let label = format!("Distance of {bone} from its path over time, in limb lengths.");
     let lowest = 1e-8;
-    let mut error = base.chart(label, "limb lengths, logarithmic; below 10⁻⁸ drawn at 10⁻⁸", Scale::Log(lowest, 1.0));
+    let mut error =
+        base.chart(label, "limb lengths, logarithmic; values below 10⁻⁸ drawn at 10⁻⁸", Scale::Log(lowest, 1.0));
     error.wide = true;
     let values = frames.iter().map(|frame| limb_lengths(frame.error())).collect();
     error.series.push(Series { name: "error", class: "one", values });
     error.marks.push(Mark { value: limb_lengths(report.tolerance()), class: "plain", label: "10⁻⁴".into() });
 
-    let label = format!("How far {bone} is from where it was animated, over time, in lengths of the limb.");
+    let label = format!("Distance of {bone} from its animated position over time, in limb lengths.");
     let values: Vec<f64> = frames.iter().map(|frame| limb_lengths(frame.moved())).collect();
     let most = values.iter().copied().fold(0.01, f64::max);
     let mut moved = base.chart(label, "limb lengths", Scale::Linear(0.0, 1.08 * most));
@@ -144,12 +148,12 @@ fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
         let between = frames.windows(2).zip(times.windows(2)).map(|(pair, t)| limb_lengths(way(pair)) / (t[1] - t[0]));
         std::iter::once(f64::NAN).chain(between).take(frames.len()).collect()
     };
-    let label = format!("Speed of {bone} over time, as animated and as written, in lengths of the limb a second.");
-    let speed = beside(&base, label, "limb lengths a second", [way(|frame| frame.before), way(|frame| frame.after)]);
+    let label = format!("Speed of {bone} over time, as animated and as written, in limb lengths per second.");
+    let speed = beside(&base, label, "limb lengths per second", [way(|frame| frame.before), way(|frame| frame.after)]);
 
     let [was, is] = [takes.before, takes.after].map(|clip| takes.bent(clip, &times));
     let label = format!("Angle between the bones at {lower} over time, as animated and as written; 180° is straight.");
-    let mut bend = beside(&base, label, "degrees between its bones", [was.clone(), is.clone()]);
+    let mut bend = beside(&base, label, "degrees between the two bones", [was.clone(), is.clone()]);
     bend.scale = Scale::Degrees(was.iter().chain(&is).copied().fold(120.0, f64::min) - 5.0, 188.0);
     bend.marks.push(Mark { value: 180.0, class: "plain", label: "straight".into() });
     bend.bound.clone_from(&bound);
@@ -157,11 +161,11 @@ fn charts(report: &ReachReport, takes: &Takes<'_>) -> Markup {
     let range = AngleRange::Between(0.0, std::f64::consts::PI);
     let label = format!("Angular speed of {lower} over time, as animated and as written.");
     let mut bending =
-        beside(&base, label, "degrees a second", [speeds(&times, &was, range), speeds(&times, &is, range)]);
+        beside(&base, label, "degrees per second", [speeds(&times, &was, range), speeds(&times, &is, range)]);
     bending.bound = bound;
     let charts = [
-        (error, "Error: how far it is off its way".to_owned()),
-        (moved, format!("{bone}: how far it was moved")),
+        (error, "Error: distance from the path".to_owned()),
+        (moved, format!("{bone}: displacement")),
         (speed, format!("{bone}: speed")),
         (bend, format!("{lower}: angle and range")),
         (bending, format!("{lower}: speed")),
@@ -206,7 +210,7 @@ fn view(report: &ReachReport, (name, right, up): (&str, DVec3, DVec3)) -> Markup
     let line = |all: &[[f64; 3]]| points(all.iter().map(flat));
     html! {
         figure {
-            svg role="img" viewBox=(format!("0 0 {SIZE} {SIZE}")) aria-label=(format!("The way of {}, {name}", report.bone)) {
+            svg role="img" viewBox=(format!("0 0 {SIZE} {SIZE}")) aria-label=(format!("Path of {}, {name}", report.bone)) {
                 polyline class="series plain" points=(line(&before)) {}
                 polyline class="series heading" points=(line(&after)) {}
                 @for p in after.iter().map(flat) { circle.joint cx=(n(p.x)) cy=(n(p.y)) r="1.6" {} }

@@ -111,8 +111,8 @@ pub(super) fn legend(subject: &JointPlot, size: Size, frames_a_mark: usize, rang
             text x=(c(second + 34.0)) y=(c(row(0))) { "range of motion" }
             (start([second + 12.0, row(1) - 4.5]))
             text x=(c(second + 34.0)) y=(c(row(1))) {
-                "rest, the start; a mark "
-                @if frames_a_mark == 1 { "each frame" } @else { "every " (frames_a_mark) " frames" }
+                "rest (start); one mark "
+                @if frames_a_mark == 1 { "per frame" } @else { "every " (frames_a_mark) " frames" }
                 " of 1/" (FPS) " s"
             }
         }

@@ -111,7 +111,7 @@ pub(super) fn finished(
         over.iter().map(|(angle, [lo, hi])| format!("{angle} {}° to {}°", shown(*lo, 2), shown(*hi, 2))).collect();
     let courses: Vec<String> = subject.courses.iter().map(key::ending).collect();
     let description = format!(
-        "The aim of {}, the cosine of its angle off the target, as {how} over {}, with its range of motion and the ways of \
+        "The aim of {}, the cosine of its angle off the target, as {how} over {}, with its range of motion and the paths of \
          two solvers. {}. From rest, {}.",
         subject.joint.name,
         over.join(" and "),

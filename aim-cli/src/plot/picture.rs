@@ -83,7 +83,7 @@ impl PlotPicture {
         use resvg::tiny_skia::{Pixmap, Transform};
         use resvg::usvg::{Options, Tree, fontdb};
 
-        let fail = |problem: String| Failure::input(format!("the picture cannot be drawn as PNG: {problem}"));
+        let fail = |problem: String| Failure::input(format!("cannot draw the picture as PNG: {problem}"));
         let mut fonts = fontdb::Database::new();
         for font in [dejavu::sans::regular(), dejavu::sans::bold()] {
             fonts.load_font_source(fontdb::Source::Binary(Arc::new(font)));
@@ -101,7 +101,7 @@ impl PlotPicture {
     #[cfg(not(feature = "pictures"))]
     pub(crate) fn png(&self) -> Result<Vec<u8>> {
         Err(Failure::input(
-            "this aim was built without PNG; write an .svg, or build it with the feature `pictures`, as in \
+            "this aim was built without PNG support; write an .svg, or rebuild it with the feature `pictures`: \
              cargo run --release --features pictures -- plot",
         ))
     }

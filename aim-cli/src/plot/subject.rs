@@ -79,8 +79,8 @@ impl JointPlot {
         let snapped = DynAim::new(&rig).snap(&standing(), target.as_vec3(), &Settings::default());
         if snapped.status == Status::Degenerate {
             return Err(format!(
-                "--target {},{},{} is nothing to aim at: it is at the effector, or too far away for single precision; give \
-                 another point in the space of the joint {}",
+                "cannot aim at --target {},{},{}: it is at the effector, or too far away for single precision; give another \
+                 point in the space of the joint {}",
                 target.x, target.y, target.z, joint.name
             ));
         }

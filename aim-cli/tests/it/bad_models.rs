@@ -159,7 +159,7 @@ fn bones_that_do_not_fit_the_rig() {
     place.refused(bake, &["bad.glb", "\"neck\"", "nearest", "Neck_01"]);
 
     place.write("bad.glb", &changed(|j| j["nodes"][6]["name"] = json!("neck")));
-    place.refused(bake, &["bad.glb", "2 nodes are called \"neck\"", "rename"]);
+    place.refused(bake, &["bad.glb", "2 nodes are named \"neck\"", "rename"]);
 
     // A node with the same name that is not a joint is ignored.
     place.write("twin.glb", &changed(|j| j["nodes"][25]["name"] = json!("neck")));

@@ -1,7 +1,7 @@
 //! `aim check FILE --rig` and `aim inspect --html`: report what is wrong with a declaration, in words and in a drawing.
 
 use crate::common::rig::{conventions, for_mannequin};
-use crate::common::{Place, Ran};
+use crate::common::{Place, Ran, in_full};
 use scraper::{Html, Selector};
 
 /// Returns the page written with these arguments; it must be valid HTML without scripts or addresses.
@@ -23,7 +23,7 @@ fn count(page: &Html, selector: &str) -> usize {
 #[test]
 fn of_48_declarations_the_right_one_passes_and_47_are_told_where_they_are_wrong() {
     let conventions = conventions();
-    for truth in [5, 20, 46] {
+    for truth in [5, 20, 46].into_iter().take(if in_full() { 3 } else { 1 }) {
         let place = Place::new();
         place.write("m.glb", &aim_character::mannequin(|_| conventions[truth]).expect("a frame"));
         for (number, axes) in conventions.iter().enumerate() {
@@ -33,7 +33,10 @@ fn of_48_declarations_the_right_one_passes_and_47_are_told_where_they_are_wrong(
             let Ran { code, stdout, stderr } = place.aim("check m.glb --rig r.toml");
             assert_eq!(code, i32::from(number != truth), "{number} for {truth}: {stdout}{stderr}");
             if number == truth {
-                assert!(stdout.contains("r.toml fits m.glb") && stdout.contains("neck: as declared"), "{stdout}");
+                assert!(
+                    stdout.contains("r.toml matches m.glb") && stdout.contains("neck: axes as declared"),
+                    "{stdout}"
+                );
             } else {
                 let wrong = (0..3).filter(|at| axes[*at] != conventions[truth][*at]).count();
                 let told = stderr.lines().filter(|line| line.trim_start().starts_with("neck: declared ")).count();
@@ -54,7 +57,7 @@ fn the_sentence_says_where_it_points_and_what_is_right() {
     let ran = place.aim("check m.glb --rig bad.toml");
     assert_eq!(ran.code, 1);
     for sentence in [
-        "bad.toml and m.glb contradict each other",
+        "bad.toml does not match m.glb",
         "neck: declared forward -X points down in the bind pose; measured forward is +Y (0° off)",
         "neck: declared up +Y points forward in the bind pose; measured up is +X (0° off)",
         "aim inspect m.glb --rig bad.toml --html",
@@ -77,15 +80,19 @@ fn bones_that_are_missing_exchanged_mirrored_or_far_away_are_told() {
         (
             "m.glb",
             rig.replace("bone = \"neck\"", "bone = \"nek\""),
-            "neck: no node is called \"nek\"; the nearest names are neck",
+            "neck: no node named \"nek\"; the nearest names are neck",
         ),
         (
             "m.glb",
             rig.replace("bone = \"left_eye\"", "bone = \"right_eye\"").replace("other_eye = \"right_eye\"\n", ""),
             "left_eye: \"right_eye\" is the eye on the other side",
         ),
-        ("m.glb", rig.replace("bone = \"spine3\"", "bone = \"left_foot\""), "does not hang on"),
-        ("mirrored.glb", rig.clone(), "neck: \"neck\" is mirrored in the file but declared not; set mirrored = true"),
+        ("m.glb", rig.replace("bone = \"spine3\"", "bone = \"left_foot\""), "is not below"),
+        (
+            "mirrored.glb",
+            rig.clone(),
+            "neck: \"neck\" is mirrored in the file but declared not mirrored; set mirrored = true",
+        ),
         ("m.glb", far, "effector: its origin is 91"),
     ] {
         place.write("r.toml", &rig);

@@ -347,11 +347,11 @@ fn the_same_rig_gives_the_same_bytes() {
 #[test]
 fn bad_input_is_told() {
     let place = Place::with_mannequin();
-    place.refused("explain gone.toml -o out.html", &["gone.toml", "rig's TOML file"]);
+    place.refused("explain gone.toml -o out.html", &["gone.toml", "in TOML"]);
     place.refused("explain m.glb -o out.html", &["m.glb"]);
     place.refused("explain m.toml -o out.pdf", &["out.pdf", ".html", ".tex", "--format"]);
     place.refused("explain m.toml -o out", &["out", "--format"]);
-    place.refused("explain m.toml -o m.toml --format html", &["m.toml", "the rig itself"]);
+    place.refused("explain m.toml -o m.toml --format html", &["m.toml", "it is the rig"]);
     place.refused("explain m.toml -o no-folder/out.html", &["no-folder"]);
     place.write("bad.toml", "name = \"Bad\"\n[[joint]]\nname = \"eye\"\nrole = \"eye\"\n");
     assert_eq!(place.aim("explain bad.toml -o out.html").code, 2);

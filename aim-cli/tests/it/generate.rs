@@ -355,7 +355,7 @@ fn functions_that_cannot_be_written() {
         ("f.rs --function spring --lang latex", &["--lang c"]),
         ("f.rs --lang c", &["--function"]),
         ("f.rs --trace", &["--function"]),
-        ("f.rs --function spring --lang c -o f.rs", &["f.rs", "what is read"]),
+        ("f.rs --function spring --lang c -o f.rs", &["f.rs", "it is the input"]),
         ("bad.rs --function f --lang c", &["bad.rs:3:7", "`sin`"]),
         ("broken.rs --function f --lang c", &["broken.rs:1:", "valid Rust"]),
         ("gone.rs --function f --lang c", &["gone.rs", "Rust file"]),

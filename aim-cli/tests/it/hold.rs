@@ -59,12 +59,15 @@ fn every_command_tells_of_arms_on_the_neck() {
 
     let both = "\"left_clavicle\", \"right_clavicle\"";
     let declared = place.done("check m.glb --rig p.toml").stdout;
-    assert!(declared.contains(&format!("neck: carries {both}, held, as declared")), "{declared}");
+    assert!(declared.contains(&format!("neck: carries {both}, held as declared")), "{declared}");
     let found = place.done("check m.glb --rig m.toml").stdout;
-    assert!(found.contains(&format!("neck: carries {both}, held unless a joint declares hold")), "{found}");
+    assert!(found.contains(&format!("neck: carries {both}, held by default")), "{found}");
     holding(&place, "[]");
     let loose = place.done("check m.glb --rig h.toml").stdout;
-    assert!(loose.contains(&format!("which turn with it; hold = [{both}] keeps them with the trunk")), "{loose}");
+    assert!(
+        loose.contains(&format!("which turn with it; declare hold = [{both}] to keep them with the trunk")),
+        "{loose}"
+    );
 
     let plain = Place::with_mannequin();
     for command in ["inspect m.glb", "check m.glb --rig m.toml", "rig m.glb"] {
@@ -176,14 +179,14 @@ fn names_that_cannot_be_held_are_refused() {
     let place = arms_on_the_neck();
     holding(&place, "[\"left_clavicel\"]");
     let ran = place.aim("check m.glb --rig h.toml");
-    let words = "hold: no node is called \"left_clavicel\"; the nearest names are left_clavicle";
+    let words = "hold: no node named \"left_clavicel\"; the nearest names are left_clavicle";
     assert!(ran.code == 1 && ran.stderr.contains(words), "{ran:?}");
     let bake = "bake m.glb --target 1,1,1 --out out.glb";
     place.refused(&format!("{bake} --rig h.toml"), &["m.glb", words]);
-    place.refused(&format!("{bake} --hold left_clavicel"), &["m.glb", "no node is called \"left_clavicel\""]);
+    place.refused(&format!("{bake} --hold left_clavicel"), &["m.glb", "no node named \"left_clavicel\""]);
     place.refused(&format!("{bake} --hold head"), &["hold names \"head\", which carries"]);
-    place.refused(&format!("{bake} --hold hips"), &["hold names \"hips\", which does not hang on"]);
-    place.refused(&format!("{bake} --hold none,left_clavicle"), &["no node is called \"none\""]);
+    place.refused(&format!("{bake} --hold hips"), &["hold names \"hips\", which is not below"]);
+    place.refused(&format!("{bake} --hold none,left_clavicle"), &["no node named \"none\""]);
 }
 
 #[test]
@@ -198,6 +201,6 @@ fn blanks_beside_commas_are_not_of_a_name() {
     let ran = place.run(["rig", "m.glb", "--chain", "head, neck"]);
     assert!(ran.code == 0 && ran.stdout.contains("bone = \"neck\""), "{ran:?}");
     for command in ["bake m.glb --target 1,1,1 --out o.glb --hold left_clavicle,", "rig m.glb --chain head,,neck"] {
-        place.refused(command, &["a name is missing", "a,b"]);
+        place.refused(command, &["a name is empty", "a,b"]);
     }
 }

@@ -80,9 +80,13 @@ fn closed() -> Stdio {
 fn a_bake_in_a_pipe_prints_what_it_wrote_and_how_that_looks() {
     let place = Place::with_mannequin();
     let ran = place.done("bake m.glb --rig m.toml --target orbit:2,0,8 --seconds 8 --out out.glb");
-    assert!(ran.stdout.starts_with("wrote out.glb: 481 frames of \"walk\" aimed by Mannequin"), "{}", ran.stdout);
+    assert!(
+        ran.stdout.starts_with("wrote out.glb: 481 frames of \"walk\", aimed with the rig Mannequin"),
+        "{}",
+        ran.stdout
+    );
     let looks = ran.stdout.lines().nth(1).expect("a second line");
-    assert!(looks.starts_with("how it looks: head from chest ") && looks.contains("°/s², "), "{looks}");
+    assert!(looks.starts_with("plausibility: head relative to chest ") && looks.contains("°/s², "), "{looks}");
     assert!(ran.stdout.ends_with('\n') && ran.stdout.lines().count() == 2, "{:?}", ran.stdout);
 }
 

@@ -178,7 +178,7 @@ fn eyes_alone_turn_as_far_as_they_are_declared_and_weights_end_at_1() {
     let (file, eyes) = arkit(None);
     place.write("m.glb", &file);
     let ran = place.run(["rig", "m.glb", "--chain", "left eye (morph targets)"]);
-    assert!(ran.code == 0 && ran.stdout.contains("whose weights `aim bake` writes"), "{ran:?}");
+    assert!(ran.code == 0 && ran.stdout.contains("`aim bake` writes their weights"), "{ran:?}");
     assert!(ran.stdout.contains(r#"heading = ["-35deg", "35deg"]"#), "{}", ran.stdout);
     place.write("r.toml", &ran.stdout.replace("35deg", "80deg"));
     place.done("check m.glb --rig r.toml");
@@ -293,9 +293,9 @@ fn maps_that_make_no_sense_are_named_and_not_believed() {
         assert_eq!(place.done(bake).stderr, "");
         let by_default = weights();
         for (maps, key, expected) in [
-            ([json!(0), json!(1)], input, "degrees above 0; 90 is used"),
-            ([json!("NaN"), json!(1)], input, "degrees above 0; 90 is used"),
-            ([json!(90), json!(-1)], output, "a weight from 0 on; 1 is used"),
+            ([json!(0), json!(1)], input, "more than 0 degrees; using 90"),
+            ([json!("NaN"), json!(1)], input, "more than 0 degrees; using 90"),
+            ([json!(90), json!(-1)], output, "a weight of at least 0; using 1"),
         ] {
             place.write("v.vrm", &vrm(version, maps, 1.0).0);
             let warned = place.done(bake).stderr;

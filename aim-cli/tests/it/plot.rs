@@ -264,6 +264,7 @@ fn ways_begin_at_rest_and_end_where_the_solvers_do() {
     let out_of_reach = [DVec3::new(1.5, 1.0, 0.7), DVec3::new(-0.4, -1.0, -2.0), DVec3::new(0.3, -0.2, 1.0)];
     for (what, toml) in ODD {
         let targets = [None].into_iter().chain(out_of_reach.into_iter().map(Some));
+        let targets = targets.take(if in_full() { 4 } else { 2 });
         for target in targets {
             let place = Place::new();
             place.write("rig.toml", toml);
@@ -488,7 +489,7 @@ fn without_the_feature_png_is_refused() {
 fn what_cannot_be_drawn_is_told() {
     let place = Place::with_mannequin();
     place.refused("plot m.toml -o plot.svg --joint nose", &["m.toml", "nose", "left_eye, neck and spine3"]);
-    place.refused("plot m.toml -o plot.svg --target 0,0,0", &["m.toml", "--target", "nothing to aim at"]);
+    place.refused("plot m.toml -o plot.svg --target 0,0,0", &["m.toml", "--target", "cannot aim at"]);
     for target in ["NaN,0,0", "inf,0,0", "1,2", "1e300,0,0", "a,b,c"] {
         place.refused(&format!("plot m.toml -o plot.svg --target {target}"), &["--target", "three numbers"]);
     }
@@ -503,5 +504,5 @@ fn what_cannot_be_drawn_is_told() {
     place.refused("plot m.glb -o plot.svg", &["m.glb"]);
     place.refused("plot m.toml", &["--output"]);
     place.write("rig.svg", &place.read("m.toml"));
-    place.refused("plot rig.svg -o rig.svg", &["rig.svg", "the rig itself"]);
+    place.refused("plot rig.svg -o rig.svg", &["rig.svg", "it is the rig"]);
 }

@@ -115,7 +115,7 @@ fn out_of_reach_is_as_near_as_it_gets_and_said() {
     let report = reach(&place.path("m.glb"), &["--bone", "left_hand", "--at", "0.4", "--target", "0.5,2.5,1"]);
     assert_eq!(report["targets"][0]["status"], "too_far");
     let ran = place.done("reach m.glb --bone left_hand --at 0.4 --target 0.5,2.5,1 --out o.glb");
-    assert!(ran.stdout.contains("cannot get to its target") && ran.stdout.contains("too far"), "{}", ran.stdout);
+    assert!(ran.stdout.contains("cannot reach its target") && ran.stdout.contains("too far"), "{}", ran.stdout);
 }
 
 #[test]
@@ -188,7 +188,7 @@ fn what_cannot_be_used_is_said() {
         ("--bone right_hand --at 0.5 --at 0.501 --target 0,1,0 --target 0,1,1", &["0.501", "--fps"]),
         ("--bone right_hnd --at 0.5 --target 0,1,0", &["right_hnd", "right_hand"]),
         ("--bone right_hand --clip run --at 0.5 --target 0,1,0", &["run", "walk"]),
-        ("--bone right_hand --fps 0 --at 0.5 --target 0,1,0", &["frames a second"]),
+        ("--bone right_hand --fps 0 --at 0.5 --target 0,1,0", &["frames per second"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report o.glb", &["used twice"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report m.glb", &["used twice"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report r --html r", &["used twice"]),
@@ -202,7 +202,7 @@ fn what_cannot_be_used_is_said() {
     let top = (0..nodes.len()).find(|&node| parents.parent(node).is_none()).expect("a root");
     place.refused(
         &with(&format!("--bone {} --at 0.5 --target 0,1,0", nodes[top]["name"].as_str().expect("a name"))),
-        &["two bones above"],
+        &["parent and grandparent"],
     );
     place.write(
         "still.glb",

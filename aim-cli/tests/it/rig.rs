@@ -4,7 +4,7 @@ use crate::common::character::Character;
 use crate::common::forward::list;
 use crate::common::gltf::Model;
 use crate::common::rig::{conventions, joints};
-use crate::common::{Place, changed};
+use crate::common::{Place, changed, in_full};
 use aim_runtime::glam::{DVec3, EulerRot, Quat, Vec3};
 use serde_json::json;
 
@@ -14,7 +14,7 @@ fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
     let text = place.done("rig m.glb").stdout;
     place.write("p.toml", &text);
     assert!(
-        text.contains("name = \"M\"") && text.starts_with("# Measured from m.glb. Faces +Z, up is +Y, by "),
+        text.contains("name = \"M\"") && text.starts_with("# Measured from m.glb. Faces +Z, up is +Y, according to "),
         "{text}"
     );
     assert!(text.contains("axes = { up = \"+X\", forward = \"+Y\", left = \"+Z\" }"), "{text}");
@@ -44,7 +44,7 @@ fn the_mannequins_rig_is_proposed_with_its_axes_and_human_ranges() {
 fn every_convention_and_every_frame_between_comes_back() {
     let conventions = conventions();
     let turn = Quat::from_euler(EulerRot::XYZ, 0.3, -0.4, 0.2);
-    for (number, axes) in conventions.iter().enumerate() {
+    for (number, axes) in conventions.iter().enumerate().step_by(if in_full() { 1 } else { 7 }) {
         // The spine's axes are a general frame.
         let between = axes.map(|axis| (turn * Vec3::from_array(axis)).to_array());
         let axes_of = |bone: &str| if bone == "spine3" { between } else { *axes };
@@ -119,7 +119,7 @@ fn a_bind_pose_that_is_not_the_rest_pose_is_printed_for_bevy() {
 fn a_stated_facing_overrules_the_measured_one() {
     let place = Place::with_mannequin();
     let text = place.done("rig m.glb --forward -x").stdout;
-    assert!(text.contains("Faces -X, up is +Y, by the legs, what you state."), "{text}");
+    assert!(text.contains("Faces -X, up is +Y, according to the legs, the stated axes."), "{text}");
     // In the paper's axes a bone's +Y led forward and +Z left: the former right is now forward.
     let head = &joints(&text)[1];
     assert_eq!((head.up, head.forward, head.left), (DVec3::X, DVec3::NEG_Z, DVec3::Y), "{text}");
@@ -143,7 +143,7 @@ fn a_statement_against_the_evidence_is_questioned() {
     for command in ["rig m.glb", "bake m.glb --target orbit:2,0,8 --out a.glb", "inspect m.glb --json"] {
         let told = |forward: &str| place.done(&format!("{command} --forward {forward}")).stderr;
         let wrong = told("-Z");
-        for word in ["warning: m.glb: --forward -Z is against", "would have it that forward is +Z"] {
+        for word in ["warning: m.glb: --forward -Z contradicts", "forward is +Z according to"] {
             assert!(wrong.contains(word), "{command}: {wrong}");
         }
         assert!(!told("+Z").contains("--forward"), "{command}");
@@ -181,7 +181,7 @@ fn a_guess_is_called_one() {
             }
         }),
     );
-    let guess = "The facing is a guess: no names tell the sides, feet alone tell front from back.";
+    let guess = "The facing is uncertain: no names tell left from right, only the feet tell front from back.";
     for command in ["inspect n.glb", "rig n.glb"] {
         let said = place.done(command).stdout;
         assert!(said.contains(guess) && said.contains("--forward"), "{said}");
@@ -189,7 +189,7 @@ fn a_guess_is_called_one() {
     place.done("inspect n.glb --html i.html");
     assert!(String::from_utf8_lossy(&place.read("i.html")).contains(guess));
     let said = place.done("inspect n.glb --forward +Z").stdout;
-    assert!(!said.contains("guess"), "{said}");
+    assert!(!said.contains("uncertain"), "{said}");
 }
 
 #[test]
@@ -203,7 +203,7 @@ fn a_chain_may_be_named_and_has_to_be_one() {
     place.write("hands.toml", &hands);
     place.done("check m.glb --rig hands.toml");
     place.refused("rig m.glb --chain hed", &["m.glb", "\"hed\"", "head"]);
-    place.refused("rig m.glb --chain spine,head", &["m.glb", "does not hang on"]);
+    place.refused("rig m.glb --chain spine,head", &["m.glb", "is not below"]);
     place.write("thing.gltf", r#"{"asset":{"version":"2.0"},"nodes":[{"name":"thing"}]}"#);
     place.refused("rig thing.gltf", &["thing.gltf", "--chain"]);
 }
@@ -390,7 +390,7 @@ fn the_bones_of_a_vrm_files_eyes_turn_by_its_maps() {
 fn the_head_leads_where_eyes_are_no_bones_that_move() {
     let place = Place::new();
     let still = MAPS.map(|[input, _]| [input, 0.0]);
-    for (kind, maps, why) in [("bone", still, "keeps the eyes still"), ("expression", MAPS, "look by expressions")] {
+    for (kind, maps, why) in [("bone", still, "keeps the eyes still"), ("expression", MAPS, "eyes use expressions")] {
         place.write("v.vrm", &vrm(kind, maps));
         let text = place.done("rig v.vrm").stdout;
         let rig: serde_json::Value = toml::from_str(&text).expect("it is TOML");

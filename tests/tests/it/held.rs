@@ -164,10 +164,10 @@ fn a_game_holds_as_a_bake_does() {
 fn what_cannot_be_held_is_told() {
     let document = arms_on_the_neck();
     for (joint, names, words) in [
-        (1, &["left_clavicel"][..], "hold: no node is called \"left_clavicel\"; the nearest names are left_clavicle"),
-        (0, &["left_clavicle"], "hold names \"left_clavicle\", which does not hang on \"left_eye\""),
+        (1, &["left_clavicel"][..], "hold: no node named \"left_clavicel\"; the nearest names are left_clavicle"),
+        (0, &["left_clavicle"], "hold names \"left_clavicle\", which is not below \"left_eye\""),
         (1, &["head"], "hold names \"head\", which carries \"left_eye\", a bone that is turned"),
-        (2, &["left_clavicle", "left_upper_arm"], "hold names \"left_upper_arm\", which hangs on \"left_clavicle\""),
+        (2, &["left_clavicle", "left_upper_arm"], "hold names \"left_upper_arm\", which is below \"left_clavicle\""),
         (1, &["left_clavicle", "left_clavicle"], "hold names \"left_clavicle\" twice"),
     ] {
         let mut spec = rig();

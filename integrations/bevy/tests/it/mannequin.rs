@@ -3,7 +3,7 @@
 use bevy_aim::AimCharacter;
 use bevy_aim::aim::{AimRig, Joint};
 
-/// Measured from mannequin.glb. Faces +Z, up is +Y, by the legs, the names left_upper_arm and right_upper_arm, the eyes, the feet.
+/// Measured from mannequin.glb. Faces +Z, up is +Y, according to the legs, the names left_upper_arm and right_upper_arm, the eyes, the feet.
 #[derive(AimRig)]
 #[aim(
     crate = bevy_aim::aim,
@@ -23,7 +23,7 @@ pub struct Mannequin {
         stiffness = 0.5
     )]
     pub left_eye: Joint,
-    // 50 % of the turn of head and neck, which the rig's region bounds to 78 degrees to either side, 50 down and 60 up
+    // 50 % of the turn of head and neck, which the rig's region limits to 78 degrees to either side, 50 down and 60 up
     #[joint(
         bone = "head",
         role = head,
@@ -34,7 +34,7 @@ pub struct Mannequin {
         stiffness = 2.0
     )]
     pub head: Joint,
-    // 50 % of the turn of head and neck, which the rig's region bounds to 78 degrees to either side, 50 down and 60 up
+    // 50 % of the turn of head and neck, which the rig's region limits to 78 degrees to either side, 50 down and 60 up
     #[joint(
         bone = "neck",
         role = neck,
@@ -45,7 +45,7 @@ pub struct Mannequin {
         stiffness = 2.0
     )]
     pub neck: Joint,
-    // 30 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
+    // 30 % of the turn of the chest, which the rig's region limits to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine3",
         role = chest,
@@ -56,7 +56,7 @@ pub struct Mannequin {
         stiffness = 13.43
     )]
     pub spine3: Joint,
-    // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
+    // 23 % of the turn of the chest, which the rig's region limits to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine2",
         role = chest,
@@ -67,7 +67,7 @@ pub struct Mannequin {
         stiffness = 17.09
     )]
     pub spine2: Joint,
-    // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
+    // 23 % of the turn of the chest, which the rig's region limits to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine1",
         role = chest,
@@ -78,7 +78,7 @@ pub struct Mannequin {
         stiffness = 17.09
     )]
     pub spine1: Joint,
-    // 23 % of the turn of the chest, which the rig's region bounds to 30 degrees to either side, 30 down and 20 up
+    // 23 % of the turn of the chest, which the rig's region limits to 30 degrees to either side, 30 down and 20 up
     #[joint(
         bone = "spine",
         role = chest,
