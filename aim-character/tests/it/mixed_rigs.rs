@@ -17,7 +17,7 @@ fn mixes() -> u64 {
     match (cfg!(debug_assertions), crate::in_full()) {
         (false, _) => 10_000,
         (true, true) => 2_000,
-        (true, false) => 20,
+        (true, false) => 60,
     }
 }
 

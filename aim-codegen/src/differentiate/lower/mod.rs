@@ -104,6 +104,11 @@ impl Translation<'_> {
 
     /// Evaluates an expression whose expected type is known.
     fn expression_as(&mut self, expression: &Expr, expected: &Expected) -> Value {
+        let value = self.expression_by_kind(expression, expected);
+        self.rounded_to(expected, value)
+    }
+
+    fn expression_by_kind(&mut self, expression: &Expr, expected: &Expected) -> Value {
         match expression {
             Expr::Group(group) => self.expression_as(&group.expr, expected),
             Expr::Paren(paren) => self.expression_as(&paren.expr, expected),
@@ -244,11 +249,11 @@ impl Translation<'_> {
     /// Returns `false` if it cannot: in another module, or after a glob import in the function, the path may mean
     /// something else there.
     pub(super) fn assume(&self, assumption: Assumption) -> bool {
-        let is_as_in_companion = self.frame.scope.module.is_empty() && !self.frame.scope.has_foreign_glob;
-        if is_as_in_companion {
+        let means_the_same = self.frame.scope.means_the_same_in_companions();
+        if means_the_same {
             self.items.surroundings.assume(assumption);
         }
-        is_as_in_companion
+        means_the_same
     }
 
     /// Returns `true` if `path`, written at `span`, is that of an item of a module of the standard library, or is assumed
@@ -285,7 +290,7 @@ impl Translation<'_> {
         };
         let is_module = |name: &String| name.starts_with(char::is_lowercase);
         let scope = &self.frame.scope;
-        if path.qself.is_some() || !scope.module.is_empty() || scope.has_foreign_glob {
+        if path.qself.is_some() || !scope.means_the_same_in_companions() {
             return None;
         }
         let Meaning::External(path_in_module) = self.items.meaning(scope, &segments(&path.path)) else { return None };
@@ -373,8 +378,7 @@ impl Translation<'_> {
         self.constants.push(name.to_owned());
         let value = self.within(constant.scope.clone(), |this| {
             let expected = this.expected_of(constant.ty.as_ref());
-            let value = this.expression_as(&constant.value, &expected);
-            this.rounded_to(&expected, value)
+            this.expression_as(&constant.value, &expected)
         });
         self.constants.pop();
         value

@@ -56,7 +56,6 @@ impl Translation<'_> {
             };
             let expected = self.expected(ty);
             let value = self.expression_as(value, &expected);
-            let value = self.rounded_to(&expected, value);
             self.frame.declare(name.to_string(), value);
             self.frame.make_constant();
         }
@@ -128,7 +127,6 @@ impl Translation<'_> {
         if let Some((token, otherwise)) = local.init.as_ref().and_then(|init| init.diverge.as_ref()) {
             return self.let_else(local, value, (token, otherwise));
         }
-        let value = self.rounded_to(&expected, value);
         let never = local.init.is_some() && value.is_never();
         self.bind(&local.pat, value);
         if never { Value::Never } else { Value::nothing() }

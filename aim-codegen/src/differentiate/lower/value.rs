@@ -234,6 +234,14 @@ pub(crate) struct Scope {
     pub(crate) has_foreign_glob: bool,
 }
 
+impl Scope {
+    /// Returns `true` if names from outside of the known items mean the same here as in the companions: not in another
+    /// module, nor after a glob import in the function.
+    pub(crate) fn means_the_same_in_companions(&self) -> bool {
+        self.module.is_empty() && !self.has_foreign_glob
+    }
+}
+
 impl core::fmt::Debug for Scope {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_struct("Scope").field("module", &self.module).finish_non_exhaustive()

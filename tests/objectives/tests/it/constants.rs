@@ -52,9 +52,9 @@ mod own {
 /// The file's own `TAU`, and single-precision constants, which keep their rounding.
 #[differentiate(wrt(x), check = true)]
 fn of_own_names(x: f64) -> f64 {
-    const STEP: f32 = 0.1;
+    const STEPS: [f32; 2] = [0.1, 0.2];
     let half: f32 = 0.7;
-    TAU * x + own::consts::SHARE * x + f64::from(STEP) * x * x + 1.3f32 as f64 * x * half as f64
+    TAU * x + own::consts::SHARE * x + f64::from(STEPS[0]) * x * x + 1.3f32 as f64 * x * half as f64
 }
 
 /// The parameters of a method can use constants, too.
