@@ -506,7 +506,7 @@ fn search(
     }
     match count {
         #[cfg(not(aim_small))]
-        EXACT_JOINTS => {
+        EXACT_JOINTS if solve::has_known_layout(description, call.settings) => {
             solve::solve(&ChainRig::<EXACT_JOINTS> { kernels, description }, state, pose, call, corrections)
         }
         #[cfg(not(aim_small))]

@@ -5,6 +5,7 @@ use core::f32::consts::PI;
 use glam::Vec4;
 
 use super::JointInfo;
+use super::chain_rig::EXACT_JOINTS;
 use crate::{Budget, Budgets, Role};
 
 /// Upper bound on accelerations, rad/s²; larger ones make no visible difference.
@@ -37,6 +38,13 @@ pub(crate) struct BodyPart {
 }
 
 impl BodyPart {
+    /// Returns the outermost and the innermost joint of part `number` of a chain with capacity `C`, from the innermost
+    /// part outward.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(crate) fn ends<const C: usize>(&self, number: usize) -> [usize; 2] {
+        if C == EXACT_JOINTS { [C - 1 - number; 2] } else { [self.outer, self.inner] }
+    }
+
     pub(crate) const NONE: Self = Self {
         outer: 0,
         inner: 0,

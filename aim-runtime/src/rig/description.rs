@@ -4,6 +4,7 @@ use glam::{Vec3A, Vec4};
 
 use super::JointInfo;
 use super::body_part::{self, BodyPart, MOST_PARTS};
+use super::chain_rig::EXACT_JOINTS;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
@@ -173,6 +174,11 @@ impl<'a> Description<'a> {
     #[must_use]
     pub const fn default_solver(&self) -> Solver {
         self.default_solver
+    }
+
+    /// Returns `true` if the rig has [`EXACT_JOINTS`] joints: an eye that leads, and two body parts of one joint each.
+    pub(crate) fn is_eye_head_chest(&self) -> bool {
+        self.joints.len() == EXACT_JOINTS && self.part_count == 2 && self.parts[1].outer == 1
     }
 
     /// Returns `true` if the effector is joint 0's forward from joint 0's origin.

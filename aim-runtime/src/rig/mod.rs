@@ -16,9 +16,7 @@ mod state;
 extern crate std;
 
 pub(crate) use body_part::{BodyPart, MOST_PARTS};
-#[cfg(not(aim_small))]
-pub(crate) use chain_rig::EXACT_JOINTS;
-pub(crate) use chain_rig::{ChainRig, MOST_JOINTS, PerJoint};
+pub(crate) use chain_rig::{ChainRig, EXACT_JOINTS, MOST_JOINTS, PerJoint};
 pub(crate) use description::{AllLanes, LANE_JOINTS, Lanes};
 pub use description::{Description, Effector};
 pub use joint_info::JointInfo;

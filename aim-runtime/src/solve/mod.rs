@@ -179,6 +179,12 @@ fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) 
     solver(rig, settings) == Solver::Natural && rig.is_square && !is_alone
 }
 
+/// Returns `true` if the joints' indices in a natural gaze are those of [`EXACT_JOINTS`], or if the gaze is not natural.
+pub(crate) fn has_known_layout(rig: &Description<'_>, settings: &Settings) -> bool {
+    rig.is_eye_head_chest() && settings.effector == 0
+        || settings.solver.unwrap_or(rig.default_solver()) != Solver::Natural
+}
+
 /// Clears the memory of a natural gaze.
 fn forget_natural(joints: &mut [Joint], memory: &mut Memory) {
     if memory.support != Support::None {

@@ -118,7 +118,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn gaze_shift_to(&self, point: Vec3A) -> Option<GazeShift> {
         let from = self.body.gaze.direction;
         let to = math::unit(point - self.pivot)?;
-        let part = if self.has_eye { self.sharing.head_part(math::angle_between_units(from, to)) } else { 1.0 };
+        let part = if self.has_eye() { self.sharing.head_part(math::angle_between_units(from, to)) } else { 1.0 };
         let [from, to] = self.bearings.turned(from, to);
         Some(GazeShift { from, to, shift: self.bearings.angle_change(from, to, self.goal.side), part })
     }
@@ -128,7 +128,7 @@ impl<const C: usize> Gaze<'_, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn allot(&self, gaze_shift: &GazeShift) -> Option<Allotment<C>> {
         let (directions, unfit) = self.share(gaze_shift, Vec4::ZERO);
-        let head = self.regions.len() - 1;
+        let head = self.count() - 1;
         let is_level = gaze_shift.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
         let nothing = if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD };
         if square(unfit) > nothing * nothing {
@@ -138,8 +138,8 @@ impl<const C: usize> Gaze<'_, C> {
             return None;
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;
-        let own = &self.ranges[self.body.first];
-        let (rest, lo, hi) = if self.has_eye {
+        let own = &self.ranges[self.body.first()];
+        let (rest, lo, hi) = if self.has_eye() {
             (gaze_shift.shift - turned(head), own.lo, own.hi)
         } else {
             let inside = if head > 0 { turned(head - 1) } else { Vec4::ZERO };
@@ -160,7 +160,7 @@ impl<const C: usize> Gaze<'_, C> {
         let mut to_point = self.bearings.direction(nearest) * distance;
         // Near the zenith, the eye looks towards the target itself, although the regions turn by way of the front.
         let steep = (gaze_shift.to.y.abs() - BY_THE_FRONT_RAD[0]) / (BY_THE_FRONT_RAD[1] - BY_THE_FRONT_RAD[0]);
-        if self.has_eye && steep > 0.0 {
+        if self.has_eye() && steep > 0.0 {
             to_point += (to_target - to_point) * steep.at_most(1.0);
         }
         let point = self.pivot + to_point;
@@ -195,7 +195,7 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
         (extra, rounds): (&mut Pair, usize),
     ) -> Option<Allotment<C>> {
-        let own = &self.ranges[self.body.first];
+        let own = &self.ranges[self.body.first()];
         let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
         let mut directions = self.share(gaze_shift, *extra).0;
         for round in 0..rounds {
@@ -204,7 +204,7 @@ impl<const C: usize> Gaze<'_, C> {
             // The part of `extra` that the regions need not cover.
             let spare = (sight.unclamped - own.hi).max(-*extra).min(Vec4::ZERO)
                 + (sight.unclamped - own.lo).min(-*extra).max(Vec4::ZERO);
-            let needs = if self.has_eye {
+            let needs = if self.has_eye() {
                 spare.cmpeq(Vec4::ZERO)
             } else {
                 // A head without eyes may be stopped by its region's limits instead of its own range.
@@ -236,8 +236,8 @@ impl<const C: usize> Gaze<'_, C> {
     /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
     fn share(&self, &GazeShift { to, shift, part, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
         let mut directions = self.rig.array(Vec4::ZERO);
-        let (lo, hi) = if self.has_eye {
-            let eye = &self.ranges[self.body.first];
+        let (lo, hi) = if self.has_eye() {
+            let eye = &self.ranges[self.body.first()];
             (eye.lo, eye.hi)
         } else {
             (Vec4::ZERO, Vec4::ZERO)
@@ -249,16 +249,15 @@ impl<const C: usize> Gaze<'_, C> {
         );
         let rest = shift - done;
         let mut unfit = rest - rest.max(lo).min(hi);
-        if self.has_eye && unfit.x != 0.0 {
-            let [right, left] = eye_headings([lo.x, hi.x], directions[self.regions.len() - 1].y, to.y - unfit.y);
+        if self.has_eye() && unfit.x != 0.0 {
+            let [right, left] = eye_headings([lo.x, hi.x], directions[self.count() - 1].y, to.y - unfit.y);
             let eye = Interval::from_ends(right, left);
             let [least, most] = [eye.hi(), eye.lo()].map(|end| shift.x - EYE_PART * end);
             let wanted = (part * shift.x).at_least(least).at_most(most);
             let rest = shift.x - self.turn_axis::<HEADING>(wanted + extra.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
-        let (_, inner) = self.regions.split_last().unwrap_or((&Region::NONE, &[]));
-        if inner.iter().any(Region::is_steep) {
+        if self.regions()[..self.count() - 1].iter().any(Region::is_steep) {
             self.raise(&mut directions);
         }
         (directions, unfit)
@@ -268,10 +267,11 @@ impl<const C: usize> Gaze<'_, C> {
     #[cold]
     #[inline(never)]
     fn raise(&self, directions: &mut [Pair]) {
-        let inner = self.regions.len() - 1;
-        for (region, direction) in self.regions[..inner].iter().zip(directions) {
+        let inner = self.count() - 1;
+        for (number, (region, direction)) in self.regions()[..inner].iter().zip(directions).enumerate() {
             if region.is_steep() {
-                *direction = region.raised(&self.body.frames[region.part.outer], self.bearings, *direction);
+                let [outer, _] = region.part.ends::<C>(number);
+                *direction = region.raised(&self.body.frames[outer], self.bearings, *direction);
             }
         }
     }
@@ -290,7 +290,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Turns the regions about one axis. The headings must be set before the pitches.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_axis<const AXIS: usize>(&self, wanted: f32, directions: &mut [Pair]) -> f32 {
-        let (regions, head) = (self.regions, self.regions.len() - 1);
+        let (regions, head) = (self.regions(), self.count() - 1);
         let mut compliances = self.rig.array(0.0_f32);
         let mut total = regions[head].part.compliance[AXIS];
         compliances[head] = total;
@@ -330,11 +330,11 @@ impl<const C: usize> Gaze<'_, C> {
         compliances: &PerJoint<f32, C>,
         directions: &mut [Pair],
     ) -> f32 {
-        let regions = self.regions;
+        let regions = self.regions();
         let mut turns = self.rig.array(0.0_f32);
         let mut compliances = *compliances;
         let mut left = wanted;
-        for _ in 0..self.count {
+        for _ in 0..self.count() {
             let mut total = 0.0;
             for ((compliances, turn), region) in compliances.iter_mut().zip(&*turns).zip(regions) {
                 if if left > 0.0 { *turn >= region.hi[axis] } else { *turn <= region.lo[axis] } {

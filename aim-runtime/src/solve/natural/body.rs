@@ -21,13 +21,13 @@ use crate::JointInfo;
 use crate::kinematics::chain::{Deviation, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
 use crate::math;
 use crate::math::trig::{self, Halves};
-use crate::rig::{ChainRig, PerJoint};
+use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
 
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
     pub(super) rig: &'a ChainRig<'a, C>,
-    /// The joint that carries the effector; joints outward of it do not matter.
-    pub(super) first: usize,
+    /// See [`first`](Self::first).
+    first: usize,
     /// The joints' frames.
     pub(super) frames: PerJoint<Mat3A, C>,
     /// The transposed frames.
@@ -70,6 +70,12 @@ impl<'a, const C: usize> Body<'a, C> {
         }
     }
 
+    /// Returns the joint that carries the effector; joints outward of it do not matter.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn first(&self) -> usize {
+        if C == EXACT_JOINTS { 0 } else { self.first }
+    }
+
     /// Returns the number of joints.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn count(&self) -> usize {
@@ -89,8 +95,8 @@ impl<'a, const C: usize> Body<'a, C> {
         if infos.is_empty() || pose.len() != infos.len() {
             return None;
         }
-        let (pose, first) = (&pose[..infos.len()], first.min(infos.len() - 1));
-        self.first = first;
+        self.first = first.min(infos.len() - 1);
+        let (pose, first) = (&pose[..infos.len()], self.first());
         self.deviation = orthogonal_frames(pose, first, &mut self.frames)?;
         let aimed = effector(self.rig, first);
         let has_origin = first == 0 && self.rig.has_origin;
@@ -146,7 +152,7 @@ impl<'a, const C: usize> Body<'a, C> {
     /// Sets the effector from the true kinematics of a pose that is not rigid; `None` if its direction is zero.
     pub(super) fn set_gaze(&mut self, gaze: Ray) -> Option<()> {
         self.gaze = Ray { direction: math::unit(gaze.direction)?, ..gaze };
-        self.effector.direction = self.rows[self.first] * self.gaze.direction;
+        self.effector.direction = self.rows[self.first()] * self.gaze.direction;
         self.is_plain = false;
         Some(())
     }
@@ -155,7 +161,7 @@ impl<'a, const C: usize> Body<'a, C> {
     /// from which the turns of the joints inward are undone; `None` if it is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
-        let first = self.first;
+        let first = self.first();
         let seen = turn.undo(self.rows[first] * (point - self.places[first]));
         if !self.is_plain {
             return self.effector.angle_to(seen);
@@ -175,7 +181,7 @@ impl<'a, const C: usize> Body<'a, C> {
         let all = [f32::NEG_INFINITY, f32::INFINITY];
         let rig = self.rig;
         let is_free = |info: &JointInfo| info.heading == Some(all) && rig.budget(info.role).heading == all;
-        !rig.has_fixed_ranges && rig.joints[self.first..].iter().any(is_free)
+        !rig.has_fixed_ranges && rig.joints[self.first()..].iter().any(is_free)
     }
 
     /// Undoes a joint's turn on a direction.

@@ -44,7 +44,7 @@ use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{BodyPart, ChainRig, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
+use crate::rig::{BodyPart, ChainRig, EXACT_JOINTS, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Goal, Movement, Scene};
 use crate::{Joint, Outcome, Role, Settings};
@@ -84,7 +84,7 @@ pub(super) fn aim<const C: usize>(
         gaze: body.gaze,
         front: Front::new(&body.frames[body.count() - 1], body.gaze),
         rig: rig.description,
-        first: body.first,
+        first: body.first(),
         motions,
         bearings: Some(&bearings),
         has_two_eyes: pose.other_eye.is_some(),
@@ -93,10 +93,12 @@ pub(super) fn aim<const C: usize>(
     // A snap keeps only the side from the memory: it should depend on the past as little as possible.
     before.behind &= call.dt.is_some();
     let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
-    let first = body.first;
+    let first = body.first();
     let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count();
     let mut own_parts = None;
-    let parts = if first == 0 && rig.part_count <= MOST_PARTS {
+    let parts = if C == EXACT_JOINTS {
+        &rig.parts[..C - 1]
+    } else if first == 0 && rig.part_count <= MOST_PARTS {
         &rig.parts[..rig.part_count]
     } else {
         let parts = own_parts.insert(rig.array(BodyPart::NONE));
@@ -110,7 +112,7 @@ pub(super) fn aim<const C: usize>(
     }
     find_regions(&body, parts, &ranges, &bearings, &mut regions);
     let count = parts.len();
-    let turns = body.places[parts[count - 1].outer];
+    let [turns, _] = parts[count - 1].ends::<C>(count - 1);
     let direction = body.gaze.direction;
     let gaze = Gaze {
         rig,
@@ -122,10 +124,10 @@ pub(super) fn aim<const C: usize>(
         patience: settings.patience.at_least(0.0),
         fade: fade_of(settings),
         bearings: &bearings,
-        regions: &regions[..count],
+        regions: &regions,
         count,
         has_eye,
-        pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - turns).at_least(0.0),
+        pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
     let mut before = rig.array(Joint::REST);
     let leading = Turn::new(Vec4::ZERO);
@@ -235,17 +237,36 @@ struct Gaze<'a, const C: usize> {
     /// A hash of weight and attention, to detect their changes.
     fade: u8,
     bearings: &'a Bearings,
-    /// The regions from the innermost outward, without the eye.
-    regions: &'a [Region<'a>],
+    /// See [`regions`](Self::regions).
+    regions: &'a PerJoint<Region<'a>, C>,
+    /// See [`count`](Self::count).
     count: usize,
-    /// `true` if the leading joint is an eye, which has no inertia.
+    /// See [`has_eye`](Self::has_eye).
     has_eye: bool,
     /// The point from which the target's heading and elevation are measured: the effector, moved back along the gaze to
     /// beside the joint that turns the head. The effector will look from there once the head has turned.
     pivot: Vec3A,
 }
 
-impl<const C: usize> Gaze<'_, C> {
+impl<'a, const C: usize> Gaze<'a, C> {
+    /// Returns `true` if the leading joint is an eye, which has no inertia.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn has_eye(&self) -> bool {
+        C == EXACT_JOINTS || self.has_eye
+    }
+
+    /// Returns the number of regions.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn count(&self) -> usize {
+        if C == EXACT_JOINTS { C - 1 } else { self.count }
+    }
+
+    /// Returns the regions from the innermost outward, without the eye.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn regions(&self) -> &'a [Region<'a>] {
+        &self.regions[..self.count()]
+    }
+
     /// Moves the joints by a frame of `dt` seconds. `None` if the aim is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
     fn move_joints(
@@ -263,14 +284,14 @@ impl<const C: usize> Gaze<'_, C> {
             let step = (info.rate * dt).at_least(0.0).at_most(PI);
             *reach = self.ranges[index].within(angles(joint), step);
             from[index] = *joint;
-            if index < self.body.first {
+            if index < self.body.first() {
                 *joint = at(joint, reach.towards_rest(angles(joint), step));
                 joint.set_destination(None);
             }
         }
         if !(dt > LEAST_S) {
             if dt > 0.0 {
-                for (joint, reach) in from.iter_mut().zip(&*reaches).skip(self.body.first) {
+                for (joint, reach) in from.iter_mut().zip(&*reaches).skip(self.body.first()) {
                     *joint = at(joint, reach.hold(angles(joint)));
                 }
             }
@@ -360,7 +381,7 @@ impl<const C: usize> Gaze<'_, C> {
         let is_plain = plain.is_some();
         let allotment = match plain {
             Some(allotment) => allotment,
-            None if self.has_eye => self.iterate_allotment(&gaze_shift, from, posture, (&mut extra, FRAME_ROUNDS))?,
+            None if self.has_eye() => self.iterate_allotment(&gaze_shift, from, posture, (&mut extra, FRAME_ROUNDS))?,
             None => {
                 // Near the zenith, a head lacks only heading, and `extra` would accumulate it from frame to frame.
                 let mut made = Vec4::ZERO;
@@ -391,7 +412,7 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Lets the regions rest once they have arrived and the eye is near the middle of its range.
     fn rest_if_arrived(&self, sight: &SightAngles, motion: &mut Motion<'_, C>) {
-        if self.has_eye && motion.arrived && sight.is_within() && sight.eccentricity() < self.sharing.release {
+        if self.has_eye() && motion.arrived && sight.is_within() && sight.eccentricity() < self.sharing.release {
             motion.memory.support = Support::Rests;
         }
     }
@@ -399,7 +420,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Decides whether the regions take part. If they have rested so far, returns the eye's view of the goal.
     fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<SightAngles>> {
         let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
-        if !self.has_eye {
+        if !self.has_eye() {
             memory.support = Support::Shares;
             return Some(None);
         }
@@ -431,7 +452,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn snap(&self, joints: &PerJoint<Joint, C>, memory: &mut Memory, posture: &mut Posture<'_, C>) -> Option<Fit> {
         // A target on the animated effector has no direction, even if the joints could give it one.
         self.body.gaze.angle_to(self.goal.aim_point)?;
-        let first = self.body.first;
+        let first = self.body.first();
         let mut found = self.rig.array(Joint::REST);
         for (index, (found, joint)) in found.iter_mut().zip(&**joints).enumerate() {
             let stays = self.goal.movement == Movement::Stay && index >= first;
@@ -448,7 +469,7 @@ impl<const C: usize> Gaze<'_, C> {
         if self.goal.movement == Movement::Aim {
             let sight = self.sight_angles_at(&found, self.goal.aim_point)?;
             after.support = Support::Rests;
-            if self.has_eye && sight.is_within() && sight.eccentricity() <= self.sharing.engage {
+            if self.has_eye() && sight.is_within() && sight.eccentricity() <= self.sharing.engage {
                 found[first] = at(&found[first], sight.clamped);
             } else {
                 let mut extra = Vec4::ZERO;
@@ -458,8 +479,8 @@ impl<const C: usize> Gaze<'_, C> {
                 after.support = Support::Shares;
             }
             self.hold_eye(&mut found);
-            let head = &self.regions[self.count - 1];
-            after.set_head_goal(HeadGoal { angles: to_array(sum(&found, head.part)), ..HeadGoal::default() });
+            let head = &self.regions()[self.count() - 1];
+            after.set_head_goal(HeadGoal { angles: to_array(sum(&found, head.part.ends::<C>(self.count() - 1))), ..HeadGoal::default() });
         }
         self.set_joints(&found, posture);
         *memory = after;
@@ -475,7 +496,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Sets the joints to these angles.
     #[cold]
     fn set_joints(&self, joints: &[Joint], posture: &mut Posture<'_, C>) {
-        let first = self.body.first;
+        let first = self.body.first();
         posture.joints[first..].copy_from_slice(&joints[first..]);
         posture.measured_point = self.goal.measured_point;
         for joint in (first..self.body.count()).rev() {
@@ -493,11 +514,11 @@ fn at(joint: &Joint, angles: Pair) -> Joint {
     joint.turned_to(angles.x, angles.y)
 }
 
-/// Returns the sums of headings and pitches of a part's joints.
+/// Returns the sums of headings and pitches of a part's joints, given its outermost and its innermost.
 #[cfg_attr(not(aim_small), inline(always))]
-fn sum(joints: &[Joint], part: &BodyPart) -> Pair {
-    let mut sum = angles(&joints[part.outer]);
-    for joint in &joints[part.outer + 1..part.inner + 1] {
+fn sum(joints: &[Joint], [outer, inner]: [usize; 2]) -> Pair {
+    let mut sum = angles(&joints[outer]);
+    for joint in &joints[outer + 1..inner + 1] {
         sum += angles(joint);
     }
     sum

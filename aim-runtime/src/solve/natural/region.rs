@@ -129,16 +129,17 @@ pub(super) fn find_regions<'a, const C: usize>(
 ) {
     let mut forwards = [Vec3A::X; 2];
     for (number, part) in parts.iter().enumerate() {
-        let (frame, mut own_forward) = (&body.frames[part.outer], Vec3A::X);
+        let [outer, inner] = part.ends::<C>(number);
+        let (frame, mut own_forward) = (&body.frames[outer], Vec3A::X);
         forwards[number % 2] = frame.x_axis;
-        if body.is_tilted(part.outer) {
-            own_forward = body.own_forward(part.outer);
+        if body.is_tilted(outer) {
+            own_forward = body.own_forward(outer);
             forwards[number % 2] = *frame * own_forward;
         }
         let region = &mut regions[number];
         (region.part, region.own_forward) = (part, own_forward);
-        if part.outer < part.inner {
-            region.forward = body.rows[part.inner] * forwards[number % 2];
+        if outer < inner {
+            region.forward = body.rows[inner] * forwards[number % 2];
             region.ahead = trig::atan2(region.forward.y, region.forward.x);
         }
         if number % 2 == 1 || number + 1 == parts.len() {
@@ -152,16 +153,17 @@ pub(super) fn find_regions<'a, const C: usize>(
     let mut inside = regions[0].animated;
     for (number, region) in regions[..parts.len()].iter_mut().enumerate() {
         let part = region.part;
+        let [outer, inner] = part.ends::<C>(number);
         let mut animated = region.animated;
         let is_steep = region.is_steep();
         if is_steep {
-            animated.x = region.facing(&body.frames[part.outer], bearings);
+            animated.x = region.facing(&body.frames[outer], bearings);
         }
         // The budget also covers the animation's own turn of the region out of the one that carries it.
         let turned = animated - inside;
         inside = animated;
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
-        let own = &ranges[part.outer..=part.inner];
+        let own = &ranges[outer..inner + 1];
         let [lo, hi] = Range::sums(own);
         let range_shift = (lo + hi) * 0.5;
         let has_ends = range_shift.abs().cmplt(Vec4::INFINITY);

@@ -61,14 +61,14 @@ impl<const C: usize> Gaze<'_, C> {
     pub(super) fn sight_angles_at(&self, joints: &[Joint], point: Vec3A) -> Option<SightAngles> {
         let body = self.body;
         let outward = |point, index: usize| body.undo_turn_at(index, &Turn::new(angles(&joints[index])), point);
-        let unturned_point = (body.first + 1..body.count()).rev().fold(point, outward);
+        let unturned_point = (body.first() + 1..body.count()).rev().fold(point, outward);
         self.sight_angles(joints, point, unturned_point)
     }
 
     /// Returns the leading joint's view of a point, given the point with the turns of the joints inward of it undone.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sight_angles(&self, joints: &[Joint], point: Vec3A, unturned_point: Vec3A) -> Option<SightAngles> {
-        let first = self.body.first;
+        let first = self.body.first();
         let wanted = self.sight(joints, point, unturned_point)?;
         Some(SightAngles { unclamped: wanted, clamped: self.ranges[first].hold_from(angles(&joints[first]), wanted) })
     }
@@ -91,7 +91,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Transforms a point, with turns undone, to the leading joint's frame.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn local(&self, unturned_point: Vec3A) -> Vec3A {
-        let (body, first) = (self.body, self.body.first);
+        let (body, first) = (self.body, self.body.first());
         body.rows[first] * (unturned_point - body.places[first])
     }
 
@@ -99,7 +99,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// from the position where the last one left the effector.
     #[cold]
     fn iterate_sight(&self, local: Vec3A, joints: &[Joint]) -> Option<Pair> {
-        let (first, effector) = (self.body.first, &self.body.effector);
+        let (first, effector) = (self.body.first(), &self.body.effector);
         if effector.origin == Vec3A::ZERO {
             return Some(turn_to(effector.direction, math::unit(local)?));
         }
@@ -121,7 +121,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// [`sight`](Self::sight) in a pose that is not rigid, by the exact solver with all other joints fixed.
     #[cold]
     fn search_sight(&self, chain: &Chain<C>, joints: &[Joint], point: Vec3A) -> Option<Pair> {
-        let (body, first) = (self.body, self.body.first);
+        let (body, first) = (self.body, self.body.first());
         let mut found = self.rig.array(Joint::REST);
         found.copy_from_slice(joints);
         let mut reaches = self.rig.array(Reach::REST);
@@ -148,7 +148,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn carried(&self, joints: &[Joint]) -> (Vec3A, Mat3A) {
         let body = self.body;
         let root = (Vec3A::ZERO, body.frames[body.count() - 1]);
-        (body.first + 1..body.count()).rev().fold(root, |(at, frame), index| {
+        (body.first() + 1..body.count()).rev().fold(root, |(at, frame), index| {
             let turn = Turn::new(angles(&joints[index])).of_frame(&frame) * body.rows[index];
             (at + turn * (body.places[index - 1] - body.places[index]), turn * body.frames[index - 1])
         })

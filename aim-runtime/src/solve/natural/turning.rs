@@ -7,13 +7,12 @@ use glam::{Vec3A, Vec4};
 use super::body::{Turn, angles};
 use super::glide::{Bounds, Glide, Pair, RegionLimits, length, pair, saccade, split_goal_motion, square, to_array};
 use super::range::Range;
-use super::region::Region;
 use super::sight::{SightAngles, turn_to};
 use super::{Aims, Gaze, Motion, Posture, SAME_RAD, THERE_RAD, at, sum};
 use crate::kinematics::bearing::heading_and_pitch;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{BodyPart, HeadGoal, PerJoint};
+use crate::rig::{BodyPart, EXACT_JOINTS, HeadGoal, PerJoint};
 use crate::{Joint, math};
 
 /// The goal of a region's turn, with the turns of the joints inward of it undone.
@@ -25,7 +24,29 @@ struct RegionTarget {
     lead_point: Option<Vec3A>,
 }
 
+/// The turns of all joints in one call.
+struct Step<'a, const C: usize> {
+    aims: Aims<'a>,
+    /// The point that the leading joint looks at.
+    point: Vec3A,
+    /// `true` if that is the point that the outcome is measured against.
+    is_measured: bool,
+    /// The joints before.
+    from: &'a PerJoint<Joint, C>,
+    goals: PerJoint<Pair, C>,
+    /// The directions of the regions' goals, with the turns of the joints assigned so far undone.
+    directions: PerJoint<Vec3A, C>,
+    /// The outermost region's view of its goal.
+    sight: SightAngles,
+}
+
 impl<const C: usize> Gaze<'_, C> {
+    /// Returns the outermost and the innermost joint of a region.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn ends(&self, number: usize) -> [usize; 2] {
+        self.regions()[number].part.ends::<C>(number)
+    }
+
     /// Turns the joints from the root outward: with `motion`, by one frame's motion; without, to their final angles,
     /// and without writing corrections. Returns the leading joint's view of its point.
     pub(super) fn turn_joints(
@@ -35,8 +56,8 @@ impl<const C: usize> Gaze<'_, C> {
         mut motion: Option<&mut Motion<'_, C>>,
         posture: &mut Posture<'_, C>,
     ) -> Option<SightAngles> {
-        let (body, first, measured_point) = (self.body, self.body.first, self.goal.measured_point);
-        let mut goals = self.rig.array(Vec4::ZERO);
+        let (body, first, measured_point) = (self.body, self.body.first(), self.goal.measured_point);
+        let goals = self.rig.array(Vec4::ZERO);
         let mut directions = self.rig.array(Vec3A::ZERO);
         posture.joints[first] = from[first];
         (posture.aim_point, posture.measured_point) = (measured_point, measured_point);
@@ -44,8 +65,8 @@ impl<const C: usize> Gaze<'_, C> {
             Aims::At(angles, point) => {
                 posture.aim_point = point;
                 let mut number = 0;
-                while number < self.count {
-                    let (own, next) = (angles[number], (number + 1).min(self.count - 1));
+                while number < self.count() {
+                    let (own, next) = (angles[number], (number + 1).min(self.count() - 1));
                     let other = angles[next];
                     [directions[number], directions[next]] =
                         self.bearings.directions(Vec4::new(own.x, own.y, other.x, other.y));
@@ -56,50 +77,21 @@ impl<const C: usize> Gaze<'_, C> {
             Aims::Stay => {}
         }
         let (point, is_measured) = (posture.aim_point, posture.aim_point == measured_point);
-        let mut sight = SightAngles::ZERO;
-        for (number, region) in self.regions.iter().enumerate() {
-            let is_head = number + 1 == self.count;
-            match aims {
-                Aims::At(..) => {
-                    let lead_point = (is_head && !self.has_eye).then_some(point);
-                    let target = RegionTarget { direction: directions[number], lead_point };
-                    let wanted = self.goals(region, target, from, posture, &mut goals)?;
-                    sight = SightAngles { unclamped: wanted, clamped: goals[region.part.outer] };
-                }
-                Aims::Rest(_) => {
-                    for index in region.part.outer..=region.part.inner {
-                        goals[index] = self.ranges[index].hold_from(Vec4::ZERO, Vec4::ZERO);
-                    }
-                }
-                Aims::EyeAt(_) | Aims::Stay => {}
-            }
-            if let Some(motion) = &mut motion {
-                self.glide(region, is_head, &goals, from, posture.joints, motion);
-            }
-            for index in (region.part.outer..region.part.inner + 1).rev() {
-                let turn = if motion.is_some() {
-                    posture.correct(body, index)
-                } else {
-                    posture.joints[index] = at(&from[index], goals[index]);
-                    Turn::new(goals[index])
-                };
-                if index == first {
-                    posture.leading = turn;
-                    break;
-                }
-                for direction in &mut directions[number + 1..self.count] {
-                    *direction = body.undo_turn(index, &turn, *direction);
-                }
-                posture.aim_point = body.undo_turn_at(index, &turn, posture.aim_point);
-                if !is_measured {
-                    posture.measured_point = body.undo_turn_at(index, &turn, posture.measured_point);
-                }
+        let mut step = Step { aims, point, is_measured, from, goals, directions, sight: SightAngles::ZERO };
+        if C == EXACT_JOINTS {
+            // Two calls, so that both are inlined and know their joints.
+            self.turn_region(0, &mut step, &mut motion, posture)?;
+            self.turn_region(1, &mut step, &mut motion, posture)?;
+        } else {
+            for number in 0..self.count() {
+                self.turn_region(number, &mut step, &mut motion, posture)?;
             }
         }
+        let mut sight = step.sight;
         if is_measured {
             posture.measured_point = posture.aim_point;
         }
-        if self.has_eye {
+        if self.has_eye() {
             match aims {
                 Aims::Stay => {
                     if let Some(motion) = &motion {
@@ -132,21 +124,72 @@ impl<const C: usize> Gaze<'_, C> {
         Some(sight)
     }
 
+    /// Turns the joints of a region.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn turn_region(
+        &self,
+        number: usize,
+        step: &mut Step<'_, C>,
+        motion: &mut Option<&mut Motion<'_, C>>,
+        posture: &mut Posture<'_, C>,
+    ) -> Option<()> {
+        let (body, from, is_head) = (self.body, step.from, number + 1 == self.count());
+        let [outer, inner] = self.ends(number);
+        match step.aims {
+            Aims::At(..) => {
+                let lead_point = (is_head && !self.has_eye()).then_some(step.point);
+                let target = RegionTarget { direction: step.directions[number], lead_point };
+                let wanted = self.goals(number, target, from, posture, &mut step.goals)?;
+                step.sight = SightAngles { unclamped: wanted, clamped: step.goals[outer] };
+            }
+            Aims::Rest(_) => {
+                for index in outer..=inner {
+                    step.goals[index] = self.ranges[index].hold_from(Vec4::ZERO, Vec4::ZERO);
+                }
+            }
+            Aims::EyeAt(_) | Aims::Stay => {}
+        }
+        if let Some(motion) = motion {
+            self.glide(number, &step.goals, from, posture.joints, motion);
+        }
+        for index in (outer..inner + 1).rev() {
+            let turn = if motion.is_some() {
+                posture.correct(body, index)
+            } else {
+                posture.joints[index] = at(&from[index], step.goals[index]);
+                Turn::new(step.goals[index])
+            };
+            if index == body.first() {
+                posture.leading = turn;
+                break;
+            }
+            for direction in &mut step.directions[number + 1..self.count()] {
+                *direction = body.undo_turn(index, &turn, *direction);
+            }
+            posture.aim_point = body.undo_turn_at(index, &turn, posture.aim_point);
+            if !step.is_measured {
+                posture.measured_point = body.undo_turn_at(index, &turn, posture.measured_point);
+            }
+        }
+        Some(())
+    }
+
     /// Finds the angles that turn a region to its goal. Returns the angles that the outermost joint would need.
     #[cfg_attr(not(aim_small), inline(always))]
     fn goals(
         &self,
-        region: &Region<'_>,
+        number: usize,
         target: RegionTarget,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<Pair> {
-        let (wanted, lack) = self.shared_goals(region, target, Vec4::ZERO, from, posture, goals)?;
-        if region.part.outer == region.part.inner || square(lack) <= SAME_RAD * SAME_RAD {
+        let (wanted, lack) = self.shared_goals(number, target, Vec4::ZERO, from, posture, goals)?;
+        let [outer, inner] = self.ends(number);
+        if outer == inner || square(lack) <= SAME_RAD * SAME_RAD {
             return Some(wanted);
         }
-        self.goals_beyond(region, target, lack, from, posture, goals)
+        self.goals_beyond(number, target, lack, from, posture, goals)
     }
 
     /// [`goals`](Self::goals) where the outermost joint cannot cover its share: the inner joints cover the remainder.
@@ -154,7 +197,7 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(never)]
     fn goals_beyond(
         &self,
-        region: &Region<'_>,
+        number: usize,
         target: RegionTarget,
         mut extra: Pair,
         from: &PerJoint<Joint, C>,
@@ -166,7 +209,7 @@ impl<const C: usize> Gaze<'_, C> {
         let mut wanted = Vec4::ZERO;
         for _ in 0..ROUNDS {
             let lack;
-            (wanted, lack) = self.shared_goals(region, target, extra, from, posture, goals)?;
+            (wanted, lack) = self.shared_goals(number, target, extra, from, posture, goals)?;
             if square(lack) <= SAME_RAD * SAME_RAD {
                 break;
             }
@@ -180,17 +223,17 @@ impl<const C: usize> Gaze<'_, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     fn shared_goals(
         &self,
-        region: &Region<'_>,
+        number: usize,
         mut target: RegionTarget,
         extra: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> Option<(Pair, Pair)> {
-        let (body, outer) = (self.body, region.part.outer);
+        let (body, region, [outer, innermost]) = (self.body, &self.regions()[number], self.ends(number));
         let (mut point, mut inner) = (posture.aim_point, Vec4::ZERO);
-        if outer < region.part.inner {
-            (point, inner) = self.inner_goals(region, &mut target, extra, from, posture, goals);
+        if outer < innermost {
+            (point, inner) = self.inner_goals(number, &mut target, extra, from, posture, goals);
         }
         let wanted = match target.lead_point {
             Some(true_point) => self.sight(posture.joints, true_point, point)?,
@@ -207,14 +250,15 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(never)]
     fn inner_goals(
         &self,
-        region: &Region<'_>,
+        number: usize,
         target: &mut RegionTarget,
         mut extra: Pair,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         goals: &mut PerJoint<Pair, C>,
     ) -> (Vec3A, Pair) {
-        let (body, part) = (self.body, region.part);
+        let (body, region) = (self.body, &self.regions()[number]);
+        let part = region.part;
         let (mut point, mut inner) = (posture.aim_point, Vec4::ZERO);
         let local = body.rows[part.inner] * target.direction;
         let mut whole = turn_to(region.forward, local);
@@ -247,22 +291,23 @@ impl<const C: usize> Gaze<'_, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     fn glide(
         &self,
-        region: &Region<'_>,
-        is_head: bool,
+        number: usize,
         goals: &PerJoint<Pair, C>,
         from: &PerJoint<Joint, C>,
         joints: &mut PerJoint<Joint, C>,
         motion: &mut Motion<'_, C>,
     ) {
-        let (outer, dt, per_dt) = (region.part.outer, motion.dt, motion.per_dt);
+        let (region, is_head, dt, per_dt) =
+            (&self.regions()[number], number + 1 == self.count(), motion.dt, motion.per_dt);
+        let [outer, innermost] = self.ends(number);
         let pace = region.part.pace * motion.head_goal.as_ref().map_or(1.0, HeadGoal::pace_factor);
         let &BodyPart { rate, approach, acceleration, .. } = region.part;
         let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
-        let (before, speed) = (sum(from, region.part), pair(from[outer].velocity));
+        let (before, speed) = (sum(from, [outer, innermost]), pair(from[outer].velocity));
         let acceleration = from[outer].destination().map_or(Vec4::ZERO, pair);
         let mut glide = Glide { speed, acceleration, offset: Vec4::ZERO };
         let mut goal = goals[outer];
-        for index in outer + 1..region.part.inner + 1 {
+        for index in outer + 1..innermost + 1 {
             goal += goals[index];
         }
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
@@ -279,9 +324,9 @@ impl<const C: usize> Gaze<'_, C> {
         } else if is_head {
             let jump;
             // An eye compensates for what its head does not follow.
-            let part = if self.has_eye { 1.0 / 3.0 } else { 1.0 };
+            let part = if self.has_eye() { 1.0 / 3.0 } else { 1.0 };
             [begins, jump] = split_goal_motion(&mut head_goal, [before, goal], &mut glide, part, &bounds);
-            if !self.has_eye {
+            if !self.has_eye() {
                 let jump_lag = jump_lag_after(motion.memory.jump_lag(), jump).at_most(length(glide.offset));
                 motion.memory.set_jump_lag(jump_lag);
                 bounds.pace *= 1.0 + (jump_pace_factor(jump_lag) - 1.0) * (1.0 - head_goal.slowdown).at_least(0.0);
@@ -290,11 +335,11 @@ impl<const C: usize> Gaze<'_, C> {
         } else {
             glide.offset = before - goal;
         }
-        let inner = (outer < region.part.inner).then_some(region.part.inner);
+        let inner = (outer < innermost).then_some(innermost);
         let shifts = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
         let limits = RegionLimits::new(RegionLimits::pack([region.lo, region.hi]), region.shifts, shifts, &bounds);
         let separate_limits = || {
-            let own = &self.ranges[outer..region.part.inner + 1];
+            let own = &self.ranges[outer..innermost + 1];
             let budget = [region.part.least, region.part.most].map(|end| end + region.shifts[1]);
             [RegionLimits::pack(Range::sums(own)), RegionLimits::pack(budget)]
         };
@@ -314,7 +359,7 @@ impl<const C: usize> Gaze<'_, C> {
         let step = Vec4::splat(rate * dt);
         let held = held.max(before - step).min(before + step);
         let now = if inner.is_some() {
-            self.distribute(region, goals, [goal, before, held], from, joints, motion)
+            self.distribute(number, goals, [goal, before, held], from, joints, motion)
         } else {
             let held = motion.reaches[outer].hold(held);
             joints[outer] = with_angles(held);
@@ -345,13 +390,14 @@ impl<const C: usize> Gaze<'_, C> {
     #[inline(never)]
     fn distribute(
         &self,
-        region: &Region<'_>,
+        number: usize,
         goals: &PerJoint<Pair, C>,
         [goal, before, total]: [Pair; 3],
         from: &PerJoint<Joint, C>,
         joints: &mut PerJoint<Joint, C>,
         motion: &Motion<'_, C>,
     ) -> Pair {
+        let region = &self.regions()[number];
         let outer = region.part.outer;
         let mut rest = total;
         let taken = 1.0 - 1.0 / (1.0 + motion.dt * region.part.pace);
@@ -382,7 +428,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Turns the eye by one frame towards its view of the point. Stores its goal and the velocity of the saccade.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_eye(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
-        let first = self.body.first;
+        let first = self.body.first();
         let now = angles(joint);
         let before = joint.destination().map_or(now, pair);
         let rate = self.body.infos()[first].rate.at_least(0.0).at_most(PI * motion.per_dt);
@@ -409,7 +455,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn clamp_far_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         /// Headings between which the eye changes from the straight line to the point's elevation.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
-        let range = &self.ranges[self.body.first];
+        let range = &self.ranges[self.body.first()];
         // Part of the straight line to the point that the range allows.
         let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
             let (lo, hi, angle) = (range.lo[axis], range.hi[axis], wanted[axis]);
@@ -428,10 +474,10 @@ impl<const C: usize> Gaze<'_, C> {
     /// b·sin p = sin ε, where a and b are the vertical components of its forward and its up.
     fn level_pitch(&self, heading: f32, posture: &Posture<'_, C>) -> f32 {
         let body = self.body;
-        let up = (body.first + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
+        let up = (body.first() + 1..body.count()).rev().fold(self.bearings.up(), |up, index| {
             body.undo_turn(index, &Turn::new(angles(&posture.joints[index])), up)
         });
-        let up = body.rows[body.first] * up;
+        let up = body.rows[body.first()] * up;
         let local = self.local(posture.aim_point);
         let (sin, cos) = trig::sin_cos(heading);
         let (a, b) = (up.x * cos + up.y * sin, up.z);
@@ -442,8 +488,8 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// Keeps the eye at its present angles.
     pub(super) fn hold_eye(&self, joints: &mut [Joint]) {
-        if self.has_eye {
-            let eye = &mut joints[self.body.first];
+        if self.has_eye() {
+            let eye = &mut joints[self.body.first()];
             eye.velocity = [0.0; 2];
             eye.set_destination(Some([eye.heading, eye.pitch]));
         }
