@@ -7,7 +7,7 @@
 
 use core::f32::consts::{FRAC_PI_2, PI};
 
-use glam::{Vec4, Vec4Swizzles};
+use glam::{BVec4A, Vec4, Vec4Swizzles};
 
 use crate::math;
 use crate::math::Bounded;
@@ -102,12 +102,23 @@ pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
 /// first two lanes.
 #[inline(always)]
 pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
-    let angles = angles_rad.yxyx();
+    let angles = angles_rad.yyxx();
     if angles.abs().cmpgt(Vec4::splat(PI)).any() {
-        return halves_beyond(angles.x, angles.y);
+        return halves_beyond(angles.x, angles.z);
     }
-    let (sin, cos) = half_sin_cos_4(angles);
-    Vec4::new(sin.x, cos.x, sin.y, cos.y)
+    // Sines and cosines by one polynomial. The first coefficient, 0, gives both the same degree.
+    let term = |power: usize, cos: f32| {
+        let sin = if power < 4 { SIN[power] } else { 0.0 };
+        Vec4::new(sin, cos, sin, cos)
+    };
+    let x = angles * 0.5;
+    let xx = x * x;
+    let sum = xx * term(4, COS[3]) + term(3, COS[2]);
+    let sum = xx * sum + term(2, COS[1]);
+    let sum = xx * sum + term(1, COS[0]);
+    let sum = xx * (xx * sum + term(0, -0.5));
+    let leading = Vec4::select(BVec4A::new(true, false, true, false), x, Vec4::ONE);
+    leading + leading * sum
 }
 
 /// Returns sines and cosines of the halves of two pairs of heading and pitch, radians, given one pair after the other.
