@@ -101,6 +101,13 @@ impl<T: Float> Interval<T> {
         Self { lo: from - step, hi: from + step }
     }
 
+    /// Returns the interval from `lo` to `hi`, which must be in this order.
+    #[inline]
+    #[must_use]
+    pub const fn ordered(lo: T, hi: T) -> Self {
+        Self { lo, hi }
+    }
+
     /// Returns the interval from `lo` to `hi`; their midpoint if they are inverted, rest if that is not finite.
     #[inline]
     #[must_use]

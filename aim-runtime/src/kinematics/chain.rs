@@ -90,14 +90,18 @@ pub(crate) struct Space {
 
 impl Space {
     /// Returns the solver space of the joints from `first` on. `offset` leads from the origin of joint `first` to the
-    /// effector. `None` if the joints are not finite, or if their size is too large or too small to be inverted.
+    /// effector, `None` if they coincide. `None` if the joints are not finite, or if their size is too large or too
+    /// small to be inverted.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(crate) fn of_pose(pose: &[Affine3A], first: usize, offset: Vec3A) -> Option<Self> {
+    pub(crate) fn of_pose(pose: &[Affine3A], first: usize, offset: Option<Vec3A>) -> Option<Self> {
         let origin = pose[pose.len() - 1].translation;
-        let size = size(&pose[first..], offset);
-        let per_size = 1.0 / size;
-        let is_seen = origin.is_finite() && size.is_finite() && per_size.is_finite() && per_size > 0.0;
-        is_seen.then_some(Self { origin, per_size })
+        let plain = extent(&pose[first..], offset, Vec3A::length);
+        let size = if math::is_within_positive(plain, 1e-12..1e12) {
+            plain
+        } else {
+            extreme_size(&pose[first..], offset).filter(|size| (1.0 / size).is_finite() && 1.0 / size > 0.0)?
+        };
+        origin.is_finite().then_some(Self { origin, per_size: 1.0 / size })
     }
 
     /// Converts a point of the pose's space to solver space. A point further than [`FAR`] is moved nearer in its
@@ -150,7 +154,7 @@ impl<const C: usize> Chain<C> {
         let mut frames = rig.array(Mat3A::IDENTITY);
         let rigid = orthogonal_frames(pose, first, &mut frames)?.is_rigid();
         let offset = pose[first].transform_vector3a(effector.origin);
-        let space = Space::of_pose(pose, first, offset)?;
+        let space = Space::of_pose(pose, first, Some(offset))?;
         let Space { origin, per_size } = space;
 
         let mut tilts = rig.array(Quat::IDENTITY);
@@ -508,22 +512,22 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames:
     }
 }
 
-/// Returns the size of the rig: the length from the innermost joint along the chain to the effector. For a chain of
-/// length zero, the length of a bone's axis.
-#[inline]
-fn size(pose: &[Affine3A], offset: Vec3A) -> f32 {
-    let extent = |length: fn(Vec3A) -> f32| {
-        let links = pose.windows(2).map(|pair| length(pair[0].translation - pair[1].translation));
-        links.fold(length(offset), |sum, link| sum + link)
-    };
-    let plain = extent(Vec3A::length);
-    if plain > 1e-12 && plain < 1e12 {
-        return plain;
-    }
-    let extent = extent(math::length);
+/// Returns the length from the innermost joint along the chain to the effector.
+#[inline(always)]
+fn extent(pose: &[Affine3A], offset: Option<Vec3A>, length: fn(Vec3A) -> f32) -> f32 {
+    let links = pose.windows(2).map(|pair| length(pair[0].translation - pair[1].translation));
+    links.fold(offset.map_or(0.0, length), |sum, link| sum + link)
+}
+
+/// Returns the size of a rig that is very large or very small: its extent or, for a chain of length zero, the length of
+/// a bone's axis. `None` if it is not finite.
+#[cold]
+fn extreme_size(pose: &[Affine3A], offset: Option<Vec3A>) -> Option<f32> {
+    let extent = extent(pose, offset, math::length);
     let axes = pose.iter().flat_map(|joint| [joint.matrix3.x_axis, joint.matrix3.y_axis, joint.matrix3.z_axis]);
     let scale = axes.map(math::length).fold(0.0, f32::max);
-    if extent > 1e-6 * scale { extent } else { scale }
+    let size = if extent > 1e-6 * scale { extent } else { scale };
+    size.is_finite().then_some(size)
 }
 
 /// Returns the inverse of a transform that [`math::orthonormal`] accepts. The matrix is scaled first, because a

@@ -10,6 +10,8 @@ use crate::{Axes, Joint, JointInfo, math};
 pub(crate) struct Planes {
     /// Matrix with forward, left and up as columns.
     pub(crate) basis: Mat3A,
+    /// Each entry of `basis` as a vector of four equal numbers, by columns.
+    splats: [[Vec3A; 3]; 3],
     by_heading: Vec4,
     by_pitch: Vec4,
     by_both: Vec4,
@@ -28,6 +30,9 @@ impl Planes {
         const fn padded([x, y, z]: [f32; 3]) -> [f32; 4] {
             [x, y, z, 0.0]
         }
+        const fn splat([x, y, z]: [f32; 3]) -> [Vec3A; 3] {
+            [Vec3A::splat(x), Vec3A::splat(y), Vec3A::splat(z)]
+        }
         const fn is_zero(a: [f32; 4], b: [f32; 4], less: f32) -> bool {
             let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] - less;
             -OFF <= dot && dot <= OFF
@@ -40,7 +45,17 @@ impl Planes {
         let (by_heading, by_pitch) = (Vec4::from_array(by_heading), Vec4::from_array(by_pitch));
         let basis =
             Mat3A::from_cols(Vec3A::from_array(axes.forward), Vec3A::from_array(axes.left), Vec3A::from_array(axes.up));
-        Self { basis, by_heading, by_pitch, by_both, square }
+        let splats = [splat(axes.forward), splat(axes.left), splat(axes.up)];
+        Self { basis, splats, by_heading, by_pitch, by_both, square }
+    }
+
+    /// Returns the forward, left and up of a joint with this matrix: its product with the basis. The entries need no
+    /// copying to all lanes.
+    #[inline(always)]
+    pub(crate) fn frame(&self, Mat3A { x_axis, y_axis, z_axis }: &Mat3A) -> Mat3A {
+        let [forward, left, up] = &self.splats;
+        let axis = |[x, y, z]: &[Vec3A; 3]| *x_axis * *x + *y_axis * *y + *z_axis * *z;
+        Mat3A::from_cols(axis(forward), axis(left), axis(up))
     }
 
     /// Returns `true` if the axes are unit and orthogonal to the precision that a correction needs.

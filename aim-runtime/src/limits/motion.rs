@@ -6,7 +6,7 @@ use glam::{Affine3A, Mat3A, Vec3A};
 
 use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, PoseSlices};
+use crate::rig::{ChainRig, LANE_JOINTS, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
 /// Returns the ranges of a joint that the animation turns by `animated` out of the bind pose; `None` if they are
@@ -35,7 +35,13 @@ pub(crate) fn find_motions<const C: usize>(
 ) {
     if rig.has_fixed_ranges {
         // Fixed ranges do not depend on the pose.
-        let ends = |range: Option<[f32; 2]>| range.map_or(Interval::REST, |[lo, hi]| Interval::from_ends(lo, hi));
+        if C <= LANE_JOINTS {
+            for (index, motion) in motions.iter_mut().enumerate() {
+                (motion.heading, motion.pitch) = rig.lanes[index / 2].ranges(index % 2);
+            }
+            return;
+        }
+        let ends = |range: Option<[f32; 2]>| range.map_or(Interval::REST, |[lo, hi]| Interval::ordered(lo, hi));
         for (motion, info) in motions.iter_mut().zip(rig.joints) {
             (motion.heading, motion.pitch) = (ends(info.heading), ends(info.pitch));
         }

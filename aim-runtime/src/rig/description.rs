@@ -5,6 +5,7 @@ use glam::{Vec3A, Vec4};
 use super::JointInfo;
 use super::body_part::{self, BodyPart, MOST_PARTS};
 use super::chain_rig::EXACT_JOINTS;
+use crate::limits::Interval;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
@@ -211,6 +212,13 @@ pub(crate) struct Lanes {
 }
 
 impl Lanes {
+    /// Returns the ranges of the heading and the pitch of the first or the second joint.
+    #[inline(always)]
+    pub(crate) fn ranges(&self, joint: usize) -> (Interval, Interval) {
+        let range = |lane: usize| Interval::ordered(self.least[lane], self.most[lane]);
+        (range(2 * joint + 1), range(2 * joint))
+    }
+
     /// Creates the lanes of joints 2k and 2k + 1.
     const fn new(joints: &[JointInfo], k: usize, least_stiffness: f32) -> Self {
         let [mut least, mut most, mut rate, mut half_ease] = [[0.0; 4]; 4];

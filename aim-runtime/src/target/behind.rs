@@ -98,6 +98,7 @@ impl Front {
     }
 
     /// Returns the side of `target`. Near the middle of the back, keeps the side `before`.
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
         let to_target = target - self.origin;
         let (forward, left) = (to_target.dot(self.forward), to_target.dot(self.left));

@@ -26,6 +26,8 @@ use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
     pub(super) rig: &'a ChainRig<'a, C>,
+    /// `true` if any joint has an upright heading.
+    has_upright: bool,
     /// See [`first`](Self::first).
     first: usize,
     /// The joints' frames.
@@ -56,6 +58,7 @@ impl<'a, const C: usize> Body<'a, C> {
         let ray = Ray { origin: Vec3A::ZERO, direction: Vec3A::X };
         Self {
             rig,
+            has_upright: rig.has_upright,
             first: 0,
             frames: rig.array(Mat3A::ZERO),
             rows: rig.array(Mat3A::ZERO),
@@ -91,50 +94,53 @@ impl<'a, const C: usize> Body<'a, C> {
     /// Reads `pose` with `first` as the aimed joint; `None` if it is not finite or is singular.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn read(&mut self, pose: &[Affine3A], first: usize, about: Upright) -> Option<()> {
-        let infos = self.infos();
+        let (rig, infos) = (self.rig, self.infos());
         if infos.is_empty() || pose.len() != infos.len() {
             return None;
         }
-        self.first = first.min(infos.len() - 1);
+        let last = infos.len() - 1;
+        self.first = first.min(last);
         let (pose, first) = (&pose[..infos.len()], self.first());
         self.deviation = orthogonal_frames(pose, first, &mut self.frames)?;
-        let aimed = effector(self.rig, first);
-        let has_origin = first == 0 && self.rig.has_origin;
-        let offset = if has_origin { pose[first].transform_vector3a(aimed.origin) } else { Vec3A::ZERO };
+        let has_origin = first == 0 && rig.has_origin;
+        let offset = has_origin.then(|| pose[first].transform_vector3a(rig.effector.origin.into()));
         self.space = Space::of_pose(pose, first, offset)?;
         let Space { origin, per_size } = self.space;
 
-        let last = infos.len() - 1;
-        if self.rig.has_upright {
-            self.trunk = self.frames[last] * infos[last].planes.basis;
+        if self.has_upright {
+            self.trunk = infos[last].planes.frame(&self.frames[last]);
             upright(infos, first, about, &mut self.frames, &mut self.tilts);
         }
         for index in first..infos.len() {
-            let frame = self.frames[index] * infos[index].planes.basis;
+            let frame = infos[index].planes.frame(&self.frames[index]);
             self.frames[index] = frame;
             self.rows[index] = frame.transpose();
             self.places[index] = (pose[index].translation - origin) * per_size;
         }
-        if !self.rig.has_upright {
+        if !self.has_upright {
             self.trunk = self.frames[last];
         }
-        self.is_plain = !has_origin && !self.is_tilted(first) && (first > 0 || self.rig.aims_forward);
         self.gaze = Ray { origin: self.places[first], direction: self.frames[first].x_axis };
-        if !self.is_plain {
-            let direction = self.upright_direction(first, aimed.direction);
-            self.effector = Ray { origin: self.rows[first] * (offset * per_size), direction };
-            self.gaze = Ray {
-                origin: self.places[first] + offset * per_size,
-                direction: self.frames[first] * self.effector.direction,
-            };
+        if has_origin || self.is_tilted(first) || first == 0 && !rig.aims_forward {
+            self.set_effector(offset.unwrap_or(Vec3A::ZERO) * per_size);
         }
         Some(())
+    }
+
+    /// Sets an effector that does not look along its joint's forward from its origin, but from `offset` out of it.
+    #[cold]
+    fn set_effector(&mut self, offset: Vec3A) {
+        let first = self.first();
+        let direction = self.upright_direction(first, effector(self.rig, first).direction);
+        self.is_plain = false;
+        self.effector = Ray { origin: self.rows[first] * offset, direction };
+        self.gaze = Ray { origin: self.places[first] + offset, direction: self.frames[first] * direction };
     }
 
     /// Returns `true` if a joint's upright frame differs from that of its bone.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn is_tilted(&self, joint: usize) -> bool {
-        self.rig.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
+        self.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
     }
 
     /// Transforms a direction of a joint's bone to its upright frame.

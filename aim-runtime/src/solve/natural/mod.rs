@@ -106,10 +106,10 @@ pub(super) fn aim<const C: usize>(
         &parts[..count]
     };
     let mut ranges = rig.array(Range::REST);
-    let mut regions = rig.array(Region::NONE);
     for (range, motion) in ranges.iter_mut().zip(motions) {
-        *range = Range::new(motion);
+        *range = Range::new(motion, rig.has_fixed_ranges);
     }
+    let mut regions = rig.array(Region::of_part(parts.first()?));
     find_regions(&body, parts, &ranges, &bearings, &mut regions);
     let count = parts.len();
     let [turns, _] = parts[count - 1].ends::<C>(count - 1);
@@ -357,6 +357,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         Some(Fit::WITHIN_REACH)
     }
 
+    #[cfg_attr(not(aim_small), inline(always))]
     fn turn_to_goal(
         &self,
         from: &PerJoint<Joint, C>,

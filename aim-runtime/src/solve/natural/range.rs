@@ -20,13 +20,14 @@ pub(super) struct Range<'a> {
 impl<'a> Range<'a> {
     pub(super) const REST: Self = Self { lo: Vec4::ZERO, hi: Vec4::ZERO, full: None };
 
+    /// Creates the range of a joint; `is_fixed` if no joint's range depends on anything.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn new(motion: &'a RangeOfMotion) -> Self {
+    pub(super) fn new(motion: &'a RangeOfMotion, is_fixed: bool) -> Self {
         let ([right, left], [down, up]) = (motion.heading.ends(), motion.pitch.ends());
         Self {
             lo: Vec4::new(right, down, f32::NEG_INFINITY, 0.0),
             hi: Vec4::new(left, up, f32::INFINITY, 0.0),
-            full: (motion.taper.is_some() || motion.heading.is_free()).then_some(motion),
+            full: (!is_fixed && (motion.taper.is_some() || motion.heading.is_free())).then_some(motion),
         }
     }
 

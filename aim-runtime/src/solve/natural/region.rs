@@ -50,17 +50,21 @@ pub(super) struct Region<'a> {
     pub(super) hi: Pair,
 }
 
-impl Region<'_> {
-    pub(super) const NONE: Self = Self {
-        part: &BodyPart::NONE,
-        animated: Vec4::ZERO,
-        own_forward: Vec3A::ZERO,
-        forward: Vec3A::ZERO,
-        ahead: 0.0,
-        shifts: [Vec4::ZERO; 2],
-        lo: Vec4::ZERO,
-        hi: Vec4::ZERO,
-    };
+impl<'a> Region<'a> {
+    /// Creates the region of a part before it is evaluated.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn of_part(part: &'a BodyPart) -> Self {
+        Self {
+            part,
+            animated: Vec4::ZERO,
+            own_forward: Vec3A::ZERO,
+            forward: Vec3A::ZERO,
+            ahead: 0.0,
+            shifts: [Vec4::ZERO; 2],
+            lo: Vec4::ZERO,
+            hi: Vec4::ZERO,
+        }
+    }
 
     /// Returns the heading of a front whose forward is steep, taken from its up: at elevation ε the front is f·cos ε −
     /// u·sin ε.
