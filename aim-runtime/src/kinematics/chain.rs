@@ -106,6 +106,7 @@ impl Space {
 
     /// Converts a point of the pose's space to solver space. A point further than [`FAR`] is moved nearer in its
     /// direction. `None` if it is not finite.
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn to_solver(self, point: Vec3A) -> Option<Vec3A> {
         let from_origin = point - self.origin;
         let plain = from_origin * self.per_size;

@@ -161,8 +161,9 @@ pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
     let tt = t * t;
     let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
     let turn = t + t * tt * series;
-    let turn = Vec4::select(across.cmpgt(along), Vec4::splat(FRAC_PI_2) - turn, turn);
-    let turn = Vec4::select(x.cmplt(Vec4::ZERO), Vec4::splat(PI) - turn, turn);
+    // |0 − turn| is turn: these select in fewer instructions than `select` of two numbers.
+    let turn = (Vec4::select(across.cmpgt(along), Vec4::splat(FRAC_PI_2), Vec4::ZERO) - turn).abs();
+    let turn = (Vec4::select(x.cmplt(Vec4::ZERO), Vec4::splat(PI), Vec4::ZERO) - turn).abs();
     Vec4::select(y.cmplt(Vec4::ZERO), -turn, turn)
 }
 
@@ -173,6 +174,12 @@ fn within_right_angle(across: f32, along: f32) -> f32 {
     let t = small / large;
     let turn = atan_within(t);
     if across > along { FRAC_PI_2 - turn } else { turn }
+}
+
+/// Returns the angle of the point (x, y), y ≥ 0, which is usually near the positive x axis. Bit-identical to [`atan2`].
+#[inline(always)]
+pub(crate) fn small_atan2(y: f32, x: f32) -> f32 {
+    if x > y { atan_within(y / x) } else { atan2(y, x) }
 }
 
 /// Returns the angle, radians, whose half has this tangent: twice the arctangent of a number within ±1.

@@ -283,6 +283,7 @@ impl Memory {
     }
 
     /// Returns a natural gaze's memory of the head's goal, which is stored in the fields of the exact solver's search.
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn head_goal(&self) -> HeadGoal {
         let [heading, pitch, heading_rate] = self.target;
         let (slowdown, is_accelerating) = (self.strain.abs(), self.strain.is_sign_negative());
@@ -295,6 +296,7 @@ impl Memory {
         }
     }
 
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn set_head_goal(&mut self, goal: HeadGoal) {
         let HeadGoal { angles, feed_forward, velocity, slowdown, is_accelerating } = goal;
         self.strain = if is_accelerating { -slowdown } else { slowdown };
@@ -304,6 +306,7 @@ impl Memory {
 
     /// Returns the heading and elevation that the regions of a natural gaze turn beyond their share, radians, which are
     /// stored in the fields of the exact solver's search.
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn extra_turn(&self) -> [f32; 2] {
         let [a, b, c] = self.searched.map(u32::from);
         // Stored data may be arbitrary.
@@ -312,6 +315,7 @@ impl Memory {
             .map(|turn| if turn.abs() < PI { turn } else { 0.0 })
     }
 
+    #[cfg_attr(not(aim_small), inline(always))]
     #[expect(clippy::cast_possible_truncation, reason = "halves are meant")]
     pub(crate) fn set_extra_turn(&mut self, turn: [f32; 2]) {
         let [[a, b], [c, d]] = turn.map(f32::to_bits).map(|bits| [(bits >> 16) as u16, bits as u16]);

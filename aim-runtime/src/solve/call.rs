@@ -30,6 +30,7 @@ impl<'a> Call<'a> {
 }
 
 /// Returns the axis of upright headings in this pose. The steepest ascent has none, as in the paper.
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn upright_axis(pose: &PoseSlices<'_>, solver: Solver) -> Upright {
     if solver == Solver::Ascent {
         return Upright::Off;

@@ -26,6 +26,7 @@ use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
     pub(super) rig: &'a ChainRig<'a, C>,
+    infos: &'a [JointInfo],
     /// `true` if any joint has an upright heading.
     has_upright: bool,
     /// See [`first`](Self::first).
@@ -58,6 +59,7 @@ impl<'a, const C: usize> Body<'a, C> {
         let ray = Ray { origin: Vec3A::ZERO, direction: Vec3A::X };
         Self {
             rig,
+            infos: rig.joints,
             has_upright: rig.has_upright,
             first: 0,
             frames: rig.array(Mat3A::ZERO),
@@ -88,7 +90,7 @@ impl<'a, const C: usize> Body<'a, C> {
     /// Returns the declared properties of the joints.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn infos(&self) -> &'a [JointInfo] {
-        &self.rig.joints[..self.rig.count()]
+        &self.infos[..self.count()]
     }
 
     /// Reads `pose` with `first` as the aimed joint; `None` if it is not finite or is singular.
@@ -178,7 +180,7 @@ impl<'a, const C: usize> Body<'a, C> {
         if !(square > TOO_NEAR * TOO_NEAR && square < f32::INFINITY) {
             return None;
         }
-        Some(trig::atan2(math::root(aside), seen.x))
+        Some(trig::small_atan2(math::root(aside), seen.x))
     }
 
     /// Returns `true` if any joint can turn all the way round.
@@ -209,6 +211,9 @@ impl<'a, const C: usize> Body<'a, C> {
 pub(in crate::solve) struct Turn(Vec4);
 
 impl Turn {
+    /// No turn: both angles are 0.
+    pub(super) const NONE: Self = Self(Vec4::new(0.0, 1.0, 0.0, 1.0));
+
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn new(angles: Pair) -> Self {
         Self::of_halves(trig::halves_of(angles))

@@ -26,6 +26,7 @@ pub(super) struct Glide {
 }
 
 /// The bounds of a glide in one frame.
+#[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) dt: f32,
     pub(super) per_dt: f32,
@@ -59,11 +60,12 @@ impl Glide {
         let part = if far * pace > near { near / (pace * far) } else { 1.0 };
         let fade = exp_of_minus(pace * dt);
         let c0 = self.offset * part;
-        let start = self.speed + self.acceleration * (0.5 * dt);
+        let start = self.speed + self.acceleration * dt * 0.5;
         let c1 = start + c0 * pace;
         let c2 = (self.acceleration + (start + c1) * pace) * 0.5;
-        let later = (c0 + (c1 + c2 * dt) * dt) * fade;
-        let end = (c1 + c2 * (2.0 * dt)) * fade - later * pace;
+        let c2_dt = c2 * dt;
+        let later = (c0 + (c1 + c2_dt) * dt) * fade;
+        let end = (c1 + c2_dt * 2.0) * fade - later * pace;
         let speed = (later - c0) * per_dt;
         let base = self.speed + before - with;
         let gain = speed - base;
@@ -71,7 +73,7 @@ impl Glide {
         if change > most {
             return self.at_speed(base + gain * (most / change), bounds);
         }
-        let acceleration = c2 * (2.0 * fade) - (end * 2.0 + later * pace) * pace;
+        let acceleration = c2 * 2.0 * fade - (end * 2.0 + later * pace) * pace;
         Self { offset: self.offset + speed * dt, speed, acceleration }
     }
 
@@ -99,7 +101,7 @@ impl Glide {
         if limits.allows_stop(sums, speeds, bounds) {
             return self;
         }
-        let most = limits.max_speeds(separate_limits(), sums, speeds, bounds);
+        let most = limits.max_speeds(separate_limits(), sums, speeds, *bounds);
         // If even the increased braking is too late, the range stops the movement.
         let start = before.speed + begins;
         let held = end.min(most).max(-most.zwxy());
@@ -124,6 +126,7 @@ impl Glide {
 
 /// A region's limits by its joints' ranges and its budget: the upper limits of heading and pitch, then the lower limits
 /// negated.
+#[derive(Clone, Copy)]
 pub(super) struct RegionLimits {
     /// The tighter limit of each lane, at least 0.
     at: Vec4,
@@ -173,10 +176,11 @@ impl RegionLimits {
         (self.at - sums).cmpgt(distances).bitmask() == 15
     }
 
-    /// Returns the largest speeds from which it is possible to stop before the limits.
+    /// Returns the largest speeds from which it is possible to stop before the limits. Takes values, like all functions
+    /// here that are rarely called, so that callers can keep theirs in registers.
     #[cold]
     #[inline(never)]
-    fn max_speeds(&self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: &Bounds) -> Vec4 {
+    fn max_speeds(self, ends: [Vec4; 2], sums: Vec4, speeds: Vec4, bounds: Bounds) -> Vec4 {
         let mut most = [f32::INFINITY; 4];
         for (end, limit_speed) in ends.iter().zip(&self.speeds) {
             // Measure the distance from the limit's position at the start of the frame. A limit already at the
@@ -260,7 +264,7 @@ pub(super) fn split_goal_motion(
     }
     let mut is_smooth = is_near_to(speed, last_feed_forward, most);
     if !lasts || head_goal.slowdown > 0.0 {
-        (speed, is_smooth) = head_goal.damp_shaking(speed, change, lasts, bounds);
+        (head_goal.slowdown, speed, is_smooth) = head_goal.damp_shaking(speed, change, lasts, *bounds);
     }
     let mut begins = last_feed_forward;
     if !is_smooth {
@@ -286,11 +290,12 @@ impl HeadGoal {
     /// velocity would overshoot. All of its movement therefore becomes offset, which decays without overshoot.
     #[cold]
     #[inline(never)]
-    pub(super) fn fade(&mut self, [sum, goal]: [Pair; 2], glide: &mut Glide, dt: f32) {
+    pub(super) fn fade(mut self, [sum, goal]: [Pair; 2], mut glide: Glide, dt: f32) -> (Self, Glide) {
         glide.speed += pair(self.feed_forward);
         glide.offset = sum - goal;
         self.slow_for_reversal(Vec4::ZERO, Vec4::ZERO, dt);
         (self.angles, self.feed_forward, self.velocity) = (to_array(goal), [0.0; 2], [0.0; 2]);
+        (self, glide)
     }
 
     /// Returns the factor on the head's pace, below 1 if its goal jumps to and fro.
@@ -299,17 +304,18 @@ impl HeadGoal {
         (1.0 - self.slowdown).at_least(LEAST).at_most(1.0)
     }
 
-    /// Limits how a shaking goal is followed, and updates `slowdown`.
+    /// Limits how a shaking goal is followed, and how it changes `slowdown`.
     ///
     /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow,
     /// then following overshoots by v²/2a and shakes the head. A goal that turns back at once does the same. The higher
     /// `slowdown` is, the more the head follows only the mean of the goal's velocity.
     ///
-    /// Returns the feed-forward velocity that replaces `speed`, and whether its change is within the acceleration.
+    /// Returns the new `slowdown`, the feed-forward velocity that replaces `speed`, and whether its change is within the
+    /// acceleration.
     /// `lasts` tells whether the goal's last change was.
     #[cold]
     #[inline(never)]
-    fn damp_shaking(&mut self, speed: Pair, change: Pair, lasts: bool, bounds: &Bounds) -> (Pair, bool) {
+    fn damp_shaking(mut self, speed: Pair, change: Pair, lasts: bool, bounds: Bounds) -> (f32, Pair, bool) {
         /// Time constant of the mean, seconds.
         const MEAN_S: f32 = 0.25;
         /// Time of shaking after which it counts in full, seconds.
@@ -320,7 +326,7 @@ impl HeadGoal {
         const TURN_BACK_RAD: f32 = 14.0 * PI / 180.0;
         /// The most that one reversal counts.
         const TURN_BACK: f32 = 1.1;
-        let &Bounds { dt, rate, acceleration, .. } = bounds;
+        let Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.feed_forward);
         if !lasts {
@@ -336,7 +342,7 @@ impl HeadGoal {
             };
         }
         if !(self.slowdown > 0.0) {
-            return (speed, is_near_to(speed, before, most));
+            return (self.slowdown, speed, is_near_to(speed, before, most));
         }
         // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
         // than forth would otherwise make the mean drift.
@@ -344,7 +350,7 @@ impl HeadGoal {
         let mean = before + (counted - before) * (dt / (dt + MEAN_S));
         let speed = speed + (mean - speed) * self.slowdown.at_most(1.0);
         // Without this limit, sudden changes in one direction only would push the head that way.
-        (before + (speed - before).max(-most).min(most), true)
+        (self.slowdown, before + (speed - before).max(-most).min(most), true)
     }
 
     /// Makes the head slower for a while if its goal jumps back before the head has arrived, so that it stays near the

@@ -42,6 +42,7 @@ use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
+use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::Bounded;
 use crate::math::trig;
 use crate::rig::{BodyPart, ChainRig, EXACT_JOINTS, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
@@ -129,14 +130,12 @@ pub(super) fn aim<const C: usize>(
         has_eye,
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
-    let mut before = rig.array(Joint::REST);
-    let leading = Turn::new(Vec4::ZERO);
+    let mut before = *joints;
     let mut posture =
-        Posture { joints, corrections, aim_point: goal.measured_point, measured_point: goal.measured_point, leading };
+        Posture { joints, corrections, aim_point: goal.measured_point, measured_point: goal.measured_point, leading: Turn::NONE };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
         None => {
-            before.copy_from_slice(posture.joints);
             gaze.snap(&before, memory, &mut posture)?
         }
     };
@@ -144,7 +143,9 @@ pub(super) fn aim<const C: usize>(
         posture.correct(&body, joint);
     }
     let Posture { joints, corrections, measured_point, leading, .. } = posture;
-    let well_within = ranges.iter().zip(joints.iter()).all(|(range, joint)| range.holds_well(angles(joint)));
+    let margins = ranges.iter().zip(joints.iter()).map(|(range, joint)| range.margins(angles(joint)));
+    let least = margins.fold(Vec4::INFINITY, Vec4::min);
+    let well_within = least.cmpgt(Vec4::splat(AT_LIMIT_RAD)).bitmask() & 3 == 3;
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
     let outcome = task.finish(joints, memory, |_| match &chain {
@@ -194,8 +195,10 @@ impl<const C: usize> Posture<'_, C> {
 /// The inputs and the results of one frame's movement.
 struct Motion<'a, const C: usize> {
     memory: &'a mut Memory,
-    /// The movement of the head's goal so far; `None` in the first frame.
-    head_goal: Option<HeadGoal>,
+    /// The movement of the head's goal so far; the default in the first frame.
+    head_goal: HeadGoal,
+    /// `true` in the first frame of a natural gaze.
+    is_first: bool,
     /// The angles that each joint can reach in this frame.
     reaches: &'a PerJoint<Range<'a>, C>,
     dt: f32,
@@ -279,11 +282,10 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let rig = self.rig;
         let mut reaches = rig.array(Range::REST);
         for (index, reach) in reaches.iter_mut().enumerate() {
-            let (joint, info) = (&mut posture.joints[index], &rig.joints[index]);
+            let (joint, info) = (&mut posture.joints[index], &self.body.infos()[index]);
             // A NaN or negative rate does not move.
             let step = (info.rate * dt).at_least(0.0).at_most(PI);
             *reach = self.ranges[index].within(angles(joint), step);
-            from[index] = *joint;
             if index < self.body.first() {
                 *joint = at(joint, reach.towards_rest(angles(joint), step));
                 joint.set_destination(None);
@@ -302,8 +304,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
             self.set_joints(from, posture);
             return Some(self.fit_of_target(fit));
         }
-        let head_goal = (memory.support != Support::None).then(|| memory.head_goal());
-        if head_goal.is_none() {
+        let is_first = memory.support == Support::None;
+        let head_goal = if is_first { HeadGoal::default() } else { memory.head_goal() };
+        if is_first {
             memory.blocked_s = 0.0;
             for joint in from.iter_mut() {
                 joint.velocity = [0.0; 2];
@@ -316,6 +319,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let mut motion = Motion {
             memory,
             head_goal,
+            is_first,
             reaches: &reaches,
             dt,
             per_dt: 1.0 / dt,
@@ -340,7 +344,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if motion.memory.support == Support::None {
             motion.memory.support = Support::Rests;
         }
-        let head_goal = motion.head_goal.unwrap_or_default();
+        let head_goal = motion.head_goal;
         memory.set_head_goal(head_goal);
         Some(fit)
     }
@@ -412,6 +416,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Lets the regions rest once they have arrived and the eye is near the middle of its range.
+    #[cfg_attr(not(aim_small), inline(always))]
     fn rest_if_arrived(&self, sight: &SightAngles, motion: &mut Motion<'_, C>) {
         if self.has_eye() && motion.arrived && sight.is_within() && sight.eccentricity() < self.sharing.release {
             motion.memory.support = Support::Rests;
@@ -419,6 +424,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     }
 
     /// Decides whether the regions take part. If they have rested so far, returns the eye's view of the goal.
+    #[cfg_attr(not(aim_small), inline(always))]
     fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<SightAngles>> {
         let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
         if !self.has_eye() {

@@ -3,7 +3,6 @@
 use glam::{Vec4, Vec4Swizzles};
 
 use super::glide::Pair;
-use crate::limits::reach::AT_LIMIT_RAD;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::math;
 
@@ -86,13 +85,11 @@ impl<'a> Range<'a> {
         Vec4::new(heading, motion.pitch_at(heading).hold(angles.y), 0.0, 0.0)
     }
 
-    /// Returns `true` if the angles are certainly not near the ends of the range. `false` for every range that refers
-    /// to the full [`RangeOfMotion`].
+    /// Returns the distances of the angles from the nearer end of the range, negative outside; −∞ for every range that
+    /// refers to the full [`RangeOfMotion`].
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn holds_well(&self, angles: Pair) -> bool {
-        let near = Vec4::splat(AT_LIMIT_RAD);
-        let inside = (angles - self.lo).min(self.hi - angles);
-        self.full.is_none() && inside.cmpgt(near).bitmask() & 3 == 3
+    pub(super) fn margins(&self, angles: Pair) -> Pair {
+        if self.full.is_some() { Vec4::NEG_INFINITY } else { (angles - self.lo).min(self.hi - angles) }
     }
 
     /// Returns the angles within `step` of these that are nearest to rest.

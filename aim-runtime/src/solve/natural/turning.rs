@@ -300,7 +300,7 @@ impl<const C: usize> Gaze<'_, C> {
         let (region, is_head, dt, per_dt) =
             (&self.regions()[number], number + 1 == self.count(), motion.dt, motion.per_dt);
         let [outer, innermost] = self.ends(number);
-        let pace = region.part.pace * motion.head_goal.as_ref().map_or(1.0, HeadGoal::pace_factor);
+        let pace = region.part.pace * motion.head_goal.pace_factor();
         let &BodyPart { rate, approach, acceleration, .. } = region.part;
         let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
         let (before, speed) = (sum(from, [outer, innermost]), pair(from[outer].velocity));
@@ -313,14 +313,18 @@ impl<const C: usize> Gaze<'_, C> {
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
         let mut head_goal = HeadGoal::default();
         if is_head {
-            head_goal = motion.head_goal.unwrap_or(HeadGoal { angles: to_array(before), ..head_goal });
+            head_goal = if motion.is_first {
+                HeadGoal { angles: to_array(before), ..head_goal }
+            } else {
+                motion.head_goal
+            };
         }
         if motion.stays {
             glide.speed = speed + pair(head_goal.feed_forward);
             (glide.offset, head_goal) = stopping(before, glide.speed, bounds.pace);
             goal = pair(head_goal.angles);
-        } else if is_head && motion.fades && motion.head_goal.is_some() {
-            head_goal.fade([before, goal], &mut glide, dt);
+        } else if is_head && motion.fades && !motion.is_first {
+            (head_goal, glide) = head_goal.fade([before, goal], glide, dt);
         } else if is_head {
             let jump;
             // An eye compensates for what its head does not follow.
@@ -378,7 +382,7 @@ impl<const C: usize> Gaze<'_, C> {
             joints[inner].set_destination(Some(to_array(region.shifts[1])));
         }
         if is_head {
-            motion.head_goal = Some(head_goal);
+            motion.head_goal = head_goal;
         }
     }
 
