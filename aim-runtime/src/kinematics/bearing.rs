@@ -43,6 +43,8 @@ pub(crate) struct Bearings {
     rows: Mat3A,
     /// `true` if a joint of the chain can turn all the way round.
     turns_round: bool,
+    /// `true` if the axes are those of the trunk.
+    pub(crate) are_of_trunk: bool,
 }
 
 impl Bearings {
@@ -58,7 +60,7 @@ impl Bearings {
         let across = math::cross(up, forward);
         let left = if across.dot(left) < 0.0 { -across } else { across };
         let axes = Mat3A::from_cols(forward, left, up);
-        Self { axes, rows: axes.transpose(), turns_round: false }
+        Self { axes, rows: axes.transpose(), turns_round: false, are_of_trunk: false }
     }
 
     /// Creates bearings about the axis of upright headings, with the front of a trunk that has forward, left and up as
@@ -68,7 +70,9 @@ impl Bearings {
         let Mat3A { x_axis: forward, y_axis: left, z_axis: trunk_up } = *trunk;
         match about {
             Upright::About(up) => Self { turns_round, ..Self::new(up, forward, left, trunk_up) },
-            Upright::Off | Upright::Innermost => Self { axes: *trunk, rows: trunk.transpose(), turns_round },
+            Upright::Off | Upright::Innermost => {
+                Self { axes: *trunk, rows: trunk.transpose(), turns_round, are_of_trunk: true }
+            }
         }
     }
 

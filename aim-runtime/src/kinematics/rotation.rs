@@ -67,7 +67,7 @@ impl Planes {
 /// Returns the rotation that a joint adds at its angles, in its upright frame.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn joint_turn(info: &JointInfo, joint: &Joint) -> Quat {
-    turn(&info.axes, &info.planes, trig::halves(joint.pitch, joint.heading).to_array())
+    turn(&info.axes, &info.planes, trig::halves_of(Vec4::new(joint.heading, joint.pitch, 0.0, 0.0)).to_array())
 }
 
 /// Returns the correction of a joint: the bone's animated local rotation is multiplied by it on the right,

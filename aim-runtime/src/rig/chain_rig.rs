@@ -54,6 +54,27 @@ pub(crate) struct PerJoint<T, const C: usize> {
     count: usize,
 }
 
+impl<T: Copy, const C: usize> PerJoint<T, C> {
+    /// Copies the values from a slice of the same length.
+    #[inline(always)]
+    pub(crate) fn copy_from(&mut self, values: &[T]) {
+        match values.first_chunk::<C>() {
+            // A copy of known length takes no call.
+            Some(values) if C == EXACT_JOINTS => self.values = *values,
+            _ => self.copy_from_slice(values),
+        }
+    }
+
+    /// Copies the values to a slice of the same length.
+    #[inline(always)]
+    pub(crate) fn copy_to(&self, values: &mut [T]) {
+        match values.first_chunk_mut::<C>() {
+            Some(values) if C == EXACT_JOINTS => *values = self.values,
+            _ => values.copy_from_slice(self),
+        }
+    }
+}
+
 impl<T, const C: usize> Deref for PerJoint<T, C> {
     type Target = [T];
 

@@ -65,10 +65,14 @@ pub(crate) struct Eyes<'a, const C: usize> {
     /// The squared scale of the joints if the pose is rigid. The inverse of a joint's matrix is its transpose divided
     /// by it.
     square: Option<f32>,
-    /// The eyes' animated transforms.
-    eyes: [Affine3A; 2],
-    /// Transform of directions in the pose to the frames in which the eyes' angles are measured.
-    to_angles: [Mat3A; 2],
+    /// The other eye's animated transform in the pose's space.
+    other_eye: &'a Affine3A,
+    /// The eyes' animated positions.
+    places: [Vec3A; 2],
+    /// Transform of directions in the pose to the frame in which the eyes' angles are measured.
+    to_angles: Mat3A,
+    /// The same for the other eye, if it differs.
+    other_to_angles: Option<Mat3A>,
     /// Transform from joint 0's space to the other eye's bone, which converts corrections.
     relation: Mat3A,
     /// The rotation of each joint's upright frame in its bone.
@@ -85,7 +89,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
     pub(crate) fn new(
         rig: &'a ChainRig<'a, C>,
         pose: &'a PoseSlices<'a>,
-        other_eye: &Affine3A,
+        other_eye: &'a Affine3A,
         declared: &[RangeOfMotion],
         about: Upright,
     ) -> Option<Self> {
@@ -104,26 +108,30 @@ impl<'a, const C: usize> Eyes<'a, C> {
             }
         };
         let middle = 0.5 * joint.translation + 0.5 * other_eye.translation;
-        let from_middle = |eye: &Affine3A| Affine3A { matrix3: eye.matrix3, translation: eye.translation - middle };
         let between_eyes = joint.translation - other_eye.translation;
+        let eye_distance = length(between_eyes);
+        if !(middle.is_finite() && eye_distance.is_finite()) {
+            return None;
+        }
         let leftward = joint.matrix3 * Vec3A::from(info.axes.left);
         let side = if between_eyes.dot(leftward) < 0.0 { -1.0 } else { 1.0 };
-        let eyes = Self {
+        Some(Self {
             rig,
             pose,
             motions: [*own_motion, mirrored(rig, pose, own_motion)],
             leads: can_lead(rig.description),
             middle,
             square: square.filter(|_| from_pose_to_other.is_none()),
-            eyes: [from_middle(joint), from_middle(other_eye)],
+            other_eye,
+            places: [joint.translation - middle, other_eye.translation - middle],
             // The animated gazes count as parallel.
-            to_angles: [from_pose, from_pose_to_other.map_or(from_pose, |other| relation.transpose() * other)],
+            to_angles: from_pose,
+            other_to_angles: from_pose_to_other.map(|other| relation.transpose() * other),
             relation,
             tilts: if rig.has_upright { tilts(rig, pose.joints, about) } else { rig.array(Quat::IDENTITY) },
-            eye_distance: length(between_eyes),
+            eye_distance,
             side,
-        };
-        (middle.is_finite() && eyes.eye_distance.is_finite()).then_some(eyes)
+        })
     }
 
     /// Runs one call for both eyes and the chain that `solve` moves. `solve` is given the pose and ranges of the
@@ -290,7 +298,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     fn views(&self, point: Vec3A) -> [Vec3A; 2] {
         let basis = self.rig.joints[0].planes.basis.transpose();
-        both(|eye| basis * (self.to_angles[eye] * (point - self.eyes[eye].translation)))
+        let [own, other] = self.places.map(|place| point - place);
+        [basis * (self.to_angles * own), basis * (self.other_to_angles.unwrap_or(self.to_angles) * other)]
     }
 
     /// Returns both eyes' headings and pitches towards the target with these `views`; `None` unless both are within
@@ -445,7 +454,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let angles = trig::atan2_of_4(Vec4::new(aside[0], aside[1], 0.0, 0.0), Vec4::new(a.x, b.x, 1.0, 1.0));
         let least = 1e-4 * self.eye_distance;
         both(|eye| {
-            let away = measured_point - self.eyes[eye].translation;
+            let away = measured_point - self.places[eye];
             (away.dot(away) > least * least && angles[eye].is_finite()).then_some(angles[eye])
         })
     }
@@ -454,11 +463,11 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// eye.
     #[cold]
     fn true_remaining(&self, corrections: &[Quat], eye: usize, turns: [Quat; 2], point_ps: Vec3A) -> Option<f32> {
-        let frame = &self.eyes[eye];
+        let matrix = if eye == 0 { self.pose.joints[0].matrix3 } else { self.other_eye.matrix3 };
         let forward = Vec3A::from(self.rig.joints[0].axes.forward);
         let forward =
             if eye == 0 { math::turned(turns[0], forward) } else { self.relation * math::turned(turns[1], forward) };
-        let mut ray = Ray { origin: frame.translation, direction: frame.transform_vector3a(forward) };
+        let mut ray = Ray { origin: self.places[eye], direction: matrix * forward };
         for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1) {
             let frame = Affine3A { matrix3: joint.matrix3, translation: joint.translation - self.middle };
             ray = ray.through(&inverse(&frame)).turned(*turn).through(&frame);

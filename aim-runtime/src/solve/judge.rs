@@ -20,6 +20,24 @@ pub(crate) struct Verdict {
     pub(crate) within_reach: bool,
 }
 
+/// The angle between gaze and target, and its cosine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Measured {
+    /// The angle, radians, 0…π.
+    pub(crate) remaining: f32,
+    /// Its cosine.
+    pub(crate) aim: f32,
+}
+
+impl Measured {
+    /// Creates the measurement of an angle whose cosine is not known.
+    #[inline(always)]
+    pub(crate) fn of_angle(remaining: f32) -> Self {
+        let (sin_half, _) = trig::half_sin_cos_within(remaining);
+        Self { remaining, aim: (1.0 - 2.0 * sin_half * sin_half).at_least(-1.0) }
+    }
+}
+
 impl Verdict {
     /// Returns `Reached` if the angle is within the tolerance, else the first other status that applies.
     #[inline(always)]
@@ -38,8 +56,7 @@ impl Verdict {
     /// Returns the outcome for joints with these sets of limits met.
     #[inline(always)]
     pub(crate) fn outcome_at(&self, at_limit: JointSet, recovering: JointSet) -> Outcome {
-        let (sin_half, _) = trig::half_sin_cos_within(self.remaining);
-        self.outcome_by((1.0 - 2.0 * sin_half * sin_half).at_least(-1.0), at_limit, recovering)
+        self.outcome_by(Measured::of_angle(self.remaining).aim, at_limit, recovering)
     }
 
     /// Returns the outcome, with `aim` the known cosine of the remaining angle.
@@ -57,17 +74,6 @@ impl Verdict {
             other_eye_remaining: None,
             other_eye_correction: None,
         }
-    }
-
-    /// Returns the outcome for joints at these angles.
-    pub(crate) fn outcome<const C: usize>(
-        &self,
-        rig: &ChainRig<'_, C>,
-        motions: &[RangeOfMotion],
-        joints: &[Joint],
-    ) -> Outcome {
-        let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
-        self.outcome_at(at_limit, recovering)
     }
 }
 

@@ -82,7 +82,7 @@ pub(crate) fn solve<const C: usize>(
     let mut motions = rig.array(RangeOfMotion::REST);
     find_motions(rig, pose, &mut motions);
     let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
-    joints.copy_from_slice(state.joints);
+    joints.copy_from(state.joints);
     let output = SolveOutput { joints: &mut joints, memory: &mut memory, corrections, solution: None };
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),
@@ -94,7 +94,7 @@ pub(crate) fn solve<const C: usize>(
     match outcome {
         Some(outcome) => {
             if call.dt != Some(0.0) {
-                state.joints.copy_from_slice(&joints);
+                joints.copy_to(state.joints);
                 *state.memory = memory;
             }
             outcome

@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3A};
 
-use super::judge::Verdict;
+use super::judge::{Measured, Verdict, limits_met};
 use crate::kinematics::chain::{Chain, Space};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::wrap;
@@ -56,7 +56,7 @@ impl<const C: usize> Task<'_, C> {
         self.finish(joints, memory, |joints| {
             let (gaze, turns) = chain.gaze_and_corrections(self.rig, joints);
             corrections.copy_from_slice(&turns);
-            gaze.angle_to(self.goal.measured_point)
+            gaze.angle_to(self.goal.measured_point).map(Measured::of_angle)
         })
     }
 
@@ -67,7 +67,7 @@ impl<const C: usize> Task<'_, C> {
         &self,
         joints: &mut [Joint],
         memory: &mut Memory,
-        measure: impl FnOnce(&[Joint]) -> Option<f32>,
+        measure: impl FnOnce(&[Joint]) -> Option<Measured>,
     ) -> Option<Outcome> {
         let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
         if !rig.has_fixed_ranges {
@@ -76,13 +76,14 @@ impl<const C: usize> Task<'_, C> {
             }
         }
         (memory.side, memory.behind) = (goal.side, goal.behind);
-        let remaining = measure(joints)?;
+        let measured = measure(joints)?;
         let tolerance = settings.effective_tolerance();
-        let verdict = Verdict { remaining, tolerance, behind: goal.behind, within_reach };
+        let verdict = Verdict { remaining: measured.remaining, tolerance, behind: goal.behind, within_reach };
         let outcome = if well_within {
-            verdict.outcome_at(JointSet::EMPTY, JointSet::EMPTY)
+            verdict.outcome_by(measured.aim, JointSet::EMPTY, JointSet::EMPTY)
         } else {
-            verdict.outcome(rig, motions, joints)
+            let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
+            verdict.outcome_by(measured.aim, at_limit, recovering)
         };
         Some(outcome)
     }

@@ -73,12 +73,15 @@ impl Goal {
     #[inline(always)]
     pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: &Memory) -> Option<Self> {
         let weight = settings.effective_weight();
-        let goal = if weight == 0.0 {
+        let mut goal = if weight == 0.0 {
             Self::animation(scene.gaze, before)
         } else {
             Self::for_target(scene, scene.space.to_solver(target_ps)?, settings, before)
         };
-        Some(if scene.has_two_eyes && weight < 1.0 { goal.receding(scene.gaze, weight) } else { goal })
+        if scene.has_two_eyes && weight < 1.0 {
+            goal = goal.receding(scene.gaze, weight);
+        }
+        Some(goal)
     }
 
     #[inline(always)]
@@ -116,6 +119,7 @@ impl Goal {
     }
 
     /// Returns the goal for weight 0: the animated gaze itself.
+    #[cold]
     fn animation(gaze: Ray, before: &Memory) -> Self {
         // Far enough away that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
@@ -124,6 +128,7 @@ impl Goal {
 
     /// Moves the goal's points away from the effector by the reciprocal of the weight, so that two eyes converge
     /// proportionally less.
+    #[cold]
     fn receding(self, gaze: Ray, weight: f32) -> Self {
         let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);

@@ -110,7 +110,7 @@ impl<const C: usize> Gaze<'_, C> {
     /// Returns the turn of the body that would bring a target behind into reach, which differs from the point aimed at.
     #[cold]
     pub(super) fn turn_for_behind(&self) -> Option<f32> {
-        let (_, unfit) = self.share(&self.gaze_shift_to(self.goal.measured_point)?, Vec4::ZERO);
+        let (_, unfit) = self.share_again(&self.gaze_shift_to(self.goal.measured_point)?, Vec4::ZERO);
         Some(unfit.x)
     }
 
@@ -197,7 +197,7 @@ impl<const C: usize> Gaze<'_, C> {
     ) -> Option<Allotment<C>> {
         let own = &self.ranges[self.body.first()];
         let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
-        let mut directions = self.share(gaze_shift, *extra).0;
+        let mut directions = self.share_again(gaze_shift, *extra).0;
         for round in 0..rounds {
             let sight = self.turn_joints(Aims::At(&directions, self.goal.aim_point), from, None, posture)?;
             let left = sight.excess();
@@ -227,13 +227,20 @@ impl<const C: usize> Gaze<'_, C> {
             step = off * Vec4::select(per.cmpgt(Vec4::ZERO), per.min(Vec4::splat(MOST_STEPS)), Vec4::ONE);
             before = off;
             *extra += step;
-            directions = self.share(gaze_shift, *extra).0;
+            directions = self.share_again(gaze_shift, *extra).0;
         }
         Some(Allotment { directions, point: self.goal.aim_point, fit: Fit::WITHIN_REACH })
     }
 
+    /// [`share`](Self::share), compiled once for the callers that are rarely reached.
+    #[inline(never)]
+    fn share_again(&self, gaze_shift: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
+        self.share(gaze_shift, extra)
+    }
+
     /// Shares a gaze shift out between the regions, which cover its `part` and `extra` on top. Returns the resulting
     /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
+    #[cfg_attr(not(aim_small), inline(always))]
     fn share(&self, &GazeShift { to, shift, part, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
         let mut directions = self.rig.array(Vec4::ZERO);
         let (lo, hi) = if self.has_eye() {

@@ -18,8 +18,10 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 
 use super::glide::Pair;
 use crate::JointInfo;
+use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Deviation, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
-use crate::math;
+use crate::math::{self, Bounded};
+use crate::solve::judge::Measured;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
 
@@ -101,7 +103,9 @@ impl<'a, const C: usize> Body<'a, C> {
             return None;
         }
         let last = infos.len() - 1;
-        self.first = first.min(last);
+        if C != EXACT_JOINTS {
+            self.first = first.min(last);
+        }
         let (pose, first) = (&pose[..infos.len()], self.first());
         self.deviation = orthogonal_frames(pose, first, &mut self.frames)?;
         let has_origin = first == 0 && rig.has_origin;
@@ -145,6 +149,12 @@ impl<'a, const C: usize> Body<'a, C> {
         self.has_upright && Vec4::from(self.tilts[joint]).cmpne(Vec4::ZERO).bitmask() & 7 != 0
     }
 
+    /// Returns `true` if heading and elevation are measured in a joint's own frame, so that they are its angles.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn measures_bearings(&self, joint: usize, bearings: &Bearings) -> bool {
+        joint + 1 == self.count() && bearings.are_of_trunk && !self.is_tilted(joint)
+    }
+
     /// Transforms a direction of a joint's bone to its upright frame.
     #[cold]
     fn upright_direction(&self, joint: usize, direction: Vec3A) -> Vec3A {
@@ -168,11 +178,11 @@ impl<'a, const C: usize> Body<'a, C> {
     /// Returns the angle between the effector, with the leading joint turned by `turn`, and the direction to a point,
     /// from which the turns of the joints inward are undone; `None` if it is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn angle_to(&self, point: Vec3A, turn: &Turn) -> Option<f32> {
+    pub(super) fn measure(&self, point: Vec3A, turn: &Turn) -> Option<Measured> {
         let first = self.first();
         let seen = turn.undo(self.rows[first] * (point - self.places[first]));
         if !self.is_plain {
-            return self.effector.angle_to(seen);
+            return self.effector.angle_to(seen).map(Measured::of_angle);
         }
         let aside = seen.y * seen.y + seen.z * seen.z;
         let square = aside + seen.x * seen.x;
@@ -180,7 +190,8 @@ impl<'a, const C: usize> Body<'a, C> {
         if !(square > TOO_NEAR * TOO_NEAR && square < f32::INFINITY) {
             return None;
         }
-        Some(trig::small_atan2(math::root(aside), seen.x))
+        let aim = (seen.x / math::root(square)).at_least(-1.0).at_most(1.0);
+        Some(Measured { remaining: trig::small_atan2(math::root(aside), seen.x), aim })
     }
 
     /// Returns `true` if any joint can turn all the way round.

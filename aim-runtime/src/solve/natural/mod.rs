@@ -37,6 +37,7 @@ use self::region::{Region, find_regions};
 use self::sharing::Sharing;
 use self::sight::SightAngles;
 use super::call::Call;
+use super::judge::Measured;
 use super::task::{ChainSolution, SolveOutput, Task};
 use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Upright, true_gaze};
@@ -107,7 +108,7 @@ pub(super) fn aim<const C: usize>(
         &parts[..count]
     };
     let mut ranges = rig.array(Range::REST);
-    for (range, motion) in ranges.iter_mut().zip(motions) {
+    for (range, motion) in ranges.iter_mut().zip(motions.get(..rig.count())?) {
         *range = Range::new(motion, rig.has_fixed_ranges);
     }
     let mut regions = rig.array(Region::of_part(parts.first()?));
@@ -149,10 +150,13 @@ pub(super) fn aim<const C: usize>(
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
     let outcome = task.finish(joints, memory, |_| match &chain {
-        Some(chain) => chain.gaze(corrections).angle_to(goal.measured_point),
-        None if body.deviation.is_negligible() => body.angle_to(measured_point, &leading),
+        Some(chain) => chain.gaze(corrections).angle_to(goal.measured_point).map(Measured::of_angle),
+        None if body.deviation.is_negligible() => body.measure(measured_point, &leading),
         // Undoing a rotation in skewed axes is inexact by the skew, so use true kinematics.
-        None => true_gaze(rig, pose.joints, first, body.space, corrections)?.angle_to(goal.measured_point),
+        None => {
+            let gaze = true_gaze(rig, pose.joints, first, body.space, corrections)?;
+            gaze.angle_to(goal.measured_point).map(Measured::of_angle)
+        }
     })?;
     if let Some(solution) = solution {
         let measured_point = (first == 0 && body.deviation.is_negligible()).then_some(measured_point);

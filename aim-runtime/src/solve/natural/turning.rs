@@ -1,6 +1,6 @@
 //! Turns the joints: to their final angles in closed form, or by one frame's motion.
 
-use core::f32::consts::PI;
+use core::f32::consts::{FRAC_PI_2, PI};
 
 use glam::{Vec3A, Vec4};
 
@@ -20,6 +20,8 @@ use crate::{Joint, math};
 struct RegionTarget {
     /// The direction to which its outermost forward turns.
     direction: Vec3A,
+    /// The angles of its outermost joint in that direction, if they are known.
+    own_angles: Option<Pair>,
     /// The point that its outermost joint looks at instead, if that joint leads.
     lead_point: Option<Vec3A>,
 }
@@ -27,6 +29,8 @@ struct RegionTarget {
 /// The turns of all joints in one call.
 struct Step<'a, const C: usize> {
     aims: Aims<'a>,
+    /// Number of regions, 0 or 1, whose directions are the angles of their joints.
+    measured: usize,
     /// The point that the leading joint looks at.
     point: Vec3A,
     /// `true` if that is the point that the outcome is measured against.
@@ -61,14 +65,19 @@ impl<const C: usize> Gaze<'_, C> {
         let mut directions = self.rig.array(Vec3A::ZERO);
         posture.joints[first] = from[first];
         (posture.aim_point, posture.measured_point) = (measured_point, measured_point);
+        let mut measured = 0;
         match aims {
             Aims::At(angles, point) => {
                 posture.aim_point = point;
-                let mut number = 0;
+                measured = usize::from(self.measures_bearings(angles[0]));
+                let mut number = measured;
                 while number < self.count() {
-                    let (own, next) = (angles[number], (number + 1).min(self.count() - 1));
-                    let other = angles[next];
-                    [directions[number], directions[next]] =
+                    if number + 1 == self.count() {
+                        directions[number] = self.bearings.direction(angles[number]);
+                        break;
+                    }
+                    let (own, other) = (angles[number], angles[number + 1]);
+                    [directions[number], directions[number + 1]] =
                         self.bearings.directions(Vec4::new(own.x, own.y, other.x, other.y));
                     number += 2;
                 }
@@ -77,7 +86,7 @@ impl<const C: usize> Gaze<'_, C> {
             Aims::Stay => {}
         }
         let (point, is_measured) = (posture.aim_point, posture.aim_point == measured_point);
-        let mut step = Step { aims, point, is_measured, from, goals, directions, sight: SightAngles::ZERO };
+        let mut step = Step { aims, measured, point, is_measured, from, goals, directions, sight: SightAngles::ZERO };
         if C == EXACT_JOINTS {
             // Two calls, so that both are inlined and know their joints.
             self.turn_region(0, &mut step, &mut motion, posture)?;
@@ -124,6 +133,14 @@ impl<const C: usize> Gaze<'_, C> {
         Some(sight)
     }
 
+    /// Returns `true` if the innermost region's direction, with this heading and elevation, has them as the angles of
+    /// its joint.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn measures_bearings(&self, angles: Pair) -> bool {
+        self.body.measures_bearings(self.ends(0)[0], self.bearings)
+            && angles.abs().cmple(pair([PI, FRAC_PI_2])).bitmask() & 3 == 3
+    }
+
     /// Turns the joints of a region.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_region(
@@ -136,9 +153,10 @@ impl<const C: usize> Gaze<'_, C> {
         let (body, from, is_head) = (self.body, step.from, number + 1 == self.count());
         let [outer, inner] = self.ends(number);
         match step.aims {
-            Aims::At(..) => {
+            Aims::At(angles, _) => {
                 let lead_point = (is_head && !self.has_eye()).then_some(step.point);
-                let target = RegionTarget { direction: step.directions[number], lead_point };
+                let own_angles = (number < step.measured).then(|| angles[number]);
+                let target = RegionTarget { direction: step.directions[number], own_angles, lead_point };
                 let wanted = self.goals(number, target, from, posture, &mut step.goals)?;
                 step.sight = SightAngles { unclamped: wanted, clamped: step.goals[outer] };
             }
@@ -235,10 +253,11 @@ impl<const C: usize> Gaze<'_, C> {
         if outer < innermost {
             (point, inner) = self.inner_goals(number, &mut target, extra, from, posture, goals);
         }
-        let wanted = match target.lead_point {
-            Some(true_point) => self.sight(posture.joints, true_point, point)?,
-            None if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * target.direction),
-            None => heading_and_pitch(body.rows[outer] * target.direction),
+        let wanted = match (target.lead_point, target.own_angles) {
+            (Some(true_point), _) => self.sight(posture.joints, true_point, point)?,
+            (None, Some(angles)) => angles,
+            _ if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * target.direction),
+            _ => heading_and_pitch(body.rows[outer] * target.direction),
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
         goals[outer] = self.ranges[outer].hold_from(angles(&from[outer]), within);
