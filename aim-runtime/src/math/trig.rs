@@ -182,6 +182,16 @@ pub(crate) fn small_atan2(y: f32, x: f32) -> f32 {
     if x > y { atan_within(y / x) } else { atan2(y, x) }
 }
 
+/// Returns the angles of two points (x, y), as [`small_atan2`] does.
+#[inline(always)]
+pub(crate) fn small_atan2_of_both([y, other_y]: [f32; 2], [x, other_x]: [f32; 2]) -> [f32; 2] {
+    if x > y && other_x > other_y {
+        atans_within([y / x, other_y / other_x])
+    } else {
+        [atan2(y, x), atan2(other_y, other_x)]
+    }
+}
+
 /// Returns the angle, radians, whose half has this tangent: twice the arctangent of a number within ±1.
 #[inline(always)]
 pub(crate) fn twice_atan(half_tangent: f32) -> f32 {

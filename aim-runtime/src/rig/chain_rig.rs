@@ -36,6 +36,18 @@ impl<'a, const C: usize> ChainRig<'a, C> {
     pub(crate) fn array<T: Copy>(&self, value: T) -> PerJoint<T, C> {
         PerJoint { values: [value; C], count: self.count() }
     }
+
+    /// Returns the values of a slice with one for every joint. `filler` is for indices without a joint.
+    #[inline(always)]
+    pub(crate) fn array_from<T: Copy>(&self, values: &[T], filler: T) -> PerJoint<T, C> {
+        // A copy of known length takes no call.
+        if C == EXACT_JOINTS && let Some(values) = values.first_chunk::<C>() {
+            return PerJoint { values: *values, count: C };
+        }
+        let mut array = self.array(filler);
+        array.copy_from_slice(values);
+        array
+    }
 }
 
 impl<'a, const C: usize> Deref for ChainRig<'a, C> {
@@ -55,16 +67,6 @@ pub(crate) struct PerJoint<T, const C: usize> {
 }
 
 impl<T: Copy, const C: usize> PerJoint<T, C> {
-    /// Copies the values from a slice of the same length.
-    #[inline(always)]
-    pub(crate) fn copy_from(&mut self, values: &[T]) {
-        match values.first_chunk::<C>() {
-            // A copy of known length takes no call.
-            Some(values) if C == EXACT_JOINTS => self.values = *values,
-            _ => self.copy_from_slice(values),
-        }
-    }
-
     /// Copies the values to a slice of the same length.
     #[inline(always)]
     pub(crate) fn copy_to(&self, values: &mut [T]) {

@@ -14,7 +14,7 @@ use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
 use super::natural::body::Turn;
 use crate::kinematics::bearing::headings_and_pitches;
 use crate::kinematics::chain::{NEGLIGIBLE_DEVIATION, Ray, Upright, can_lead, common_scale, inverse, tilts};
-use crate::kinematics::rotation::{correction, tilted, turn};
+use crate::kinematics::rotation::{joint_turn, tilted, turn};
 use crate::limits::motion::mirrored;
 use crate::limits::reach::{AT_LIMIT_RAD, Reach};
 use crate::limits::{Interval, RangeOfMotion};
@@ -149,8 +149,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let own = *joints.first()?;
         let [other, leading] = memory.eyes().unwrap_or([[0.0; 2], own.angles()]);
         let start = [own, with_angles(&own, other)];
-        let mut transforms = self.rig.array(Affine3A::IDENTITY);
-        transforms.copy_from_slice(self.pose.joints);
+        let mut transforms = self.rig.array_from(self.pose.joints, Affine3A::IDENTITY);
         if self.leads {
             joints[0] = with_angles(&own, leading);
             transforms[0].translation = self.middle;
@@ -213,7 +212,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         memory.set_eyes(Some([angles[1], lead.angles()]));
         let halves = trig::halves_of_both(angles_of_both);
         let info = &self.rig.joints[0];
-        let turns = both(|eye| tilted(turn(&info.axes, &info.planes, halves[eye].to_array()), self.tilts[0]));
+        let turns = both(|eye| self.tilted(turn(&info.axes, &info.planes, halves[eye].to_array()), 0));
         corrections[0] = turns[0];
         let remaining = self.remaining(
             corrections,
@@ -272,11 +271,11 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let mut point = point_ps - self.middle;
         for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1).rev() {
             let place = joint.translation - self.middle;
-            let to_joint = match self.square {
-                Some(square) => joint.matrix3.transpose() * (1.0 / square),
-                None => inverse(joint).matrix3,
+            let local = match self.square {
+                Some(square) => joint.matrix3.transpose() * ((point - place) * (1.0 / square)),
+                None => inverse(joint).matrix3 * (point - place),
             };
-            point = place + joint.matrix3 * math::turned(turn.conjugate(), to_joint * (point - place));
+            point = place + joint.matrix3 * math::turned(turn.conjugate(), local);
         }
         point
     }
@@ -291,7 +290,13 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns a joint's correction at its angles.
     #[cfg_attr(not(aim_small), inline(always))]
     fn correction_of(&self, index: usize, joint: &Joint) -> Quat {
-        correction(&self.rig.joints[index], joint, self.tilts[index])
+        self.tilted(joint_turn(&self.rig.joints[index], joint), index)
+    }
+
+    /// Converts a joint's rotation in its upright frame to its bone.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn tilted(&self, turn: Quat, index: usize) -> Quat {
+        if self.rig.has_upright { tilted(turn, self.tilts[index]) } else { turn }
     }
 
     /// Returns the vectors from the eyes to a point, along the forward, left and up from which the angles are measured.
@@ -451,7 +456,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         }
         let [a, b] = both(|eye| Turn::of_halves(halves[eye]).undo(views[eye]));
         let aside = [a, b].map(|v| math::root(v.y * v.y + v.z * v.z));
-        let angles = trig::atan2_of_4(Vec4::new(aside[0], aside[1], 0.0, 0.0), Vec4::new(a.x, b.x, 1.0, 1.0));
+        let angles = trig::small_atan2_of_both(aside, [a.x, b.x]);
         let least = 1e-4 * self.eye_distance;
         both(|eye| {
             let away = measured_point - self.places[eye];

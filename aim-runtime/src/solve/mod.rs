@@ -79,10 +79,9 @@ pub(crate) fn solve<const C: usize>(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    let mut motions = rig.array(RangeOfMotion::REST);
-    find_motions(rig, pose, &mut motions);
-    let (mut joints, mut memory) = (rig.array(Joint::REST), *state.memory);
-    joints.copy_from(state.joints);
+    let mut motions = find_motions(rig, pose);
+    let mut joints = rig.array_from(state.joints, Joint::REST);
+    let mut memory = *state.memory;
     let output = SolveOutput { joints: &mut joints, memory: &mut memory, corrections, solution: None };
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),

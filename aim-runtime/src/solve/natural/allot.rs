@@ -46,18 +46,15 @@ fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] 
     let half_turn = Vec4::splat(PI);
     let [sines, cosines] = trig::sin_cos_4(Vec4::new(right, left, head, elevation).max(-half_turn).min(half_turn));
     let [sin_head, cos_head, sin_up, cos_up] = [sines.z, cosines.z, sines.w, cosines.w];
-    let ahead = [0, 1].map(|end| {
-        let across = sines[end] * cos_head;
-        math::root(cosines[end] * cosines[end] + across * across)
-    });
+    let across = sines * cos_head;
+    let square = cosines * cosines + across * across;
+    let ahead = Vec4::new(math::root(square.x), math::root(square.y), 1.0, 1.0);
     let lift = sin_up * sin_head / cos_up.at_least(1e-3);
-    let lifted = [0, 1].map(|end| (sines[end] * lift / ahead[end]).at_least(-1.0).at_most(1.0));
-    let level = lifted.map(|lifted| math::sqrt(1.0 - lifted * lifted));
-    let [a, b, c, d] = trig::atan2_of_4(
-        Vec4::new(sines.x * cos_head, sines.y * cos_head, lifted[0], lifted[1]),
-        Vec4::new(cosines.x, cosines.y, level[0], level[1]),
-    )
-    .to_array();
+    let lifted = (sines * lift / ahead).max(Vec4::NEG_ONE).min(Vec4::ONE);
+    let square = Vec4::ONE - lifted * lifted;
+    let (x, y) = (math::root(square.x), math::root(square.y));
+    let [a, b, c, d] =
+        trig::atan2_of_4(Vec4::new(across.x, across.y, lifted.x, lifted.y), Vec4::new(cosines.x, cosines.y, x, y)).to_array();
     [a + c, b + d]
 }
 
