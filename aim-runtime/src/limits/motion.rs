@@ -6,7 +6,7 @@ use glam::{Affine3A, Mat3A, Vec3A};
 
 use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, LANE_JOINTS, PerJoint, PoseSlices};
+use crate::rig::{ChainRig, LANE_JOINTS, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
 /// Returns the ranges of a joint that the animation turns by `animated` out of the bind pose; `None` if they are
@@ -31,23 +31,18 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
 pub(crate) fn find_motions<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
-) -> PerJoint<RangeOfMotion, C> {
-    // Filled with the first joint's, because filling with a constant copies it twice.
-    let mut motions = rig.array(find_motion(rig, pose, 0));
-    for index in 1..motions.len() {
-        motions[index] = find_motion(rig, pose, index);
-    }
-    motions
-}
-
-/// Returns the ranges of motion of one joint in this pose, read from the description if they are fixed.
-#[inline(always)]
-fn find_motion<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>, index: usize) -> RangeOfMotion {
+    motions: &mut [RangeOfMotion],
+) {
     if rig.has_fixed_ranges && C <= LANE_JOINTS {
-        let (heading, pitch) = rig.lanes[index / 2].ranges(index % 2);
-        return RangeOfMotion { heading, pitch, taper: None };
+        // Fixed ranges do not depend on the pose.
+        for (index, motion) in motions.iter_mut().enumerate() {
+            *motion = rig.lanes[index / 2].motion(index % 2);
+        }
+        return;
     }
-    range_in_pose(&rig.joints[index], pose, index)
+    for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
+        *motion = range_in_pose(info, pose, index);
+    }
 }
 
 /// Returns the ranges of motion of one joint in this pose.

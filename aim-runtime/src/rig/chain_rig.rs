@@ -41,7 +41,9 @@ impl<'a, const C: usize> ChainRig<'a, C> {
     #[inline(always)]
     pub(crate) fn array_from<T: Copy>(&self, values: &[T], filler: T) -> PerJoint<T, C> {
         // A copy of known length takes no call.
-        if C == EXACT_JOINTS && let Some(values) = values.first_chunk::<C>() {
+        if C == EXACT_JOINTS
+            && let Some(values) = values.first_chunk::<C>()
+        {
             return PerJoint { values: *values, count: C };
         }
         let mut array = self.array(filler);

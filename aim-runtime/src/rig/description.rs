@@ -5,8 +5,8 @@ use glam::{Vec3A, Vec4};
 use super::JointInfo;
 use super::body_part::{self, BodyPart, MOST_PARTS};
 use super::chain_rig::EXACT_JOINTS;
-use crate::limits::Interval;
 use crate::limits::reach::AT_LIMIT_RAD;
+use crate::limits::{Interval, RangeOfMotion};
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
 
 /// Number of joints whose angles a description has in [`Lanes`].
@@ -212,11 +212,11 @@ pub(crate) struct Lanes {
 }
 
 impl Lanes {
-    /// Returns the ranges of the heading and the pitch of the first or the second joint.
+    /// Returns the declared ranges of the first or the second joint, if they are fixed.
     #[inline(always)]
-    pub(crate) fn ranges(&self, joint: usize) -> (Interval, Interval) {
+    pub(crate) fn motion(&self, joint: usize) -> RangeOfMotion {
         let range = |lane: usize| Interval::ordered(self.least[lane], self.most[lane]);
-        (range(2 * joint + 1), range(2 * joint))
+        RangeOfMotion { heading: range(2 * joint + 1), pitch: range(2 * joint), taper: None }
     }
 
     /// Creates the lanes of joints 2k and 2k + 1.

@@ -79,7 +79,9 @@ pub(crate) fn solve<const C: usize>(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    let mut motions = find_motions(rig, pose);
+    // Filled with joint 0's declared ranges, because a constant would be copied twice.
+    let mut motions = rig.array(rig.lanes[0].motion(0));
+    find_motions(rig, pose, &mut motions);
     let mut joints = rig.array_from(state.joints, Joint::REST);
     let mut memory = *state.memory;
     let output = SolveOutput { joints: &mut joints, memory: &mut memory, corrections, solution: None };

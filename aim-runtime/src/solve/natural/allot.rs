@@ -54,7 +54,8 @@ fn eye_headings([right, left]: [f32; 2], head: f32, elevation: f32) -> [f32; 2] 
     let square = Vec4::ONE - lifted * lifted;
     let (x, y) = (math::root(square.x), math::root(square.y));
     let [a, b, c, d] =
-        trig::atan2_of_4(Vec4::new(across.x, across.y, lifted.x, lifted.y), Vec4::new(cosines.x, cosines.y, x, y)).to_array();
+        trig::atan2_of_4(Vec4::new(across.x, across.y, lifted.x, lifted.y), Vec4::new(cosines.x, cosines.y, x, y))
+            .to_array();
     [a + c, b + d]
 }
 

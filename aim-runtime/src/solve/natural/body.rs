@@ -20,10 +20,10 @@ use super::glide::Pair;
 use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Deviation, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
-use crate::math::{self, Bounded};
-use crate::solve::judge::Measured;
 use crate::math::trig::{self, Halves};
+use crate::math::{self, Bounded};
 use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
+use crate::solve::judge::Measured;
 
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {

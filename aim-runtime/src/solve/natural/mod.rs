@@ -132,13 +132,16 @@ pub(super) fn aim<const C: usize>(
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
     let mut before = *joints;
-    let mut posture =
-        Posture { joints, corrections, aim_point: goal.measured_point, measured_point: goal.measured_point, leading: Turn::NONE };
+    let mut posture = Posture {
+        joints,
+        corrections,
+        aim_point: goal.measured_point,
+        measured_point: goal.measured_point,
+        leading: Turn::NONE,
+    };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
-        None => {
-            gaze.snap(&before, memory, &mut posture)?
-        }
+        None => gaze.snap(&before, memory, &mut posture)?,
     };
     for joint in 0..first {
         posture.correct(&body, joint);
@@ -491,7 +494,10 @@ impl<'a, const C: usize> Gaze<'a, C> {
             }
             self.hold_eye(&mut found);
             let head = &self.regions()[self.count() - 1];
-            after.set_head_goal(HeadGoal { angles: to_array(sum(&found, head.part.ends::<C>(self.count() - 1))), ..HeadGoal::default() });
+            after.set_head_goal(HeadGoal {
+                angles: to_array(sum(&found, head.part.ends::<C>(self.count() - 1))),
+                ..HeadGoal::default()
+            });
         }
         self.set_joints(&found, posture);
         *memory = after;

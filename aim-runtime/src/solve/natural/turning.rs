@@ -332,11 +332,8 @@ impl<const C: usize> Gaze<'_, C> {
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
         let mut head_goal = HeadGoal::default();
         if is_head {
-            head_goal = if motion.is_first {
-                HeadGoal { angles: to_array(before), ..head_goal }
-            } else {
-                motion.head_goal
-            };
+            head_goal =
+                if motion.is_first { HeadGoal { angles: to_array(before), ..head_goal } } else { motion.head_goal };
         }
         if motion.stays {
             glide.speed = speed + pair(head_goal.feed_forward);
