@@ -4,7 +4,6 @@ use glam::{Vec3A, Vec4};
 
 use super::JointInfo;
 use super::body_part::{self, BodyPart, MOST_PARTS};
-use super::chain_rig::EXACT_JOINTS;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::limits::{Interval, RangeOfMotion};
 use crate::{Axes, Budget, Budgets, GazeSharing, Role, Solver, math};
@@ -177,9 +176,10 @@ impl<'a> Description<'a> {
         self.default_solver
     }
 
-    /// Returns `true` if the rig has [`EXACT_JOINTS`] joints: an eye that leads, and two body parts of one joint each.
+    /// Returns `true` if the rig has [`EXACT_JOINTS`](super::EXACT_JOINTS) joints: an eye that leads, and two body parts of one joint each.
+    #[cfg(not(aim_small))]
     pub(crate) fn is_eye_head_chest(&self) -> bool {
-        self.joints.len() == EXACT_JOINTS && self.part_count == 2 && self.parts[1].outer == 1
+        self.joints.len() == super::chain_rig::EXACT_JOINTS && self.part_count == 2 && self.parts[1].outer == 1
     }
 
     /// Returns `true` if the effector is joint 0's forward from joint 0's origin.
