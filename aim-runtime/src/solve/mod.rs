@@ -180,7 +180,8 @@ fn moves_by_regions<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) 
     solver(rig, settings) == Solver::Natural && rig.is_square && !is_alone
 }
 
-/// Returns `true` if the joints' indices in a natural gaze are those of [`EXACT_JOINTS`](crate::rig::EXACT_JOINTS), or if the gaze is not natural.
+/// Returns `true` if the joints of a natural gaze have the indices that chains of
+/// [`EXACT_JOINTS`](crate::rig::EXACT_JOINTS) expect, or if the gaze is not natural.
 #[cfg(not(aim_small))]
 pub(crate) fn has_known_layout(rig: &Description<'_>, settings: &Settings) -> bool {
     rig.is_eye_head_chest() && settings.effector == 0
