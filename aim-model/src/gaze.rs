@@ -50,7 +50,7 @@
 )]
 pub struct GazeSharing<T = f32> {
     /// Gaze shift that the eyes make alone, radians: `D` in head shift = `g·max(0, |E| − D)`. `E` is the angle from the
-    /// animated gaze to the target. Default 15°.
+    /// animated gaze, with the eyes at rest if a bind pose tells how, to the target. Default 15°.
     #[cfg_attr(feature = "serde", serde(with = "crate::stored"))]
     pub eyes_only: T,
     /// Part of the gaze shift beyond [`eyes_only`](Self::eyes_only) that the head makes, 0…1: `g`. Default 0.8.

@@ -69,9 +69,9 @@ pub(crate) fn mirrored<const C: usize>(
 
 /// Returns the heading and pitch by which the animation turns a joint's forward out of the bind pose:
 /// `bind⁻¹ · local = R_heading · R_pitch · R_roll`. The heading is 0 if forward points straight up or down.
-fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Option<Angles> {
-    let local = local_rotation(pose.joints, index)?;
+pub(crate) fn animated_angles(info: &JointInfo, pose: &PoseSlices<'_>, index: usize) -> Option<Angles> {
     let bind = local_rotation(pose.bind?, index)?;
+    let local = local_rotation(pose.joints, index)?;
     let axes = &info.axes;
     let forward = bind.transpose() * (local * Vec3A::from(axes.forward));
     let [ahead, left, up] = [axes.forward, axes.left, axes.up].map(|axis| forward.dot(axis.into()));

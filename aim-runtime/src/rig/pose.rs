@@ -38,7 +38,8 @@ pub struct Pose<A> {
     pub up: Option<Vec3>,
     /// Each joint's transform in the bind pose, from the effector inward, placed where the character is now: the bind
     /// pose moves with the bone that is the parent of the innermost joint. Ranges from the bind pose use each joint's
-    /// orientation relative to the next joint inward, and for the innermost joint its orientation in the pose's space.
+    /// orientation relative to the next joint inward, and for the innermost joint its orientation in the pose's space. A
+    /// natural gaze takes the eye's rest from it, so that an animation that moves the eyes does not move the head.
     pub bind: Option<A>,
     /// Animated transform of the other eye, in the space of the joints; `None` to aim joint 0 alone.
     pub other_eye: Option<Affine3A>,

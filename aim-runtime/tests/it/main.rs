@@ -10,6 +10,7 @@ mod conventions;
 mod degenerate;
 mod eyes;
 mod fixed;
+mod glances;
 mod ik;
 mod natural;
 mod oracle;

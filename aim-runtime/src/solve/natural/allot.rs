@@ -4,7 +4,9 @@ use core::f32::consts::PI;
 
 use glam::{Vec3A, Vec4};
 
+use super::body::Turn;
 use super::glide::{Pair, pair, square};
+use super::range::Range;
 use super::region::{Region, pitch_reduction};
 use super::{Aims, Gaze, Posture, SAME_RAD, SightAngles};
 use crate::kinematics::bearing::BY_THE_FRONT_RAD;
@@ -22,8 +24,12 @@ pub(super) const FRAME_ROUNDS: usize = 2;
 const MOST_STEPS: f32 = 5.0;
 /// Ratio to the last round's error above which another round is not worth trying.
 const GAIN: f32 = 0.95;
-/// Part of an eye's range that it is allotted. The margin covers the error of adding headings and elevations.
+/// Part of an eye's range that it is allotted at most. The margin covers the error of adding headings and elevations.
 const EYE_PART: f32 = 0.98;
+/// Part of that which is left to the regions at a head share of 1, as long as they have room. People's eyes can turn by
+/// 50°, but come to rest beside a turned head within a customary range that is 44° wide on average (Stahl, *Exp. Brain
+/// Res.* 126, 1999).
+const UNCUSTOMARY_PART: f32 = 0.35;
 /// Part of its range within which the leading joint can certainly cover what headings and elevations leave to it, at
 /// elevations below [`STEEP_RAD`].
 const PLAIN_PART: f32 = 0.8;
@@ -65,8 +71,8 @@ pub(super) struct GazeShift {
     from: Pair,
     to: Pair,
     shift: Pair,
-    /// The part of the gaze shift that the regions cover.
-    part: f32,
+    /// What the regions cover of it, as far as the eye can cover the rest.
+    own: Pair,
 }
 
 /// The directions allotted to the regions.
@@ -114,11 +120,29 @@ impl<const C: usize> Gaze<'_, C> {
 
     #[cfg_attr(not(aim_small), inline(always))]
     fn gaze_shift_to(&self, point: Vec3A) -> Option<GazeShift> {
-        let from = self.body.gaze.direction;
-        let to = math::unit(point - self.pivot)?;
-        let part = if self.has_eye() { self.sharing.head_part(math::angle_between_units(from, to)) } else { 1.0 };
-        let [from, to] = self.bearings.turned(from, to);
-        Some(GazeShift { from, to, shift: self.bearings.angle_change(from, to, self.goal.side), part })
+        let gaze = self.body.gaze.direction;
+        let to_target = math::unit(point - self.pivot)?;
+        let [from, to] = self.bearings.turned(gaze, to_target);
+        let shift = self.bearings.angle_change(from, to, self.goal.side);
+        let own = if !self.has_eye() {
+            shift
+        } else if SightAngles::is_negligible(self.glance) {
+            shift * self.sharing.head_part(math::angle_between_units(gaze, to_target))
+        } else {
+            let (rest, glance) = self.gaze_at_rest(gaze);
+            (shift + glance) * self.sharing.head_part(math::angle_between_units(rest, to_target))
+        };
+        Some(GazeShift { from, to, shift, own })
+    }
+
+    /// Returns the animated gaze with the animation's turn of the eye undone, and the heading and elevation of that
+    /// turn. Where the animation looks is replaced by the target, so it must not move the head.
+    #[cold]
+    fn gaze_at_rest(&self, gaze: Vec3A) -> (Vec3A, Pair) {
+        let first = self.body.first();
+        let rest = self.body.frames[first] * Turn::new(self.glance).undo(self.body.effector.direction);
+        let [heading, elevation, rest_heading, rest_elevation] = self.bearings.angles_of_both([gaze, rest]).to_array();
+        (rest, pair([math::wrap_pi(heading - rest_heading), elevation - rest_elevation]))
     }
 
     /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest, or the target is out
@@ -239,26 +263,24 @@ impl<const C: usize> Gaze<'_, C> {
     /// Shares a gaze shift out between the regions, which cover its `part` and `extra` on top. Returns the resulting
     /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn share(&self, &GazeShift { to, shift, part, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
+    fn share(&self, &GazeShift { to, shift, own, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
         let mut directions = self.rig.array(Vec4::ZERO);
-        let (lo, hi) = if self.has_eye() {
+        let (mut lo, mut hi, mut wanted) = (Vec4::ZERO, Vec4::ZERO, own);
+        if self.has_eye() {
             let eye = &self.ranges[self.body.first()];
-            (eye.lo, eye.hi)
-        } else {
-            (Vec4::ZERO, Vec4::ZERO)
-        };
-        // The regions' part, but at least what the eye's range cannot cover.
-        let done = self.turn_regions(
-            (shift * part).max(shift - hi * EYE_PART).min(shift - lo * EYE_PART) + extra,
-            &mut directions,
-        );
+            (lo, hi) = (eye.lo, eye.hi);
+            // The regions' part, but at least what would take the eye out of its customary range.
+            let [least, most] = self.customary_range(eye);
+            wanted = own.max(shift - most).min(shift - least);
+        }
+        let done = self.turn_regions(wanted + extra, &mut directions);
         let rest = shift - done;
         let mut unfit = rest - rest.max(lo).min(hi);
         if self.has_eye() && unfit.x != 0.0 {
             let [right, left] = eye_headings([lo.x, hi.x], directions[self.count() - 1].y, to.y - unfit.y);
             let eye = Interval::from_ends(right, left);
             let [least, most] = [eye.hi(), eye.lo()].map(|end| shift.x - EYE_PART * end);
-            let wanted = (part * shift.x).at_least(least).at_most(most);
+            let wanted = own.x.at_least(least).at_most(most);
             let rest = shift.x - self.turn_axis::<HEADING>(wanted + extra.x, &mut directions);
             unfit.x = rest - eye.hold(rest);
         }
@@ -266,6 +288,15 @@ impl<const C: usize> Gaze<'_, C> {
             self.raise(&mut directions);
         }
         (directions, unfit)
+    }
+
+    /// Returns the least and the greatest turn of the eye while the regions have room: about its rest, a part of its
+    /// range, which the shifts that it makes alone extend.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn customary_range(&self, eye: &Range<'_>) -> [Pair; 2] {
+        let [lo, hi] = [eye.lo, eye.hi].map(|end| (end + self.glance) * EYE_PART);
+        let (part, alone) = (1.0 - UNCUSTOMARY_PART * self.sharing.head_share, Vec4::splat(self.sharing.eyes_only));
+        [(lo * part).min(-alone).max(lo) - self.glance, (hi * part).max(alone).min(hi) - self.glance]
     }
 
     /// Corrects the directions of steep regions by way of their front.

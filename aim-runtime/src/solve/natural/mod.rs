@@ -5,10 +5,11 @@
 //! body with budgets ([`region`]). A call takes two steps:
 //!
 //! 1. The gaze shift, from the animated gaze to the target, (Δψ, Δε), is shared out ([`allot`]). The regions cover
-//!    g·max(0, E − D)/E of it, where E is its angle, and more if the eye cannot cover the rest. Each region takes a
-//!    part by its compliance, within its range and budget, separately for heading and elevation. A target out of reach
-//!    to the side is therefore followed level. The further the head is turned aside, the less the trunk bends, which
-//!    would tilt the head.
+//!    g·max(0, E − D)/E of it, where E is its angle, and more if the eye cannot cover the rest or would stay in its
+//!    corner. For them, the shift starts from the eye's rest rather than from where the animation looks. Each region
+//!    takes a part by its compliance, within its range and budget, separately for heading and elevation. A target out
+//!    of reach to the side is therefore followed level. The further the head is turned aside, the less the trunk bends,
+//!    which would tilt the head.
 //! 2. Each region, from the root outward, turns its outermost forward to its allotted direction, measured in the frame
 //!    carried by the corrected joints inward of it: `R_heading·R_pitch` in closed form ([`body`]). Over time it glides
 //!    there ([`glide`]); the eye turns exactly to the remainder ([`sight`]).
@@ -43,6 +44,7 @@ use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Chain, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
+use crate::limits::motion::animated_angles;
 use crate::limits::reach::AT_LIMIT_RAD;
 use crate::math::Bounded;
 use crate::math::trig;
@@ -129,6 +131,7 @@ pub(super) fn aim<const C: usize>(
         regions: &regions,
         count,
         has_eye,
+        glance: if has_eye { glance(rig, pose, first) * settings.effective_weight() } else { Vec4::ZERO },
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
     let mut before = *joints;
@@ -166,6 +169,11 @@ pub(super) fn aim<const C: usize>(
         *solution = Some(ChainSolution { goal, space: body.space, measured_point });
     }
     Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
+}
+
+/// Returns the heading and pitch by which the animation turns an eye out of the bind pose; 0 without one.
+fn glance<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>, eye: usize) -> Pair {
+    animated_angles(&rig.joints[eye], pose, eye).map_or(Vec4::ZERO, |turn| pair([turn.heading, turn.pitch]))
 }
 
 /// Returns a hash of weight and attention, to detect their changes: all their bits folded into eight.
@@ -253,6 +261,9 @@ struct Gaze<'a, const C: usize> {
     count: usize,
     /// See [`has_eye`](Self::has_eye).
     has_eye: bool,
+    /// The heading and pitch by which the animation turns the eye out of the bind pose, times the weight. 0 without a
+    /// bind pose: the animated eye then counts as at rest.
+    glance: Pair,
     /// The point from which the target's heading and elevation are measured: the effector, moved back along the gaze to
     /// beside the joint that turns the head. The effector will look from there once the head has turned.
     pivot: Vec3A,
@@ -425,7 +436,11 @@ impl<'a, const C: usize> Gaze<'a, C> {
     /// Lets the regions rest once they have arrived and the eye is near the middle of its range.
     #[cfg_attr(not(aim_small), inline(always))]
     fn rest_if_arrived(&self, sight: &SightAngles, motion: &mut Motion<'_, C>) {
-        if self.has_eye() && motion.arrived && sight.is_within() && sight.eccentricity() < self.sharing.release {
+        if self.has_eye()
+            && motion.arrived
+            && sight.is_within()
+            && sight.eccentricity(self.glance) < self.sharing.release
+        {
             motion.memory.support = Support::Rests;
         }
     }
@@ -441,8 +456,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let mut sight = None;
         if matches!(memory.support, Support::None | Support::Rests) {
             let now = self.sight_angles_at(joints, self.goal.aim_point)?;
-            let engages =
-                memory.support == Support::None || !now.is_within() || now.eccentricity() > self.sharing.engage;
+            let engages = memory.support == Support::None
+                || !now.is_within()
+                || now.eccentricity(self.glance) > self.sharing.engage;
             (memory.support, memory.wait_s) = (if engages { Support::Waits } else { Support::Rests }, delay);
             sight = Some(now);
         }
@@ -483,7 +499,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.goal.movement == Movement::Aim {
             let sight = self.sight_angles_at(&found, self.goal.aim_point)?;
             after.support = Support::Rests;
-            if self.has_eye() && sight.is_within() && sight.eccentricity() <= self.sharing.engage {
+            if self.has_eye() && sight.is_within() && sight.eccentricity(self.glance) <= self.sharing.engage {
                 found[first] = at(&found[first], sight.clamped);
             } else {
                 let mut extra = Vec4::ZERO;

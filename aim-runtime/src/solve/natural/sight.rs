@@ -49,9 +49,11 @@ impl SightAngles {
         Self::is_negligible(self.excess())
     }
 
-    /// Returns the angle between the point and the middle of the range, radians.
-    pub(super) fn eccentricity(&self) -> f32 {
-        let cos = trig::sin_cos(self.unclamped.x).1 * trig::sin_cos(self.unclamped.y).1;
+    /// Returns the angle between the point and the forward of the eye at rest, radians. `glance` is the turn of the
+    /// animated eye out of it.
+    pub(super) fn eccentricity(&self, glance: Pair) -> f32 {
+        let angles = self.unclamped + glance;
+        let cos = trig::sin_cos(angles.x).1 * trig::sin_cos(angles.y).1;
         trig::atan2(math::sqrt(1.0 - cos * cos), cos)
     }
 }

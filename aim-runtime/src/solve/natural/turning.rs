@@ -463,9 +463,9 @@ impl<const C: usize> Gaze<'_, C> {
         next
     }
 
-    /// Returns the eye's angles for a point. Towards a point out of range it turns along a straight line, so that the
-    /// gaze moves straight while the head follows, and keeps its elevation if the head does not get there. Towards a
-    /// point far aside it turns level, because a straight line would lead round the other way.
+    /// Returns the eye's angles for a point. Towards a point out of range it turns along the straight line from its rest,
+    /// so that the gaze moves straight while the head follows, and keeps its elevation if the head does not get there.
+    /// Towards a point far aside it turns level, because a straight line would lead round the other way.
     #[cfg_attr(not(aim_small), inline(always))]
     fn clamp_straight(&self, sight: &SightAngles, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         if sight.is_within() { sight.clamped } else { self.clamp_far_aside(sight.unclamped, joint, posture) }
@@ -475,15 +475,16 @@ impl<const C: usize> Gaze<'_, C> {
     fn clamp_far_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         /// Headings between which the eye changes from the straight line to the point's elevation.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
-        let range = &self.ranges[self.body.first()];
+        let (range, glance) = (&self.ranges[self.body.first()], self.glance);
+        let (lo, hi, from_rest) = (range.lo + glance, range.hi + glance, wanted + glance);
         // Part of the straight line to the point that the range allows.
         let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
-            let (lo, hi, angle) = (range.lo[axis], range.hi[axis], wanted[axis]);
+            let (lo, hi, angle) = (lo[axis], hi[axis], from_rest[axis]);
             let held = angle.at_least(lo).at_most(hi);
             if lo >= hi || held == angle { part } else { part.at_most((held / angle).at_least(0.0)) }
         });
-        let mut held = wanted * part;
-        let aside = (wanted.x.abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
+        let mut held = from_rest * part - glance;
+        let aside = (from_rest.x.abs() - ASIDE_RAD[0]) / (ASIDE_RAD[1] - ASIDE_RAD[0]);
         if aside > 0.0 {
             held.y += aside.at_most(1.0) * (self.level_pitch(held.x, posture) - held.y);
         }
