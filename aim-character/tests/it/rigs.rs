@@ -1,5 +1,5 @@
 //! Measurements of real characters, in the folder that `AIM_RIGS` names. Run with
-//! `AIM_RIGS=folder cargo test -p aim-gltf -- --ignored`.
+//! `AIM_RIGS=folder cargo test -p aim-character -- --ignored`.
 
 use std::path::PathBuf;
 

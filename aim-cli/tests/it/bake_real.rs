@@ -1,4 +1,5 @@
-//! Third-party characters in the folder that `AIM_RIGS` names. Run with `AIM_RIGS=folder cargo test -- --ignored`.
+//! Third-party characters in the folder that `AIM_RIGS` names. Run with
+//! `AIM_RIGS=folder cargo test -p aim-cli --test it -- --ignored`.
 
 use std::path::Path;
 

@@ -27,8 +27,6 @@ pub struct Found {
     pub remaining: f64,
     /// Displacement cost Σ stiffness θ².
     pub cost: f64,
-    /// `true` if the search ended because nothing was left to gain; always `true` for [`Problem::polish`].
-    pub settled: bool,
 }
 
 /// A model with a target and bounds on its angles.
@@ -76,11 +74,11 @@ impl<'a> Problem<'a> {
         std::array::from_fn(|i| angles[i].max(self.bounds[0][i]).min(self.bounds[1][i]))
     }
 
-    fn found(&self, angles: Angles, settled: bool) -> Found {
+    fn found(&self, angles: Angles) -> Found {
         // With the effector on the target the angle is undefined, so the target does not count as met.
         let beside = self.model.distance(&angles, self.target) > BESIDE_M;
         let remaining = if beside { self.model.remaining(&angles, self.target) } else { std::f64::consts::PI };
-        Found { angles, remaining, cost: self.model.cost(&angles), settled }
+        Found { angles, remaining, cost: self.model.cost(&angles) }
     }
 
     /// Returns the least displacement that meets the target among the results of all starts; `None` if none meets it.
@@ -161,7 +159,7 @@ impl<'a> Problem<'a> {
             let step: Angles = std::array::from_fn(|i| goal[i] - x[i]);
             let longest = step.iter().fold(0.0_f64, |longest, s| longest.max(s.abs()));
             if longest < 1e-10 {
-                return self.found(x, true);
+                return self.found(x);
             }
             penalty = penalty.max((1.5 * multipliers[0].hypot(multipliers[1])).min(1e4));
             let distance = residual[0].hypot(residual[1]);
@@ -177,7 +175,7 @@ impl<'a> Problem<'a> {
             }
             slope += penalty * left[0].hypot(left[1]);
             if slope > -1e-14 {
-                return self.found(x, true);
+                return self.found(x);
             }
             let before = merit(&x);
             // Limit a step to one radian, beyond which the linear model is useless.
@@ -190,11 +188,11 @@ impl<'a> Problem<'a> {
                 }
                 length *= 0.5;
                 if length < 1e-9 {
-                    return self.found(x, longest < 1e-6);
+                    return self.found(x);
                 }
             }
         }
-        self.found(x, false)
+        self.found(x)
     }
 
     /// Runs one damped search (Levenberg–Marquardt within the box) for the smallest remaining angle, as long as a round
@@ -240,6 +238,6 @@ impl<'a> Problem<'a> {
                 break;
             }
         }
-        self.found(x, true)
+        self.found(x)
     }
 }
