@@ -489,9 +489,9 @@ fn aim_point<const N: usize>(
     search(rig, description, &mut state, pose, call, corrections)
 }
 
-/// Runs a call that [`solve::follow`] does not handle. Solvers are compiled for three sizes of scratch memory, or one
-/// with `aim_small`.
-#[cfg_attr(not(aim_small), inline(always))]
+/// Runs a call that [`solve::follow`] does not handle. Compiled for three sizes of scratch memory, or one with
+/// `aim_small`.
+#[inline(never)]
 fn search(
     kernels: &dyn Rig,
     description: &Description<'_>,
