@@ -1,4 +1,5 @@
-//! Checks of output paths: no command overwrites one of its inputs or writes two outputs to one file.
+//! Checks of output paths: no command overwrites one of its inputs or a read-only file, or writes two outputs to one
+//! file.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -34,11 +35,18 @@ impl Outputs {
     /// Adds the output file that `option` writes.
     ///
     /// # Errors
-    /// The file is already used as another input or output, or its folder does not exist.
+    /// The file is already used as another input or output, it is read-only, or its folder does not exist.
     pub(crate) fn writes(&mut self, path: &Path, option: &str) -> Result {
         let at = place(path);
         if let Some((_, what)) = self.taken.iter().find(|(taken, _)| *taken == at) {
             return Err(Failure::in_file(path, format!("used twice: it is {what}; choose another path for {option}")));
+        }
+        // Renaming a new file into place would replace it all the same.
+        if fs::metadata(&at).is_ok_and(|there| there.is_file() && there.permissions().readonly()) {
+            return Err(Failure::in_file(
+                path,
+                format!("the file is read-only; make it writable, or choose another path for {option}"),
+            ));
         }
         // Reported before the work instead of after it.
         if let Err(source) = at.parent().map_or(Ok(()), |folder| fs::metadata(folder.join(".")).map(drop)) {
@@ -51,7 +59,7 @@ impl Outputs {
     /// Adds the output files of a command that changes a model. Only `--out` may replace the model that was read.
     ///
     /// # Errors
-    /// A file is used twice, its folder does not exist, or its extension is that of another format.
+    /// A file is used twice or read-only, its folder does not exist, or its extension is that of another format.
     pub(crate) fn write_model(mut self, targets: Targets<'_>, model: &Path) -> Result {
         let Targets { out, report, html } = targets;
         if out.is_none_or(|out| place(out) != place(model)) {

@@ -13,6 +13,7 @@ use crate::args;
 use crate::facing::Facing;
 use crate::failure::{Failure, Result};
 use crate::files;
+use crate::outputs::Outputs;
 use crate::target::TargetSpec;
 
 /// Time of one orbit if there is no clip, seconds.
@@ -33,6 +34,10 @@ pub(super) fn run(arguments: &args::Demo) -> Result {
     fs::create_dir_all(&arguments.out).map_err(|error| {
         Failure::in_file(&arguments.out, format!("cannot create the folder: {error}; choose another with --out"))
     })?;
+    let mut outputs = Outputs::default();
+    for name in ["aimed.glb", "report.json", "report.html", "mannequin.glb"] {
+        outputs.writes(&out(name), "--out")?;
+    }
     let request = args::Bake {
         facing: Facing::default(),
         file: "the mannequin".into(),

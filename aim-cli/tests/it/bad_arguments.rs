@@ -107,6 +107,58 @@ fn places_that_cannot_be_written() {
 }
 
 #[test]
+fn read_only_files_are_not_replaced() {
+    let place = Place::with_mannequin();
+    let protect = |name: &str, mode: u32| {
+        #[cfg(unix)]
+        let permissions = std::os::unix::fs::PermissionsExt::from_mode(mode);
+        #[cfg(not(unix))]
+        let permissions = {
+            let mut permissions = std::fs::metadata(place.path(name)).expect("the file is there").permissions();
+            permissions.set_readonly(mode & 0o200 == 0);
+            permissions
+        };
+        std::fs::set_permissions(place.path(name), permissions).expect("its owner may change them");
+    };
+    std::fs::create_dir(place.path("demo")).expect("a folder can be made");
+    let names = ["taken.glb", "taken.json", "taken.html", "taken.c", "taken.svg", "demo/mannequin.glb"];
+    for name in names {
+        place.write(name, name);
+        protect(name, 0o444);
+    }
+    let bake = "bake m.glb --rig m.toml --target 0,1,2 --seconds 0.1";
+    for arguments in [
+        &format!("{bake} --out taken.glb"),
+        &format!("{bake} --out out.glb --report taken.json"),
+        &format!("{bake} --out out.glb --html taken.html"),
+        "reach m.glb --bone right_hand --at 0.5 --target 0,1,0 --out taken.glb",
+        "clip m.glb --reduce 1mm --out taken.glb",
+        "clip m.glb --html taken.html",
+        "inspect m.glb --html taken.html",
+        "generate m.toml --lang c -o taken.c",
+        "explain m.toml -o taken.html",
+        "plot m.toml -o taken.svg",
+    ] {
+        place.refused(arguments, &["taken.", "read-only", "choose another path for -"]);
+    }
+    place.refuses_after_words(&["demo", "--out", "demo"], &["mannequin.glb", "read-only", "--out"]);
+    for name in names {
+        assert_eq!(place.read(name), name.as_bytes());
+    }
+    // Any other file that is replaced keeps its permissions.
+    protect("taken.glb", 0o600);
+    place.done(&format!("{bake} --out taken.glb"));
+    #[cfg(unix)]
+    {
+        let kept = std::fs::metadata(place.path("taken.glb")).expect("it is written").permissions();
+        assert_eq!(std::os::unix::fs::PermissionsExt::mode(&kept) & 0o777, 0o600);
+    }
+    for name in names {
+        protect(name, 0o644);
+    }
+}
+
+#[test]
 fn rigs_with_mistakes_name_the_place() {
     let place = Place::with_mannequin();
     let rig = String::from_utf8(place.read("m.toml")).expect("text");
