@@ -31,6 +31,9 @@ pub(crate) struct BakeReport {
     #[serde(skip_serializing_if = "is_whole")]
     pub(crate) weight: f32,
     effector: EffectorReport,
+    /// Warnings, without "warning: "; omitted from the JSON if there are none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) warnings: Vec<String>,
     #[serde(skip)]
     pub(crate) aimed: Effector,
     pub(crate) frames: Vec<BakeFrame>,
@@ -68,6 +71,7 @@ pub(crate) struct Reported<'a> {
     /// Nodes that keep their place on the trunk, such as arms that hang on the neck.
     pub(crate) held: &'a [usize],
     pub(crate) baked: &'a Baked,
+    pub(crate) warnings: Vec<String>,
     pub(crate) reduction: Option<BakedReduction>,
     /// Plausibility of the written model.
     pub(crate) plausibility: Plausibility,
@@ -182,6 +186,7 @@ impl BakeReport {
             chain,
             held,
             baked,
+            warnings,
             reduction,
             plausibility,
         } = reported;
@@ -222,6 +227,7 @@ impl BakeReport {
                 forward: effector.ray.frame.forward,
                 origin: effector.ray.origin,
             },
+            warnings,
             aimed: effector,
             summary: BakeSummary::new(spec, baked, Wanted::at_weight(weight)),
             frames: frames.collect(),

@@ -22,6 +22,7 @@ mod reach_report;
 mod reduction;
 mod seam_report;
 mod target;
+mod warnings;
 mod words;
 
 use std::process::ExitCode;

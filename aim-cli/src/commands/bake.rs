@@ -5,7 +5,8 @@ use std::time::Duration;
 
 use aim_animation::{Clip, Gap, Seam};
 use aim_character::{
-    Fit, InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold, mended_loop, propose,
+    InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold,
+    mended_loop, propose,
 };
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
@@ -22,6 +23,7 @@ use crate::html::{self, BakePage};
 use crate::outputs::Outputs;
 use crate::plausibility;
 use crate::target::TargetSpec;
+use crate::warnings::{self, Warnings};
 
 pub(super) fn run(arguments: &args::Bake) -> Result {
     let document = files::load_model(&arguments.file)?;
@@ -42,24 +44,25 @@ pub(super) fn run(arguments: &args::Bake) -> Result {
         let names = if names[..] == ["none"] { &[][..] } else { names };
         hold(&mut spec, document.skeleton(), names).map_err(|error| Failure::in_file(&arguments.file, error))?;
     }
-    warn(arguments, &spec, &document, &measurement);
     bake(arguments, &document, &measurement, &spec)
 }
 
 /// Aims the document over its clip, with a progress bar on a terminal, and writes the requested files.
 pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Measurement, spec: &RigSpec) -> Result {
     let file = &arguments.file;
+    let mut warnings = Warnings::default();
+    warnings.add(warnings::mismatch(arguments, spec, document, measurement));
     let clip = match &arguments.clip {
         Some(name) => Some(document.clip(name).map_err(Failure::of(file))?),
         None => document.default_clip(),
     };
     if let (None, Some(clip), [_, _, ..]) = (&arguments.clip, clip, document.clips()) {
-        eprintln!(
-            "warning: {} has {} clips; using {:?}; choose another with --clip (`aim inspect` lists them)",
+        warnings.add(Some(format!(
+            "{} has {} clips; using {:?}; choose another with --clip (`aim inspect` lists them)",
             arguments.file.display(),
             document.clips().len(),
             clip.name()
-        );
+        )));
     }
     let unknown_length =
         |what: &str| Err(Failure::in_file(&arguments.file, format!("{what}; set the length with --seconds")));
@@ -69,6 +72,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         (None, Some(clip)) => return unknown_length(&format!("clip {:?} has no length", clip.name())),
         (None, None) => return unknown_length("no clip to aim over"),
     };
+    warnings.add(clip.and_then(|clip| warnings::repeated_travel(arguments, document, measurement, clip, seconds)));
     let mended = match clip.filter(|_| arguments.looped) {
         Some(clip) => {
             mended_for(seconds, clip, |clip| mended_loop(document, measurement, clip).map_err(Failure::of(file)))?
@@ -101,9 +105,8 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let solver = arguments.aiming.solver.map_or(usual, |solvers| solvers[0]);
     for (option, is_given) in [("--attention", arguments.attention > 0.0), ("--patience", arguments.patience.is_some())]
     {
-        if is_given && solver != Solver::Natural {
-            eprintln!("warning: {option} has no effect; only the natural solver uses it");
-        }
+        let is_unused = is_given && solver != Solver::Natural;
+        warnings.add(is_unused.then(|| format!("{option} has no effect; only the natural solver uses it")));
     }
     let plan = Plan {
         document,
@@ -128,10 +131,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         },
     };
     let live = Live::new(&character.rig, document, measurement, &chain, both_eyes).map_err(Failure::of(file))?;
-    if let Some(node) = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint)) {
-        let name = &skeleton.names()[node];
-        eprintln!("warning: the target {name} moves with the gaze; aiming at its position in the animation alone");
-    }
+    let moving = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint));
+    let moving = moving.map(|node| skeleton.names()[node].as_str());
+    warnings.add(
+        moving.map(|name| {
+            format!("the target {name} moves with the gaze; aiming at its position in the animation alone")
+        }),
+    );
     let held: Vec<usize> = live.held().collect();
     let bar = progress_bar();
     let progress = |done, all| {
@@ -168,6 +174,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         chain: &chain,
         held: &held,
         baked: &baked,
+        warnings: warnings.0,
         reduction,
         plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(Failure::of(file))?,
     });
@@ -235,15 +242,4 @@ fn progress_bar() -> ProgressBar {
     }
     bar.enable_steady_tick(Duration::from_millis(100));
     bar
-}
-
-/// Prints a warning if the given rig contradicts the file, because the result may not be what the user expects.
-fn warn(arguments: &args::Bake, spec: &RigSpec, document: &Document, measurement: &Measurement) {
-    if let Some(rig) = &arguments.rig {
-        if let [first, rest @ ..] = &Fit::new(spec, document, measurement).problems[..] {
-            let more = if rest.is_empty() { String::new() } else { format!(" (and {} more)", rest.len()) };
-            let (file, rig) = (arguments.file.display(), rig.display());
-            eprintln!("warning: {rig} does not match {file}: {first}{more}; run `aim check {file} --rig {rig}`");
-        }
-    }
 }

@@ -33,6 +33,7 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
     html! {
         section.summary {
             p.lead { (in_words(spec, report)) }
+            @for warning in &report.warnings { p.warning { strong { "Warning: " } (warning) } }
             (shares(report.wanted(), &counts, all))
             div.facts {
                 (table("Setup", &facts(spec, report)))

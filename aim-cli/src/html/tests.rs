@@ -91,6 +91,7 @@ impl Case {
             chain: &chain,
             held: &[],
             baked: &baked,
+            warnings: vec![HOSTILE.to_owned()],
             plausibility,
         });
         Self { spec, document, chain, measurement, baked, report }
@@ -285,6 +286,7 @@ fn an_hour_is_hardly_larger_than_a_second() {
         chain: &case.chain,
         held: &[],
         baked: &case.baked,
+        warnings: Vec::new(),
         plausibility: case.report.plausibility.clone(),
     });
     let size = case.page().len();

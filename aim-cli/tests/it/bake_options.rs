@@ -5,6 +5,7 @@ use crate::common::Place;
 use crate::common::forward::{Bake, both_eyes, list, number};
 use crate::common::gltf::{Local, Model};
 use crate::common::rig::joints;
+use aim_animation::Track;
 use serde_json::{Value, json};
 
 /// Bakes `m.glb` with `m.toml` in `place` and checks everything; returns the report.
@@ -87,6 +88,54 @@ fn a_loop_ends_where_it_begins() {
             assert!((a - b).abs() < 1e-3, "{options}: {first} to {last}");
         }
     }
+}
+
+#[test]
+fn a_clip_that_travels_and_repeats_is_warned_of() {
+    let place = Place::with_mannequin();
+    let document = aim_gltf::Document::from_bytes(&place.read("m.glb")).expect("a file");
+    let hips = document.skeleton().find("hips").expect("its hips");
+    let rest = document.skeleton().rest()[hips].translation;
+    let ahead = |metres: f32| rest + aim_runtime::glam::Vec3::Z * metres;
+    for (metres, is_warned) in [(1.3, true), (0.02, false)] {
+        let path = Track::linear([0.0, 1.2], [ahead(0.0), ahead(metres)]).expect("two keys");
+        let walk = document.clip("walk").expect("its clip").clone().with_translation(hips, path);
+        place.write("m.glb", &document.with_clips(&[walk]).expect("it can be written"));
+        let bake = format!("bake m.glb --rig m.toml {ASIDE} --out out.glb --report r.json");
+        for (options, when) in [
+            ("", None),
+            ("--seconds 1.2 --loop", None),
+            ("--seconds 0.7", None),
+            ("--seconds 2", Some("at 1.2 s")),
+            ("--seconds 3.6 --loop", Some("at 1.2 and 2.4 s")),
+            ("--seconds 12", Some("9 times, first at 1.2 s")),
+        ] {
+            let ran = place.done(&format!("{bake} {options}"));
+            let Some(when) = when.filter(|_| is_warned) else {
+                assert_eq!(ran.stderr, "", "{options}");
+                assert!(place.json("r.json").get("warnings").is_none(), "{options}");
+                continue;
+            };
+            let words =
+                "\"walk\" moves hips by 1.3 units over the ground (74 % of the height), and the body jumps back";
+            assert!(ran.stderr.contains(words) && ran.stderr.contains(when), "{options}: {}", ran.stderr);
+            assert_eq!(
+                json!([ran.stderr.trim_start_matches("warning: ").trim_end()]),
+                place.json("r.json")["warnings"]
+            );
+        }
+    }
+    // The advice is followed to the letter.
+    let path = Track::linear([0.0, 1.2], [ahead(0.0), ahead(1.3)]).expect("two keys");
+    let walk = document.clip("walk").expect("its clip").clone().with_translation(hips, path);
+    place.write("m.glb", &document.with_clips(&[walk]).expect("it can be written"));
+    let bake = format!("--rig m.toml {ASIDE} --seconds 2.4 --out out.glb --html r.html");
+    let warned = place.done(&format!("bake m.glb {bake}")).stderr;
+    let advice = warned.split('`').nth(1).and_then(|advice| advice.strip_prefix("aim ")).expect("a command");
+    let page = String::from_utf8(place.read("r.html")).expect("text");
+    assert!(page.contains("and the body jumps back by as much"), "the page warns, too");
+    place.done(&advice.replace('"', ""));
+    assert_eq!(place.done(&format!("bake in-place.glb {bake}")).stderr, "");
 }
 
 /// With `--loop`, a clip that jumps at its end is mended: every bone ends where it begins, with the same velocity, and
