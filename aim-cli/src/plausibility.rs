@@ -6,6 +6,7 @@ use aim_character::{Criterion, Plausibility};
 use serde::Serializer;
 use serde::ser::SerializeMap;
 
+use crate::bake_report::BakeReport;
 use crate::failure::{Failure, Result};
 use crate::words::{fixed, listed, trimmed};
 
@@ -96,15 +97,26 @@ pub(crate) fn in_words(measured: &Plausibility) -> String {
     out
 }
 
-/// Checks that no limit is exceeded.
+/// Checks that no limit is exceeded and that the gaze was on the target at all. `moving` is the name of a target node
+/// that moves with the gaze.
 ///
 /// # Errors
-/// A value is beyond its limit; the message lists all of them. `file` has been written nevertheless.
-pub(crate) fn insist(measured: &Plausibility, file: &Path) -> Result {
-    let exceeded = exceeded(measured);
-    if exceeded.is_empty() {
+/// A value is beyond its limit, no frame has a direction to aim in, or none is on a target that moves with the gaze; the
+/// message lists all of these. `file` has been written nevertheless.
+pub(crate) fn insist(report: &BakeReport, moving: Option<&str>, file: &Path) -> Result {
+    let mut problems = Vec::new();
+    if report.frames.iter().all(|frame| frame.status == "degenerate") {
+        problems.push("no frame has a direction to aim in".to_owned());
+    } else if let (0, Some(name)) = (report.summary.reached, moving) {
+        problems.push(format!("no frame is {}: {name} moves with the gaze", report.on_it()));
+    }
+    let exceeded = exceeded(&report.plausibility);
+    if !exceeded.is_empty() {
+        let parts: Vec<&str> = exceeded.iter().map(String::as_str).collect();
+        problems.push(format!("it exceeds plausible limits: {}", listed(&parts)));
+    }
+    if problems.is_empty() {
         return Ok(());
     }
-    let parts: Vec<&str> = exceeded.iter().map(String::as_str).collect();
-    Err(Failure::Check(format!("{}: written, but exceeds plausible limits: {}", file.display(), listed(&parts))))
+    Err(Failure::Check(format!("{}: written, but {}", file.display(), problems.join("; "))))
 }

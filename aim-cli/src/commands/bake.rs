@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use aim_animation::{Clip, Gap, Seam};
 use aim_character::{
-    InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold,
+    AimedFrame, InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold,
     mended_loop, propose,
 };
 use aim_codegen::RigSpec;
@@ -99,6 +99,15 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     }
     let aimed = chain.joints[effector.joint];
     let effector_bind = measurement.bind_world[aimed].transform_point3(effector.ray.origin.into());
+    let target_node = match &arguments.target {
+        TargetSpec::Node(name) => Some(skeleton.find(name).map_err(Failure::of(file))?),
+        _ => None,
+    };
+    let eyes = chain.other_eye.filter(|_| both_eyes).into_iter().chain([aimed]);
+    if let Some(node) = target_node.filter(|node| eyes.clone().any(|eye| eye == *node)) {
+        let name = &skeleton.names()[node];
+        return Err(no_target(name, &format!("{name} itself is aimed and cannot look at itself")));
+    }
     let target = arguments.target.resolve(&arguments.file, document, measurement, effector_bind)?;
     let mut character = DynAim::new(InterpretedRig::new(spec));
     let usual = character.rig.description().default_solver();
@@ -125,10 +134,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             .with_attention(arguments.attention)
             .with_behind(arguments.behind)
             .with_patience(arguments.patience.unwrap_or(f32::INFINITY)),
-        target_node: match &arguments.target {
-            TargetSpec::Node(name) => Some(skeleton.find(name).map_err(Failure::of(file))?),
-            _ => None,
-        },
+        target_node,
     };
     let live = Live::new(&character.rig, document, measurement, &chain, both_eyes).map_err(Failure::of(file))?;
     let moving = plan.target_node.filter(|&node| live.looks_with(skeleton, node, effector.joint));
@@ -147,6 +153,16 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     let mut baked = aim_character::bake(&mut character, &plan, |t, world| target(t.into(), world), progress)
         .map_err(Failure::of(file))?;
     bar.finish();
+    if let Some(node) = target_node {
+        let is_here = |frame: &AimedFrame| {
+            let [eye, _] = live.gazes(effector.joint, &frame.world)[0];
+            eye.distance(frame.world[node].translation) <= HERE * measurement.height
+        };
+        if baked.frames.iter().all(is_here) {
+            let (name, aimed) = (&skeleton.names()[node], &skeleton.names()[aimed]);
+            return Err(no_target(name, &format!("{name} is at the place of {aimed}, which is aimed, in every frame")));
+        }
+    }
     let name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
     baked.clip = baked.clip.with_name(name);
     let write = |new: &Clip| document.with_clip_like(new, clip.map(Clip::name)).map_err(Failure::of(file));
@@ -184,7 +200,15 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
     for page in [&arguments.written.report, &arguments.written.html].into_iter().flatten() {
         files::print(&format!("wrote {}\n", page.display()))?;
     }
-    if arguments.strict { plausibility::insist(&report.plausibility, &arguments.written.out) } else { Ok(()) }
+    if arguments.strict { plausibility::insist(&report, moving, &arguments.written.out) } else { Ok(()) }
+}
+
+/// Distance between the effector and a target node below which they are at one place, as a share of the height.
+const HERE: f64 = 1e-4;
+
+/// Returns the failure for a target node that gives no direction.
+fn no_target(name: &str, problem: &str) -> Failure {
+    Failure::input(format!("--target node:{name}: {problem}; choose a node away from it, such as a hand or a prop"))
 }
 
 /// Returns the clip as a loop of this many seconds, and prints each seam that `mend` mended. `None` if it loops

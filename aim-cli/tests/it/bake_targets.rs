@@ -4,8 +4,9 @@ use crate::common::Place;
 use crate::common::forward::{Bake, list, number, vector};
 use crate::common::gltf::Model;
 use crate::common::rig::joints;
+use crate::common::{bundled_rig, changed};
 use aim_runtime::glam::{DQuat, DVec3};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 #[track_caller]
 fn bake(place: &Place, options: &str) -> Value {
@@ -113,14 +114,49 @@ fn a_node_that_aiming_moves_where_it_is_then() {
 
 #[test]
 fn a_node_of_the_chain_itself_is_answered_truthfully() {
-    // The eye has no direction to itself, but the chain may lean until the eye looks at where it was. Nodes that hang
-    // on the chain, and nodes that it hangs on, have a direction.
-    for solver in ["natural", "exact", "ascent"] {
-        bake(&Place::with_mannequin(), &format!("--target node:left_eye --solver {solver}"));
-    }
+    // Nodes that hang on the chain, and nodes that it hangs on, have a direction.
     for node in ["right_eye", "head", "neck", "spine3", "hips"] {
         bake(&Place::with_mannequin(), &format!("--target node:{node}"));
     }
+}
+
+#[test]
+fn a_node_at_the_place_of_the_effector_is_refused() {
+    let place = Place::new();
+    // A child of the eye at the eye, and one beside it.
+    place.write(
+        "m.glb",
+        &changed(|json| {
+            let nodes = json["nodes"].as_array_mut().expect("nodes");
+            let count = nodes.len();
+            let eye = nodes.iter_mut().find(|node| node["name"] == "left_eye").expect("an eye");
+            eye["children"] = json!([count, count + 1]);
+            nodes.push(json!({ "name": "eye_end" }));
+            nodes.push(json!({ "name": "iris", "translation": [0.0, 0.01, 0.0] }));
+        }),
+    );
+    place.write("m.toml", &std::fs::read(bundled_rig("mannequin")).expect("the rig is there"));
+    let bake = "bake m.glb --rig m.toml --out out.glb --target";
+    for solver in ["natural", "exact", "ascent"] {
+        for (target, problem) in [
+            ("node:left_eye", "left_eye itself is aimed"),
+            ("node:neck --effector neck", "neck itself is aimed"),
+            ("node:right_eye --both-eyes", "right_eye itself is aimed"),
+            ("node:eye_end", "eye_end is at the place of left_eye, which is aimed, in every frame"),
+        ] {
+            let node = target.split(' ').next().expect("a word");
+            place
+                .refused(&format!("{bake} {target} --solver {solver}"), &["--target", node, problem, "such as a hand"]);
+        }
+    }
+    // What moves with the gaze is only warned of, but is no success.
+    for node in ["iris", "head"] {
+        let bake = format!("{bake} node:{node}");
+        assert!(place.done(&bake).stderr.contains("moves with the gaze;"), "{node}");
+    }
+    let ran = place.aim(&format!("{bake} node:head --strict"));
+    let words = "out.glb: written, but no frame is on target: head moves with the gaze";
+    assert!(ran.code == 1 && ran.stderr.contains(words), "{ran:?}");
 }
 
 #[test]
