@@ -260,6 +260,20 @@ fn patience(text: &str) -> Result<f32, String> {
     number.ok_or_else(|| "expected a number of seconds, 0 or more, such as 2".into())
 }
 
+/// Parses a length in seconds, more than 0.
+fn length(text: &str) -> Result<f32, String> {
+    positive(text).ok_or_else(|| "expected a number of seconds above 0, such as 8".into())
+}
+
+/// Parses a number of keys per second, more than 0.
+fn rate(text: &str) -> Result<f32, String> {
+    positive(text).ok_or_else(|| "expected a number of keys per second above 0, such as 60".into())
+}
+
+fn positive(text: &str) -> Option<f32> {
+    text.parse().ok().filter(|number: &f32| *number > 0.0 && number.is_finite())
+}
+
 /// Parses one of the words in `all` to its value.
 fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValueParser<Value = T> {
     let words = all.iter().map(|(_, word, help)| PossibleValue::new(*word).help(*help));
@@ -342,11 +356,13 @@ pub(crate) struct Bake {
     /// not given.
     #[arg(long, value_name = "S", value_parser = patience)]
     pub(crate) patience: Option<f32>,
-    /// Length of the result, seconds; the clip's length if not given. The clip repeats if it is shorter.
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    /// Length of the result, seconds; the clip's length if not given.
+    ///
+    /// A shorter clip repeats.
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = length)]
     pub(crate) seconds: Option<f32>,
     /// Keys per second.
-    #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 60.0, allow_negative_numbers = true, value_parser = rate)]
     pub(crate) fps: f32,
     /// Bones that hang on a joint but move with what carries that joint, instead of those that the rig holds; `none`
     /// holds nothing.
@@ -388,7 +404,7 @@ pub(crate) struct Reach {
     #[arg(long, value_name = "X,Y,Z", required = true, allow_hyphen_values = true)]
     pub(crate) target: Vec<Point>,
     /// Keys per second.
-    #[arg(long, default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 60.0, allow_negative_numbers = true, value_parser = rate)]
     pub(crate) fps: f32,
     #[command(flatten)]
     pub(crate) written: Written,

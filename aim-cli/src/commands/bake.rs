@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use aim_animation::{Clip, Gap, Seam};
 use aim_character::{
-    AimedFrame, InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold,
+    AimedFrame, Error, InterpretedRig, Live, Measurement, MendedLoop, Plan, Plausibility, chain_nodes, hold,
     mended_loop, propose,
 };
 use aim_codegen::RigSpec;
@@ -150,8 +150,13 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         bar.set_length(all as u64);
         bar.set_position(done as u64);
     };
-    let mut baked = aim_character::bake(&mut character, &plan, |t, world| target(t.into(), world), progress)
-        .map_err(Failure::of(file))?;
+    let mut baked =
+        aim_character::bake(&mut character, &plan, |t, world| target(t.into(), world), progress).map_err(|error| {
+            match error {
+                Error::Clip(_) => Failure::in_file(file, format!("{error}; change --seconds or --fps")),
+                _ => Failure::in_file(file, error),
+            }
+        })?;
     bar.finish();
     if let Some(node) = target_node {
         let is_here = |frame: &AimedFrame| {

@@ -66,8 +66,21 @@ fn lengths_and_rates_that_make_no_frames() {
             place.refuses(&arguments, &[]);
         }
     }
-    place.refused(&format!("{BAKE} {target} --seconds 0"), &["0 s", "a length"]);
-    place.refused(&format!("{BAKE} {target} --fps 1e9"), &["frames per second", "at most"]);
+    for (option, expected) in [("--seconds", "a number of seconds above 0"), ("--fps", "keys per second above 0")] {
+        for value in ["0", "-1", "NaN", "inf", "x"] {
+            let words = [option, &format!("invalid value '{value}'"), expected];
+            place.refused(&format!("{BAKE} {target} {option} {value}"), &words);
+        }
+    }
+    place.refused(
+        "reach m.glb --bone right_hand --at 0.5 --target 0,1,0 --out o.glb --fps 0",
+        &["--fps", "invalid value '0'", "above 0"],
+    );
+    place.refused(
+        &format!("{BAKE} {target} --seconds 1e-5"),
+        &["--seconds", "--fps", "0.00001 s", "60 frames per second"],
+    );
+    place.refused(&format!("{BAKE} {target} --fps 1e9"), &["--fps", "frames per second", "at most"]);
 }
 
 #[test]

@@ -188,7 +188,7 @@ fn what_cannot_be_used_is_said() {
         ("--bone right_hand --at 0.5 --at 0.501 --target 0,1,0 --target 0,1,1", &["0.501", "--fps"]),
         ("--bone right_hnd --at 0.5 --target 0,1,0", &["right_hnd", "right_hand"]),
         ("--bone right_hand --clip run --at 0.5 --target 0,1,0", &["run", "walk"]),
-        ("--bone right_hand --fps 0 --at 0.5 --target 0,1,0", &["frames per second"]),
+        ("--bone right_hand --fps 0 --at 0.5 --target 0,1,0", &["--fps", "keys per second"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report o.glb", &["used twice"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report m.glb", &["used twice"]),
         ("--bone right_hand --at 0.5 --target 0,1,0 --report r --html r", &["used twice"]),
