@@ -98,7 +98,7 @@ pub(crate) struct BakeFrame {
     pair_goal_error_deg: Option<f64>,
     pub(crate) status: &'static str,
     pub(crate) joints: Vec<JointReport>,
-    followers: Vec<Bone>,
+    followers: Vec<Follower>,
 }
 
 impl BakeFrame {
@@ -130,6 +130,23 @@ impl Bone {
         let node = skeleton.nodes()[node].index.filter(|_| skeleton.named(name).count() > 1);
         Self { name: name.clone(), node }
     }
+}
+
+/// A bone that moves although it is no joint of the rig: the other eye, or a held bone.
+#[derive(Debug, Serialize)]
+struct Follower {
+    #[serde(flatten)]
+    bone: Bone,
+    /// Angles of the other eye; `None` unless both eyes are aimed.
+    #[serde(flatten)]
+    angles: Option<FollowerAngles>,
+}
+
+/// Added angles, about axes parallel to those of the first joint.
+#[derive(Clone, Copy, Debug, Serialize)]
+struct FollowerAngles {
+    heading_deg: f64,
+    pitch_deg: f64,
 }
 
 #[derive(Debug, Serialize)]
@@ -191,8 +208,8 @@ impl BakeReport {
             plausibility,
         } = reported;
         let bones: Vec<Bone> = chain.joints.iter().map(|&node| Bone::new(skeleton, node)).collect();
-        let followers = chain.other_eye.iter().chain(held).map(|&node| Bone::new(skeleton, node));
-        let followers: Vec<Bone> = followers.collect();
+        let followers = chain.other_eye.iter().chain(held).map(|&node| (node, Bone::new(skeleton, node)));
+        let followers: Vec<(usize, Bone)> = followers.collect();
         let joint = |(joint, bone): (&JointFrame, &Bone)| JointReport {
             bone: bone.clone(),
             heading_deg: f64::from(joint.heading).to_degrees(),
@@ -202,6 +219,13 @@ impl BakeReport {
         };
         let goal = (Wanted::at_weight(weight) == Wanted::Goal).then_some(());
         let degrees = |radians: f32| f64::from(radians).to_degrees();
+        let follower = |frame: &AimedFrame, (node, bone): &(usize, Bone)| Follower {
+            bone: bone.clone(),
+            angles: frame
+                .pair_angles
+                .filter(|_| chain.other_eye == Some(*node))
+                .map(|[heading, pitch]| FollowerAngles { heading_deg: degrees(heading), pitch_deg: degrees(pitch) }),
+        };
         let frames = baked.frames.iter().map(|frame| BakeFrame {
             t: frame.t,
             target: frame.target.to_array(),
@@ -212,7 +236,7 @@ impl BakeReport {
             pair_error_deg: frame.pair_error_deg,
             status: status_word(frame.outcome.status),
             joints: frame.joints.iter().zip(&bones).map(joint).collect(),
-            followers: followers.clone(),
+            followers: followers.iter().map(|known| follower(frame, known)).collect(),
         });
         Self {
             rig: spec.name.clone(),

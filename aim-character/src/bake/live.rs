@@ -83,6 +83,9 @@ pub struct AimedFrame {
     /// [`error_deg`](Self::error_deg) of the other eye, if both eyes are aimed. In the bind pose the other eye looks in
     /// the same direction as joint 0, from the mirrored point.
     pub pair_error_deg: Option<f64>,
+    /// Added heading and pitch of the other eye, radians, about axes parallel to joint 0's; `None` unless both eyes are
+    /// aimed.
+    pub pair_angles: Option<[f32; 2]>,
     /// Outcome of the solver.
     pub outcome: Outcome,
     /// Results of the joints, from the effector inward.
@@ -208,6 +211,7 @@ impl Live {
             error_deg: sights.sight(effector).error_deg(&world, target),
             roll_deg: sights.roll_deg(effector, self.up(animated), [animated, &world]),
             pair_error_deg: sights.other_eye.filter(|_| self.both_eyes).map(|pair| pair.error_deg(&world, target)),
+            pair_angles: character.state.memory.other_eye().filter(|_| self.both_eyes),
             outcome,
             joints: joint_frames(&character.state.joints, outcome, |joint| {
                 animated_angles(&character.rig, joint, joints)

@@ -482,12 +482,22 @@ fn both_eyes_are_aimed_where_there_are_two() {
     let near = "--target 0.05,1.6,0.35 --seconds 0.2";
     let one = bake(&place, near);
     assert!(list(&one["frames"]).iter().all(|frame| frame.get("pair_error_deg").is_none()), "one eye, one error");
+    assert_eq!(frames(&one).0["followers"], json!([{ "bone": "right_eye" }]), "it turns as the first one does");
     for (target, apart_deg) in [("0.05,1.68,0.4", [5.0, 20.0]), ("0,1.68,50", [0.0, 0.1])] {
         place.done(&format!("bake m.glb --rig m.toml --target {target} --both-eyes --out out.glb --report r.json"));
         let (source, output, report) = (place.read("m.glb"), place.read("out.glb"), place.json("r.json"));
         let found = both_eyes(&source, &output, &report, ["left_eye", "right_eye"]);
         assert!(apart_deg[0] < found && found < apart_deg[1], "{target}: the eyes are {found}° apart");
         assert_eq!(report["summary"]["frames"], report["summary"]["reached"], "{target}");
+        // Eyes that are parallel at rest are apart by the difference of their added angles.
+        let apart = list(&report["frames"]).iter().map(|frame| {
+            let [own, other] = [&frame["joints"][0], &frame["followers"][0]];
+            assert_eq!((&own["bone"], &other["bone"]), (&json!("left_eye"), &json!("right_eye")));
+            let apart = |key: &str| number(&own[key]) - number(&other[key]);
+            apart("heading_deg").hypot(apart("pitch_deg"))
+        });
+        let apart = apart.fold(0.0, f64::max);
+        assert!((apart - found).abs() < 0.02 * found + 0.01, "{target}: {apart}° instead of {found}°");
     }
     let single = String::from_utf8(place.read("m.toml")).expect("text").replace("other_eye = \"right_eye\"\n", "");
     place.write("m.toml", &single);
