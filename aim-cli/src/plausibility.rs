@@ -34,8 +34,17 @@ pub(crate) struct Row {
     pub(crate) limit: Option<String>,
     /// Time of the worst value.
     pub(crate) when: Option<String>,
+    /// Worst value as a share of the limit; `None` if either is unknown.
+    share: Option<f64>,
     /// `true` if the worst value is beyond the limit.
     pub(crate) is_exceeded: bool,
+}
+
+impl Row {
+    /// Returns the name, the value and the limit.
+    fn limited(&self) -> String {
+        format!("{} {} (limit {})", self.name, self.value, self.limit.as_deref().unwrap_or_default())
+    }
 }
 
 /// Returns a row for each criterion.
@@ -46,7 +55,11 @@ pub(crate) fn rows(measured: &Plausibility) -> impl Iterator<Item = Row> + '_ {
             name: name(criterion),
             value: worst.map_or_else(|| "–".to_owned(), |worst| shown(criterion, worst.value)),
             limit: limit.map(|limit| shown(criterion, limit)),
-            when: worst.map(|worst| format!("{} s", fixed(worst.t, 2))),
+            // The time of a value that is shown as 0 says nothing.
+            when: worst
+                .filter(|worst| shown(criterion, worst.value) != shown(criterion, 0.0))
+                .map(|worst| format!("{} s", fixed(worst.t, 2))),
+            share: worst.zip(limit).map(|(worst, limit)| worst.value / limit),
             is_exceeded: worst.zip(limit).is_some_and(|(worst, limit)| worst.value > limit),
         }
     })
@@ -58,7 +71,7 @@ fn name(criterion: Criterion) -> &'static str {
         Criterion::HeadRoll => "head roll",
         Criterion::ElevationError => "vertical gaze error",
         Criterion::HeadingError => "horizontal gaze error",
-        Criterion::LimbShift => "hand and clavicle shift",
+        Criterion::LimbShift => "hand and clavicle shift beyond the chest's turn",
         Criterion::HeadSpeed => "head speed",
         Criterion::HeadAcceleration => "head acceleration",
         Criterion::Reversals => "acceleration reversals",
@@ -70,7 +83,8 @@ fn shown(criterion: Criterion, value: f64) -> String {
         Criterion::LimbShift => format!("{} % of the height", trimmed(100.0 * value, 1)),
         Criterion::HeadSpeed => format!("{}°/s", trimmed(value, 0)),
         Criterion::HeadAcceleration => format!("{}°/s²", trimmed(value, 0)),
-        Criterion::Reversals => format!("{} in 0.5 s", trimmed(value, 0)),
+        Criterion::Reversals if value > 0.0 => format!("{} in 0.5 s", trimmed(value, 0)),
+        Criterion::Reversals => trimmed(value, 0),
         _ => format!("{}°", trimmed(value, 1)),
     }
 }
@@ -78,23 +92,25 @@ fn shown(criterion: Criterion, value: f64) -> String {
 /// Returns the exceeded criteria in words, each with its limit and the time of its worst value.
 fn exceeded(measured: &Plausibility) -> Vec<String> {
     let too_much = rows(measured).filter(|row| row.is_exceeded);
-    too_much
-        .map(|Row { name, value, limit, when, .. }| {
-            let (limit, when) = (limit.unwrap_or_default(), when.unwrap_or_default());
-            format!("{name} {value} (limit {limit}) at {when}")
-        })
-        .collect()
+    too_much.map(|row| format!("{} at {}", row.limited(), row.when.as_deref().unwrap_or_default())).collect()
 }
 
-/// Returns a line with all criteria, and, if any are exceeded, a second line with those.
+/// Returns a line that names the value nearest to its limit; if any limits are exceeded, two lines: one with all values,
+/// and one with those beyond their limits.
 pub(crate) fn in_words(measured: &Plausibility) -> String {
-    let all: Vec<String> = rows(measured).map(|row| format!("{} {}", row.name, row.value)).collect();
-    let mut out = format!("plausibility: {}", all.join(", "));
     let exceeded = exceeded(measured);
     if !exceeded.is_empty() {
-        out += &format!("\nexceeds plausible limits: {}", exceeded.join(", "));
+        let all: Vec<String> = rows(measured).map(|row| format!("{} {}", row.name, row.value)).collect();
+        return format!("plausibility: {}\nexceeds plausible limits: {}", all.join(", "), exceeded.join(", "));
     }
-    out
+    let nearest = rows(measured).filter_map(|row| Some((row.share?, row)));
+    // Of equal shares, the first.
+    match nearest.reduce(|nearest, row| if row.0 > nearest.0 { row } else { nearest }) {
+        Some((_, row)) => {
+            format!("plausibility: all values within their limits; nearest to its limit: {}", row.limited())
+        }
+        None => "plausibility: no value could be compared with a limit".to_owned(),
+    }
 }
 
 /// Checks that no limit is exceeded and that the gaze was on the target at all. `moving` is the name of a target node

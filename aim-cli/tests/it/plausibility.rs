@@ -198,7 +198,8 @@ fn strict_fails_on_what_is_too_much_and_names_it() {
     place.write("jump.csv", "t,x,y,z\n0,0,1.66,2\n0.5,0,1.66,2\n0.501,2,1.66,1\n");
     let bake = "bake m.glb --seconds 1 --target file:jump.csv --out o.glb --report r.json --strict";
     let calm = place.done(&format!("{bake} --rig m.toml"));
-    assert!(calm.stdout.contains("head speed"), "{}", calm.stdout);
+    let looks = calm.stdout.lines().nth(1).expect("a second line");
+    assert!(looks.starts_with("plausibility: all values within their limits; nearest to its limit: head "), "{looks}");
     let ran = place.aim(&format!("{bake} --rig quick.toml --solver exact --html r.html"));
     assert_eq!(ran.code, 1, "{ran:?}");
     for word in ["o.glb", "written", "head speed", "limit 300°/s", "head acceleration", "at 0.5"] {
@@ -209,7 +210,15 @@ fn strict_fails_on_what_is_too_much_and_names_it() {
     assert!(found["head_speed_deg_s"].as_f64().expect("a number") > 300.0, "{found}");
     let page = String::from_utf8(place.read("r.html")).expect("text");
     assert!(page.contains("Head acceleration") && page.contains("(limit 300°/s)"), "the page");
-    place.done(&format!("{} --rig quick.toml --solver exact", bake.replace(" --strict", "")));
+    // Without --strict, all values are printed, and those beyond their limits once more.
+    let told = place.done(&format!("{} --rig quick.toml --solver exact", bake.replace(" --strict", ""))).stdout;
+    for words in [
+        "plausibility: head relative to chest ",
+        ", hand and clavicle shift beyond the chest's turn 0 % of the height, head speed ",
+        "\nexceeds plausible limits: head speed ",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
 }
 
 #[test]
