@@ -36,7 +36,7 @@ pub(crate) fn page(subject: &BakePage<'_>) -> String {
         h1 { (report.rig) " aimed over " q { (report.over) } }
         (summary::section(spec, report))
         @if let Some(strips) = film::strips(subject) { (film(&strips)) }
-        (rig::section(spec, report))
+        (rig::section(subject))
         section.over-time {
             h2 { "Over time" }
             (charts::all(subject))

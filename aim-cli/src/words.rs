@@ -213,6 +213,14 @@ mod tests {
     }
 
     #[test]
+    fn the_help_of_bake_explains_the_statuses_of_the_report() {
+        let help = include_str!("help/bake.txt");
+        for (word, _, words, _) in STATUSES {
+            assert!(help.contains(&format!("\n  {word:<12}  {words}\n")), "{word}");
+        }
+    }
+
+    #[test]
     fn lists_read_as_sentences() {
         assert_eq!([listed(&["a"]), listed(&["a", "b"]), listed(&["a", "b", "c"])], ["a", "a and b", "a, b and c"]);
         assert_eq!([counted(1, "frame"), counted(0, "frame")], ["1 frame", "0 frames"]);

@@ -199,7 +199,7 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
         reduction,
         plausibility: Plausibility::measure(&character.rig, &plan, &baked, &written).map_err(Failure::of(file))?,
     });
-    let subject = BakePage { spec, report: &report, document, measurement, baked: &baked };
+    let subject = BakePage { spec, report: &report, document, measurement, source: plan.clip, baked: &baked };
     arguments.written.targets().write(&model, &report, || html::page(&subject))?;
     files::print(&format!("{}\n", report.in_words(&arguments.written.out)))?;
     for page in [&arguments.written.report, &arguments.written.html].into_iter().flatten() {

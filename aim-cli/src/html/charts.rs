@@ -23,17 +23,23 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
     let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
     html! {
         p {
-            "Azimuth and elevation are measured at the effector in the axes of its bind pose, which move with the bone that "
-            "carries the chain"
-            @if has_head {
-                "; “head” is where the gaze would point with the eye at rest, “eye in head” is the remainder of the gaze"
+            "Azimuth and elevation are the angles of a direction, seen from the effector, to the left of and above the \
+             direction in which the effector looks in the bind pose. "
+            @if let Some(carrier) = directions.as_ref().and_then(|directions| directions.carrier.as_deref()) {
+                "They turn with " (carrier) ", which carries the chain, so that 0° stays ahead of the body. "
             }
-            ". Dashed horizontal lines are limits; shading marks where one is reached: an angle at an end of its range, a \
-             speed at its rate. The band below each chart shows the status:"
+            @if has_head {
+                "“Head” is where the gaze would point with the eye at rest, “eye in head” is the remainder of the gaze, and \
+                 “clip” is the head in the clip alone. "
+            } @else {
+                "“Clip” is the gaze in the clip alone. "
+            }
+            "Dashed horizontal lines are limits; shading marks where one is reached: an angle at an end of its range, a \
+             speed at its rate. The band below each chart shows the status, with its name in the JSON report:"
         }
         p.statuses {
             @for (word, ours, _, meaning) in report.wanted().statuses().filter(|(word, ..)| statuses.contains(word)) {
-                span.chip title=(meaning) { (chip(word)) (ours) }
+                span.chip title=(meaning) { (chip(word)) (ours) @if word != ours { small { code { (word) } } } }
             }
         }
         div.charts {
@@ -168,7 +174,7 @@ const HEADING_END: &str = "heading limit";
 const PITCH_END: &str = "pitch limit";
 
 /// Returns the lower and upper ends of heading and pitch in every frame, degrees.
-fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
+pub(super) fn ranges(subject: &BakePage<'_>, index: usize) -> [[Vec<f64>; 2]; 2] {
     let mut ends: [[Vec<f64>; 2]; 2] = Default::default();
     for at in subject.baked.frames.iter().filter_map(|frame| frame.joints.get(index)) {
         for (ends, range) in ends.iter_mut().zip(range_in_frame(&subject.spec.joints[index], at)) {

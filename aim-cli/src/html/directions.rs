@@ -16,12 +16,16 @@ pub(super) struct Directions {
     pub(super) gaze: Bearings,
     /// Direction of the head: of the gaze if the eye were as in the bind pose. `None` if the effector is not an eye.
     pub(super) head: Option<Bearings>,
+    /// Direction of the head, or of the effector if it is not an eye, in the clip that was aimed over.
+    pub(super) animated: Bearings,
+    /// Name of the bone that carries the chain; `None` if the chain hangs on nothing.
+    pub(super) carrier: Option<String>,
 }
 
 impl Directions {
     /// Computes the directions; `None` if the document lacks bones of the rig.
     pub(super) fn new(subject: &BakePage<'_>) -> Option<Self> {
-        let BakePage { spec, report, document, measurement, baked } = *subject;
+        let BakePage { spec, report, document, measurement, source, baked } = *subject;
         let skeleton = document.skeleton();
         let chain = chain_nodes(spec, skeleton).ok()?;
         let bind = &measurement.bind_world;
@@ -34,8 +38,17 @@ impl Directions {
         let moved = |node: Option<usize>, world: &[DAffine3]| -> DMat3 {
             node.map_or(DMat3::IDENTITY, |node| world[node].matrix3 * bind[node].matrix3.inverse())
         };
-        let mut found = Self { target: Vec::new(), gaze: Vec::new(), head: head.map(|_| Vec::new()) };
+        let mut found = Self {
+            target: Vec::new(),
+            gaze: Vec::new(),
+            head: head.map(|_| Vec::new()),
+            animated: Vec::new(),
+            carrier: carrier.map(|node| skeleton.names()[node].clone()),
+        };
+        let source = source.map(|clip| clip.repeated(baked.clip.length_s()));
         for frame in &baked.frames {
+            let pose = source.as_ref().map_or_else(|| skeleton.rest().to_vec(), |clip| skeleton.pose(clip, frame.t));
+            let animated = skeleton.world_f64(&pose);
             let world = &frame.world;
             let carried = moved(carrier, world);
             let frame_of = rest.map(|axis| (carried * axis).normalize_or_zero());
@@ -49,6 +62,7 @@ impl Directions {
             if let Some(course) = &mut found.head {
                 course.push(seen(moved(head, world) * rest[2]));
             }
+            found.animated.push(seen(moved(head.or(Some(eye)), &animated) * rest[2]));
         }
         Some(found)
     }

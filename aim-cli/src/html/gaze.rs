@@ -61,8 +61,8 @@ pub(super) fn charts(base: &Base<'_>, directions: &Directions) -> Markup {
 
 fn what(directions: &Directions) -> &'static str {
     match directions.head {
-        Some(_) => "target, gaze, head and eye in head",
-        None => "target and gaze",
+        Some(_) => "target, gaze, head, eye in head and the clip's head",
+        None => "target, gaze and the clip's gaze",
     }
 }
 
@@ -71,6 +71,7 @@ fn series(directions: &Directions, angle: GazeAngle, frames: Range<usize>) -> Ve
     let pick = |course: &Bearings| course[frames.clone()].iter().map(|at| at[angle.index]).collect::<Vec<f64>>();
     let gaze = pick(&directions.gaze);
     let mut series = vec![Series { name: "target", class: "target-line", values: pick(&directions.target) }];
+    series.push(Series { name: "clip", class: "clip", values: pick(&directions.animated) });
     if let Some(head) = &directions.head {
         let head = pick(head);
         let eye = gaze.iter().zip(&head).map(|(gaze, head)| apart(*gaze, *head)).collect();

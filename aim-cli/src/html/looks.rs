@@ -24,7 +24,14 @@ fn chart(
     pick: fn(&Appearance) -> Option<f64>,
 ) -> Markup {
     let values: Vec<f64> = measured.frames.iter().map(|seen| pick(seen).unwrap_or(f64::NAN)).collect();
-    let most = values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+    let is_of_head = criterion == Criterion::HeadToChestHeading;
+    let animated: Vec<f64> = if is_of_head {
+        measured.frames.iter().map(|seen| seen.animated_heading_deg.unwrap_or(f64::NAN)).collect()
+    } else {
+        Vec::new()
+    };
+    let seen = values.iter().chain(&animated).filter(|value| value.is_finite());
+    let most = seen.fold(0.0_f64, |most, value| most.max(value.abs()));
     if values.iter().all(|value| value.is_nan()) {
         return html! {};
     }
@@ -76,6 +83,9 @@ fn chart(
             *value = f64::NAN;
         }
     }
-    chart.series.push(Series { name: "counted", class: "one", values: counted });
+    if is_of_head {
+        chart.series.push(Series { name: "in the clip", class: "clip", values: animated });
+    }
+    chart.series.push(Series { name: if is_of_head { "aimed" } else { "counted" }, class: "one", values: counted });
     chart.figure(title)
 }

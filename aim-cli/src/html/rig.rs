@@ -1,14 +1,17 @@
-//! The table of the declared rig, and of the angles and speeds that the bake used.
+//! The table of the rig, and of the angles and speeds that the bake used.
 
-use aim_codegen::{AngleRange, JointSpec, LimitsFrom, RigSpec};
+use aim_codegen::{AngleRange, JointSpec, LimitsFrom};
 use maud::{Markup, html};
 
-use super::charts::speeds;
-use crate::bake_report::{BakeReport, JointReport};
+use super::charts::{ranges, speeds};
+use super::subject::BakePage;
+use crate::bake_report::JointReport;
 use crate::words::{axis, fixed, shown, trimmed};
 
 /// Returns the table of joints.
-pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
+pub(super) fn section(subject: &BakePage<'_>) -> Markup {
+    let BakePage { spec, report, .. } = *subject;
+    let moves = spec.joints.iter().any(|joint| joint.limits_from == LimitsFrom::BindPose);
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     html! {
         section.rig-table {
@@ -16,6 +19,10 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
             p {
                 "Joints from the effector inward. Heading turns a bone's forward axis to its left, pitch turns it up; both are "
                 "added to the animation. The columns “used” show what this bake used."
+                @if moves {
+                    " A range that counts from the bind pose moves with the animation; the table shows each of its ends in \
+                     the frame in which the angle was largest in that direction, and below them the declared ends."
+                }
             }
             div.scroll {
                 table.rig {
@@ -38,15 +45,15 @@ pub(super) fn section(spec: &RigSpec, report: &BakeReport) -> Markup {
                             th scope="col" { "used" }
                         }
                     }
-                    tbody { @for (k, joint) in spec.joints.iter().enumerate() { (row(joint, report, k, &times)) } }
+                    tbody { @for (k, joint) in spec.joints.iter().enumerate() { (row(joint, subject, k, &times)) } }
                 }
             }
         }
     }
 }
 
-fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> Markup {
-    let told: Vec<&JointReport> = report.frames.iter().filter_map(|frame| frame.joints.get(index)).collect();
+fn row(joint: &JointSpec, subject: &BakePage<'_>, index: usize, times: &[f64]) -> Markup {
+    let told: Vec<&JointReport> = subject.report.frames.iter().filter_map(|frame| frame.joints.get(index)).collect();
     let bone = told.first().map_or(joint.bones[0].as_str(), |joint| joint.bone.name.as_str());
     let heading: Vec<f64> = told.iter().map(|joint| joint.heading_deg).collect();
     let pitch: Vec<f64> = told.iter().map(|joint| joint.pitch_deg).collect();
@@ -55,6 +62,7 @@ fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> M
     let fastest = speeds.filter(|speed| speed.is_finite()).fold(0.0, f64::max);
     let limited = told.iter().filter(|joint| joint.at_limit).count();
     let frame = &joint.frame;
+    let [headings, pitches] = ranges(subject, index);
     html! {
         tr {
             th scope="row" {
@@ -62,8 +70,8 @@ fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> M
                 @if bone != joint.name { " " small { "declared as " (joint.name) } }
             }
             td.axes { @for one in [frame.up, frame.forward, frame.left] { span { (axis(one)) } " " } }
-            (angle(joint.heading, joint.limits_from, &heading))
-            (angle(joint.pitch, joint.limits_from, &pitch))
+            (angle(joint.heading, moved(joint, &heading, &headings), &heading))
+            (angle(joint.pitch, moved(joint, &pitch, &pitches), &pitch))
             td { (trimmed(joint.rate.to_degrees(), 1)) }
             td { (fixed(fastest, 1)) }
             td { (trimmed(joint.stiffness, 3)) }
@@ -72,20 +80,50 @@ fn row(joint: &JointSpec, report: &BakeReport, index: usize, times: &[f64]) -> M
     }
 }
 
-fn angle(range: Option<AngleRange>, limits_from: LimitsFrom, values: &[f64]) -> Markup {
+/// Returns the ends of a range that counts from the bind pose: the lower one in the frame of the lowest value, the upper
+/// one in that of the highest, degrees. `None` for other ranges.
+fn moved(joint: &JointSpec, values: &[f64], [lower, upper]: &[Vec<f64>; 2]) -> Option<[f64; 2]> {
+    let by_value = |a: &(&f64, &f64), b: &(&f64, &f64)| a.0.total_cmp(b.0);
+    let low = values.iter().zip(lower).min_by(by_value)?;
+    let high = values.iter().zip(upper).max_by(by_value)?;
+    (joint.limits_from == LimitsFrom::BindPose).then_some([*low.1, *high.1])
+}
+
+/// Returns the cells of an angle: its range, or the `moved` one above the declared one, and the used part of it.
+fn angle(range: Option<AngleRange>, moved: Option<[f64; 2]>, values: &[f64]) -> Markup {
     let span = |low: f64, high: f64| format!("{}° … {}°", shown(low, 1), shown(high, 1));
     let (low, high) = values.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
     html! {
         td {
-            @match range {
-                None => "–",
-                Some(AngleRange::Free) => "free",
-                Some(AngleRange::Between(low, high)) => {
-                    (span(low.to_degrees(), high.to_degrees()))
-                    @if limits_from == LimitsFrom::BindPose { " " small { "from the bind pose" } }
+            @match (range, moved) {
+                (None, _) => "–",
+                (Some(AngleRange::Free), _) => "free",
+                (Some(AngleRange::Between(low, high)), None) => (span(low.to_degrees(), high.to_degrees())),
+                (Some(AngleRange::Between(low, high)), Some([moved_low, moved_high])) => {
+                    (span(moved_low, moved_high))
+                    " " small { (span(low.to_degrees(), high.to_degrees())) " from the bind pose" }
                 }
             }
         }
         td { @if range.is_some() && low <= high { (span(low, high)) } @else { "–" } }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_from_the_bind_pose_is_that_of_the_largest_use() {
+        let toml = include_str!("../../../rigs/mannequin.toml");
+        let neck =
+            |toml: &str| aim_codegen::declare::from_toml("rig.toml", toml).expect("a sound rig").joints[1].clone();
+        let (values, ends) = ([-40.6, 3.0, 40.7], [vec![-40.6, -39.0, -37.0], vec![38.0, 39.0, 41.2]]);
+        assert_eq!(moved(&neck(toml), &values, &ends), None);
+        let from_bind = neck(&toml.replace("rate = ", "limits_from = \"bind_pose\"\nrate = "));
+        assert_eq!(moved(&from_bind, &values, &ends), Some([-40.6, 41.2]));
+        assert_eq!(moved(&from_bind, &[], &[vec![], vec![]]), None);
+        let shown = angle(from_bind.heading, Some([-40.6, 41.2]), &values).0;
+        assert!(shown.contains("<td>−40.6° … 41.2° <small>−60° … 60° from the bind pose</small></td>"), "{shown}");
     }
 }

@@ -1,5 +1,6 @@
 //! [`BakePage`]: the input of the page about a bake.
 
+use aim_animation::Clip;
 use aim_character::{Baked, Measurement};
 use aim_codegen::RigSpec;
 use aim_gltf::Document;
@@ -13,5 +14,7 @@ pub(crate) struct BakePage<'a> {
     pub(crate) document: &'a Document,
     /// Measurement of `document`.
     pub(crate) measurement: &'a Measurement,
+    /// The clip that was aimed over; `None` for the rest pose.
+    pub(crate) source: Option<&'a Clip>,
     pub(crate) baked: &'a Baked,
 }

@@ -7,7 +7,7 @@ use maud::{Markup, html};
 use crate::bake_report::{BakeFrame, BakeReport};
 use crate::effector::Effector;
 use crate::plausibility;
-use crate::words::{self, Wanted, chip, counted, fixed, listed, shown, tiny, trimmed};
+use crate::words::{self, Wanted, chip, counted, fixed, listed, shown, trimmed};
 
 /// Excess over a rate or a range that is attributed to rounding, degrees per second or degrees.
 const ROUNDING: f64 = 1e-2;
@@ -185,8 +185,8 @@ fn facts(spec: &RigSpec, report: &BakeReport) -> Vec<(&'static str, String)> {
 fn measured(report: &BakeReport) -> Vec<(&'static str, String)> {
     let held = |value: f64, unit: &str| match value {
         x if x <= 0.0 => "respected".to_owned(),
-        x if x <= ROUNDING => format!("respected, within {}", tiny(x, unit)),
-        x => format!("exceeded by up to {}", tiny(x, unit)),
+        x if x <= ROUNDING => format!("respected, within {}{unit}", trimmed((x * 1e3).ceil() / 1e3, 3)),
+        x => format!("exceeded by up to {}{unit}", trimmed(x, 3)),
     };
     let summary = &report.summary;
     let worst = report.frames.iter().map(BakeFrame::off_deg).fold(0.0, f64::max);

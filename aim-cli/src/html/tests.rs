@@ -110,7 +110,7 @@ impl Case {
 
     fn page(&self) -> String {
         let Self { spec, report, document, measurement, baked, .. } = self;
-        page(&BakePage { spec, report, document, measurement, baked })
+        page(&BakePage { spec, report, document, measurement, source: document.clips().first(), baked })
     }
 }
 
@@ -169,6 +169,9 @@ fn the_mannequins_page_is_whole() {
         assert_eq!(text.matches(&format!(">{title}<")).count(), 2, "{title}");
     }
     assert_eq!(count(&html, ".looks tr"), 8);
+    assert_eq!(count(&html, "path.clip"), 4, "azimuth, its close-up and elevation, and the head relative to the chest");
+    assert_eq!(count(&html, "p.warning"), 1);
+    assert!(!text.contains(" × 10") && !text.contains("0 in 0.5 s, at"), "numbers without noise");
     assert_eq!(count(&html, ".rig tbody tr"), case.spec.joints.len());
     for joint in &case.spec.joints {
         assert!(text.contains(&format!("{}: angles and ranges", joint.name)), "{}", joint.name);
