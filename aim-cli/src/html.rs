@@ -50,9 +50,9 @@ fn film([front, side, events]: &[Markup; 3]) -> Markup {
         section.film-strip {
             h2 { "How it looks" }
             p {
-                "Frames at even intervals, all from the same side. The line is the gaze, the dot is the target; if the target "
-                "is outside the picture, an arrow at the border points to it. The disc shows both from above, with the "
-                "viewer at its lower edge."
+                "Frames from the first to the last, more of them where gaze and head move more, all from the same side. The "
+                "line is the gaze, the dot is the target; if the target is outside the picture, an arrow at the border "
+                "points to it. The disc shows both from above, with the viewer at its lower edge."
             }
             (front)
             p { "The same frames from the side, where a head that tilts back or leans is easy to see." }

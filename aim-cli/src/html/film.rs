@@ -4,6 +4,8 @@ use aim_character::{AimedFrame, Criterion, chain_nodes};
 use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
+use super::directions::Directions;
+use super::gaze::between;
 use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
 use super::subject::BakePage;
 use crate::bake_report::BakeFrame;
@@ -12,6 +14,8 @@ use crate::words::{self, Wanted, n, segment};
 
 /// Number of drawings in a strip over time.
 const DRAWINGS: usize = 8;
+/// Least movement of gaze and head that decides which frames are drawn, degrees.
+const MOVED: f64 = 5.0;
 /// Smallest worst value that makes an event, degrees or degrees per second.
 const SEEN: f64 = 1.0;
 /// Distance from the eye to the start of the drawn line of sight, in units of the drawing.
@@ -19,22 +23,55 @@ const START: f64 = 13.0;
 /// Radius of the plan view in the corner, in units of the drawing.
 const PLAN: f64 = 24.0;
 
-/// Returns three strips: at even times from the front and from the side, and the events from the side. `None` if the
+/// Returns three strips: the whole length from the front and from the side, and the events from the side. `None` if the
 /// document lacks bones of the rig.
 pub(super) fn strips(subject: &BakePage<'_>) -> Option<[Markup; 3]> {
     let BakePage { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
-    let even: Vec<Moment> = (0..DRAWINGS.min(all)).map(|k| (k * all / DRAWINGS.min(all), None)).collect();
+    let directions = Directions::new(subject)?;
+    let times: Vec<f64> = baked.frames[..all].iter().map(|frame| frame.t.into()).collect();
+    let chosen: Vec<Moment> = spread(&progress(&times, &directions)).into_iter().map(|frame| (frame, None)).collect();
     let events = events(subject, all);
     Some([
-        strip(subject, IN_FRONT, &even)?,
-        strip(subject, BESIDE, &even)?,
+        strip(subject, IN_FRONT, &chosen)?,
+        strip(subject, BESIDE, &chosen)?,
         if events.is_empty() {
             html! {}
         } else {
             strip(subject, BESIDE, &events)?
         },
     ])
+}
+
+/// Returns how far each frame is on the way from the first to the last, 0 to 1: half by time, half by the angles by which
+/// gaze and head have moved until then.
+fn progress(times: &[f64], directions: &Directions) -> Vec<f64> {
+    let courses = [Some(&directions.gaze), directions.head.as_ref()];
+    let mut moved = 0.0;
+    let way: Vec<f64> = (0..times.len())
+        .map(|k| {
+            let steps = courses.iter().flatten().filter(|_| k > 0).map(|course| between(course[k - 1], course[k]));
+            moved += steps.filter(|step| step.is_finite()).sum::<f64>();
+            moved
+        })
+        .collect();
+    let length = times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
+    let by_time = |k: usize| if length > 0.0 { (times[k] - times[0]) / length } else { 0.0 };
+    (0..times.len()).map(|k| if moved < MOVED { by_time(k) } else { 0.5 * (by_time(k) + way[k] / moved) }).collect()
+}
+
+/// Returns the indices of at most [`DRAWINGS`] frames: the first, the last, and those between them that divide the
+/// progress evenly.
+fn spread(progress: &[f64]) -> Vec<usize> {
+    let (all, count) = (progress.len(), DRAWINGS.min(progress.len()));
+    let mut frames: Vec<usize> = Vec::with_capacity(count);
+    for k in 0..count {
+        let part = words::count(k) / words::count(count - 1).max(1.0);
+        let at = progress.partition_point(|done| *done < part - 1e-9);
+        // No frame is drawn twice, and enough are left for the rest.
+        frames.push(at.clamp(frames.last().map_or(0, |last| last + 1), all - count + k));
+    }
+    frames
 }
 
 /// Index of a frame, and what is notable in it.
@@ -199,6 +236,45 @@ impl Scene<'_> {
                     circle.target cx=(n(x * PLAN)) cy=(n(y * PLAN)) r="3.5" {}
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns the drawn frames of a gaze and a head at 60 frames per second, as azimuths.
+    fn drawn(count: u32, gaze: impl Fn(f64) -> f64, head: impl Fn(f64) -> f64) -> Vec<usize> {
+        let times: Vec<f64> = (0..count).map(|k| f64::from(k) / 60.0).collect();
+        let course = |at: &dyn Fn(f64) -> f64| times.iter().map(|t| [at(*t), 0.0]).collect();
+        let (gaze, head) = (course(&gaze), Some(course(&head)));
+        spread(&progress(&times, &Directions { target: Vec::new(), gaze, head, animated: Vec::new(), carrier: None }))
+    }
+
+    #[test]
+    fn a_leap_gets_several_of_the_drawings() {
+        // 60° within 0.4 s, half a second before the end of three seconds.
+        let leap = |t: f64| 60.0 * ((t - 2.1) / 0.4).clamp(0.0, 1.0);
+        let frames = drawn(181, leap, leap);
+        assert_eq!((frames.len(), frames[0], frames[7]), (8, 0, 180));
+        let during = frames.iter().filter(|frame| (126..=150).contains(*frame)).count();
+        assert!((3..=5).contains(&during), "{frames:?}");
+        // At one speed, the frames are at even intervals.
+        assert_eq!(drawn(71, |t| 30.0 * t, |t| 20.0 * t), [0, 10, 20, 30, 40, 50, 60, 70]);
+    }
+
+    #[test]
+    fn rest_cuts_and_few_frames_are_drawn_once_each() {
+        assert_eq!(drawn(71, |_| 3.0, |t| 0.1 * t.sin()), [0, 10, 20, 30, 40, 50, 60, 70]);
+        assert_eq!(drawn(71, |_| f64::NAN, |_| f64::NAN).len(), 8);
+        // A cut from one frame to the next.
+        let cut = |t: f64| if t < 1.0 { 0.0 } else { 90.0 };
+        let frames = drawn(121, cut, cut);
+        assert!(frames.windows(2).all(|pair| pair[0] < pair[1]) && frames[0] == 0 && frames[7] == 120, "{frames:?}");
+        assert!(frames.contains(&60), "{frames:?}");
+        for count in 0..9 {
+            assert_eq!(drawn(count, |t| 9.0 * t, |t| t), (0..drawn(count, |t| t, |t| t).len()).collect::<Vec<_>>());
         }
     }
 }

@@ -113,7 +113,7 @@ fn furthest_shift(times: &[f64], gaze: &Bearings) -> Option<Shift> {
 }
 
 /// Returns the angle between two directions, degrees.
-fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(super) fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
     let [a, b] = [a, b].map(|[azimuth, elevation]| {
         let ((sin, cos), (up, level)) = (azimuth.to_radians().sin_cos(), elevation.to_radians().sin_cos());
         DVec3::new(sin * level, up, cos * level)
