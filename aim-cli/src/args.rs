@@ -21,6 +21,20 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 }
 
+const BAKE_HELP: &str = include_str!("help/bake.txt").trim_ascii_end();
+const CHECK_HELP: &str = include_str!("help/check.txt").trim_ascii_end();
+const CLIP_HELP: &str = include_str!("help/clip.txt").trim_ascii_end();
+const EXPLAIN_HELP: &str = include_str!("help/explain.txt").trim_ascii_end();
+const PLOT_HELP: &str = include_str!("help/plot.txt").trim_ascii_end();
+const REACH_HELP: &str = include_str!("help/reach.txt").trim_ascii_end();
+const RIG_HELP: &str = include_str!("help/rig.txt").trim_ascii_end();
+const VIEW_HELP: &str = include_str!("help/view.txt").trim_ascii_end();
+
+/// Returns the examples of a text that follows a command's options: its first paragraph, for the short help.
+fn example(help: &'static str) -> &'static str {
+    help.split_once("\n\n").map_or(help, |(example, _)| example)
+}
+
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Aim the bundled mannequin at an orbiting target while it walks and runs; write aimed.glb, report.html,
@@ -31,7 +45,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  aim inspect hero.glb --json")]
     Inspect(Inspect),
     /// Propose a model's declaration: its chain, measured axes, human ranges and rates.
-    #[command(after_help = include_str!("help/rig.txt").trim_ascii_end())]
+    #[command(after_help = example(RIG_HELP), after_long_help = RIG_HELP)]
     Rig(Rig),
     /// Write the solver derived for a rig.
     #[command(after_help = "Example:\n  aim generate rigs/thug.toml --lang c -o thug.c")]
@@ -40,25 +54,25 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  aim count rigs/thug.toml --json")]
     Count(Count),
     /// Compare a rig's derived gradient and Jacobian with central differences, or a rig with a model.
-    #[command(after_help = include_str!("help/check.txt").trim_ascii_end())]
+    #[command(after_help = example(CHECK_HELP), after_long_help = CHECK_HELP)]
     Check(Check),
     /// Explain a rig's derivation step by step, as a web page or as LaTeX.
-    #[command(after_help = include_str!("help/explain.txt").trim_ascii_end())]
+    #[command(after_help = example(EXPLAIN_HELP), after_long_help = EXPLAIN_HELP)]
     Explain(Explain),
     /// Plot a joint's aim function over heading and pitch, with the paths of the solvers.
-    #[command(after_help = include_str!("help/plot.txt").trim_ascii_end())]
+    #[command(after_help = example(PLOT_HELP), after_long_help = PLOT_HELP)]
     Plot(Plot),
     /// Aim a model over a clip and write an ordinary glTF animation.
-    #[command(after_help = include_str!("help/bake.txt").trim_ascii_end())]
+    #[command(after_help = example(BAKE_HELP), after_long_help = BAKE_HELP)]
     Bake(Bake),
     /// Open a window with a character that looks at a target: the bundled mannequin or a model.
-    #[command(after_help = include_str!("help/view.txt").trim_ascii_end())]
+    #[command(after_help = example(VIEW_HELP), after_long_help = VIEW_HELP)]
     View(View),
     /// Guide a hand or foot of a clip through points at given times, and write an ordinary glTF animation.
-    #[command(after_help = include_str!("help/reach.txt").trim_ascii_end())]
+    #[command(after_help = example(REACH_HELP), after_long_help = REACH_HELP)]
     Reach(Reach),
     /// Report the size of a model's clips, and make them smaller, loops, or in place.
-    #[command(after_help = include_str!("help/clip.txt").trim_ascii_end())]
+    #[command(after_help = example(CLIP_HELP), after_long_help = CLIP_HELP)]
     Clip(Clip),
 }
 
@@ -102,7 +116,9 @@ pub(crate) enum Notation {
 pub(crate) struct Rig {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The bones of the chain, from the effector inward; found by roles and names if not given.
+    /// The chain's bones, from the effector inward; found if not given.
+    ///
+    /// They are found by roles and names.
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) chain: Vec<String>,
     #[command(flatten)]
@@ -125,21 +141,23 @@ pub(crate) enum Language {
 pub(crate) struct Generate {
     /// The rig's declaration, or a Rust file.
     pub(crate) rig: PathBuf,
-    /// A function in a Rust file with the attribute `#[differentiate(wrt(…))]`; emits it and its derivatives, in C or
-    /// WGSL.
+    /// A function of a Rust file to emit, with its derivatives.
+    ///
+    /// It has the attribute `#[differentiate(wrt(…))]` and is emitted in C or WGSL.
     #[arg(long, value_name = "NAME")]
     pub(crate) function: Option<String>,
     /// The language to emit.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,
-    /// Instead of code, list the rewriting rules with the operation counts after each step, and the points where
-    /// derivatives have no limit.
+    /// Instead of code, list the rewriting rules with operation counts.
+    ///
+    /// The counts are those after each step. The points where derivatives have no limit follow.
     #[arg(long, conflicts_with_all = ["lang", "check"])]
     pub(crate) trace: bool,
     /// The output file; standard output if not given.
     #[arg(short, long, value_name = "FILE", conflicts_with = "check")]
     pub(crate) output: Option<PathBuf>,
-    /// Write nothing; exit with code 1 if FILE differs from what would be emitted.
+    /// Write nothing; exit with code 1 if FILE is not what would be emitted.
     #[arg(long, value_name = "FILE")]
     pub(crate) check: Option<PathBuf>,
 }
@@ -158,13 +176,17 @@ pub(crate) struct Check {
     /// The rig's declaration, or, with --rig, a model.
     #[arg(value_name = "RIG.toml|FILE")]
     pub(crate) rig: PathBuf,
-    /// Instead of checking derivatives, report where this declaration and the model FILE contradict each other.
+    /// Report where this declaration and the model FILE contradict each other.
+    ///
+    /// Derivatives are then not checked.
     #[arg(long = "rig", value_name = "RIG.toml", conflicts_with_all = ["samples", "flip_sign"])]
     pub(crate) model_rig: Option<PathBuf>,
     /// Number of random poses to compare.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,
-    /// First turn the N-th addition of every program into a subtraction (or vice versa), to see the check fail.
+    /// First break every program, to see the check fail.
+    ///
+    /// The N-th addition of every program becomes a subtraction, or vice versa.
     #[arg(long, value_name = "N")]
     pub(crate) flip_sign: Option<usize>,
 }
@@ -173,11 +195,14 @@ pub(crate) struct Check {
 pub(crate) struct Plot {
     /// The rig's declaration.
     pub(crate) rig: PathBuf,
-    /// The joint that turns; the first, which carries the effector, if not given.
+    /// The joint that turns; the first if not given.
+    ///
+    /// The first joint carries the effector.
     #[arg(long, value_name = "NAME")]
     pub(crate) joint: Option<String>,
-    /// The target, in the joint's space, along its bone's axes; if not given, a point that needs every angle of the
-    /// joint.
+    /// The target, in the joint's space.
+    ///
+    /// Its coordinates are along the bone's axes. If not given, it is a point that needs every angle of the joint.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub(crate) target: Option<Point>,
     /// Draw a surface in space instead of contours.
@@ -186,7 +211,9 @@ pub(crate) struct Plot {
     /// Width and height in pixels.
     #[arg(long, value_name = "WxH", default_value = "1000x720")]
     pub(crate) size: Size,
-    /// The output file: SVG or, built with the feature `pictures`, PNG, by the file extension.
+    /// The output file, SVG or PNG by its extension.
+    ///
+    /// PNG needs a build with the feature `pictures`.
     #[arg(short, long, value_name = "OUT.svg|OUT.png")]
     pub(crate) output: PathBuf,
 }
@@ -206,10 +233,12 @@ pub(crate) struct Explain {
     /// The output file; standard output if not given.
     #[arg(short, long, value_name = "OUT.html|OUT.tex")]
     pub(crate) output: Option<PathBuf>,
-    /// The output format; given by the extension of OUT if not given.
+    /// The format; else by extension.
     #[arg(long, value_enum)]
     pub(crate) format: Option<Paper>,
-    /// Number of random poses to compare with central differences.
+    /// Number of random poses to compare.
+    ///
+    /// Derivatives are compared with central differences.
     #[arg(long, value_name = "N", default_value_t = 1_000, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) samples: u32,
 }
@@ -285,10 +314,14 @@ fn one_of<T: Copy + Send + Sync>(all: &'static Choices<T>) -> impl TypedValuePar
 /// Options of the commands that aim.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct Aiming {
-    /// The solver; if not given, natural if any joint of the rig has a role, else exact.
+    /// The solver; else by the rig.
+    ///
+    /// Without this option, it is natural if any joint of the rig has a role, else exact.
     #[arg(long, value_parser = one_of(&SOLVERS[..3]))]
     pub(crate) solver: Option<&'static [Solver]>,
-    /// Aim the other eye at the target, too; otherwise it turns as the first one does.
+    /// Aim the other eye, too, so that both converge on the target.
+    ///
+    /// Without this option, it turns as the first one does.
     #[arg(long)]
     pub(crate) both_eyes: bool,
 }
@@ -328,32 +361,42 @@ pub(crate) struct Bake {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to aim over; if not given, the first whose name contains idle, else the first.
+    /// The clip to aim over; an idle clip or the first if not given.
+    ///
+    /// An idle clip is the first whose name contains idle.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// Name of the written clip, which replaces a clip of that name; if not given, the clip's name with "_aimed", or
-    /// with "_aimed2" and so on if that is taken.
+    /// Name of the written clip; the clip's with "_aimed" if not given.
+    ///
+    /// The written clip replaces a clip of this name. Without this option, no clip is replaced: the name ends in
+    /// "_aimed2" and so on if "_aimed" is taken.
     #[arg(long = "as", value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub(crate) name: Option<String>,
     #[command(flatten)]
     pub(crate) facing: Facing,
     #[command(flatten)]
     pub(crate) aiming: Aiming,
-    /// What to aim: a bone of the rig's joints by name, or eyes, head, neck or chest; joints further out return to
-    /// rest. The rig's effector if not given.
+    /// What to aim: eyes, head, neck, chest, or a bone of the rig's joints.
+    ///
+    /// Joints further out return to rest. Without this option, the rig's effector is aimed.
     #[arg(long, value_name = "WHAT", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     pub(crate) effector: Option<String>,
-    /// How far the gaze moves from the clip's direction to the target's, 0 to 1.
+    /// How far the gaze moves from the clip's to the target, 0 to 1.
     #[arg(long, value_name = "W", default_value_t = 1.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) weight: f32,
-    /// How far the head takes over from the eyes, 0 to 1 (natural only).
+    /// How far the head takes over from the eyes, 0 to 1.
+    ///
+    /// Only the natural solver uses it.
     #[arg(long, value_name = "A", default_value_t = 0.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) attention: f32,
-    /// What to do about a target behind the character.
-    #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip")]
+    /// If the target is behind.
+    ///
+    /// What to do about a target behind the character; clip if not given.
+    #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip", hide_default_value = true)]
     pub(crate) behind: Behind,
-    /// Seconds for which a natural gaze follows a target out of reach before it returns to the animation; unlimited if
-    /// not given.
+    /// Seconds after which a target out of reach is given up.
+    ///
+    /// The gaze then returns to the animation. Without this option, it never does. Only the natural solver uses it.
     #[arg(long, value_name = "S", value_parser = patience)]
     pub(crate) patience: Option<f32>,
     /// Length of the result, seconds; the clip's length if not given.
@@ -364,23 +407,29 @@ pub(crate) struct Bake {
     /// Keys per second.
     #[arg(long, value_name = "N", default_value_t = 60.0, allow_negative_numbers = true, value_parser = rate)]
     pub(crate) fps: f32,
-    /// Bones that hang on a joint but move with what carries that joint, instead of those that the rig holds; `none`
-    /// holds nothing.
+    /// Bones that hang on a joint but stay with the trunk.
+    ///
+    /// They move with what carries the joint. They replace those that the rig holds; `none` holds nothing.
     #[arg(long, value_name = "A,B|none", value_delimiter = ',', value_parser = bone_name)]
     pub(crate) hold: Option<Vec<String>>,
     /// How the result begins.
     #[arg(long, value_parser = one_of(SETTLES), default_value = "snap")]
     pub(crate) settle: Settle,
-    /// Make the result loop; where the clip itself jumps from its last frame to its first, in position or speed, its
-    /// seam is mended.
+    /// Make the result loop.
+    ///
+    /// Where the clip itself jumps from its last frame to its first, in position or speed, its seam is mended.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Leave out keys as long as no bone, and no point looked at 1 m away, moves by more than this, in millimetres of a
-    /// 1.7 m figure: 1mm; 0mm leaves out only keys that change nothing. Reports the error of the clip as written: see
-    /// Reduction below.
+    /// Leave out keys within a tolerance, such as 1mm of a 1.7 m figure.
+    ///
+    /// No bone, and no point looked at 1 m away, moves by more than the tolerance. 0mm leaves out only keys that change
+    /// nothing. The error of the clip as written is reported: see Reduction below.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
-    /// Exit with code 1 if the result looks wrong; it is written nevertheless. See Plausibility below.
+    /// Exit with code 1 if the result looks wrong.
+    ///
+    /// The result is written nevertheless. See Plausibility below. It is also wrong if no frame has a direction to aim
+    /// in, or none is on a target node that moves with the gaze.
     #[arg(long)]
     pub(crate) strict: bool,
     #[command(flatten)]
@@ -391,13 +440,19 @@ pub(crate) struct Bake {
 pub(crate) struct Reach {
     /// A .glb, .gltf or .vrm file.
     pub(crate) file: PathBuf,
-    /// The clip; if not given, the first whose name contains idle, else the first.
+    /// The clip; an idle clip or the first if not given.
+    ///
+    /// An idle clip is the first whose name contains idle.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The node to guide: a hand or a foot. Its parent and grandparent follow.
+    /// The node to guide: a hand or a foot.
+    ///
+    /// Its parent and grandparent follow.
     #[arg(long, value_name = "NAME")]
     pub(crate) bone: String,
-    /// Time at which the node is to be at the target, seconds; once for each target.
+    /// Time of a target, seconds; once for each target.
+    ///
+    /// The node is to be at the target at this time.
     #[arg(long, value_name = "S", required = true, allow_negative_numbers = true)]
     pub(crate) at: Vec<f32>,
     /// Target of the node, in the file's units; once for each time.
@@ -428,22 +483,31 @@ pub(crate) struct Clip {
     /// The clip; repeat the option for several clips. All of them if not given.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Vec<String>,
-    /// Take the motion of the hips over the ground out of the clip, and report it.
+    /// Take the hips' motion out.
+    ///
+    /// Their motion over the ground is taken out of the clip and reported.
     #[arg(long, value_enum, value_name = "MOTION")]
     pub(crate) extract: Option<Extract>,
-    /// Make the clip loop; where it jumps from its last frame to its first, in position or speed, its seam is mended.
+    /// Make the clip loop.
+    ///
+    /// Where it jumps from its last frame to its first, in position or speed, its seam is mended.
     #[arg(long = "loop")]
     pub(crate) looped: bool,
-    /// Leave out keys as long as no bone moves by more than this, in millimetres of a 1.7 m figure: 1mm; 0mm leaves out
-    /// only keys that change nothing.
+    /// Leave out keys within a tolerance, such as 1mm of a 1.7 m figure.
+    ///
+    /// No bone moves by more than the tolerance. 0mm leaves out only keys that change nothing.
     #[arg(long, value_name = "TOL", allow_hyphen_values = true)]
     pub(crate) reduce: Option<Millimetres>,
-    /// Times at which a reduced clip keeps the original poses, seconds: contacts, transitions, approved poses.
+    /// Times at which a reduced clip keeps the original poses, seconds.
+    ///
+    /// Such times are contacts, transitions, approved poses.
     #[arg(long, value_name = "S,S", value_delimiter = ',', requires = "reduce", allow_negative_numbers = true, value_parser = seconds)]
     pub(crate) pin: Vec<f32>,
     #[command(flatten)]
     pub(crate) facing: Facing,
-    /// Where to write the model with the changed clips in place of the old ones; may be FILE, which it then replaces.
+    /// Where to write the changed model; may be FILE, which it then replaces.
+    ///
+    /// The changed clips are in place of the old ones.
     #[arg(long, value_name = "OUT.glb")]
     pub(crate) out: Option<PathBuf>,
     /// Where to write the report, with the root motion, as JSON.
@@ -495,10 +559,15 @@ pub(crate) struct View {
     /// The rig's declaration; measured from the file if not given.
     #[arg(long, value_name = "RIG.toml", requires = "file")]
     pub(crate) rig: Option<PathBuf>,
-    /// The clip to play; if not given, the first whose name contains idle, else the first.
+    /// The clip to play; an idle clip or the first if not given.
+    ///
+    /// An idle clip is the first whose name contains idle.
     #[arg(long, value_name = "NAME")]
     pub(crate) clip: Option<String>,
-    /// The solver, or all of them side by side; if not given, natural if any joint of the rig has a role, else exact.
+    /// The solver, or all.
+    ///
+    /// All of them are shown side by side. Without this option, it is natural if any joint of the rig has a role, else
+    /// exact.
     #[arg(long, value_parser = one_of(SOLVERS))]
     pub(crate) solver: Option<&'static [Solver]>,
     /// How the target moves.
@@ -514,16 +583,20 @@ pub(crate) struct View {
     /// Use a light background.
     #[arg(long)]
     pub(crate) light: bool,
-    /// Take a picture of the window instead of staying open; no display is needed where xvfb-run is installed.
+    /// Take a picture of the window instead of staying open.
+    ///
+    /// No display is needed where xvfb-run is installed.
     #[arg(long, value_name = "OUT.png")]
     pub(crate) screenshot: Option<PathBuf>,
-    /// Number of frames of 1/60 s after which the picture is taken.
+    /// Frames of 1/60 s before the picture.
     #[arg(long, value_name = "N", requires = "screenshot", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) frames: u32,
     /// Size of the picture, pixels.
     #[arg(long, value_name = "WxH", requires = "screenshot", default_value = "1280x800")]
     pub(crate) size: Size,
-    /// Print what the picture shows as JSON: status, error, and the positions of targets and gazes, pixels.
+    /// Print what the picture shows as JSON.
+    ///
+    /// That is status, error, and the positions of targets and gazes, pixels.
     #[arg(long, requires = "screenshot")]
     pub(crate) json: bool,
 }

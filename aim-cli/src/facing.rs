@@ -11,10 +11,10 @@ use crate::failure::{Failure, Result};
 /// World axes of the file that the user states to be the character's forward and up.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub(crate) struct Facing {
-    /// The axis that the character faces in the file (+Z, -X …); measured if not given.
+    /// The axis that the character faces (+Z, -X …); measured if not given.
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub(crate) forward: Option<SignedAxis>,
-    /// The character's up axis in the file; measured if not given.
+    /// The character's up axis; measured if not given.
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub(crate) up: Option<SignedAxis>,
 }

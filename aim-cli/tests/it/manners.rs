@@ -21,6 +21,24 @@ fn every_help_has_an_example_that_names_its_command() {
 }
 
 #[test]
+fn the_short_help_has_one_line_for_each_option() {
+    let place = Place::new();
+    // The words of `view --show` alone fill more than a line.
+    for name in ["demo", "inspect", "rig", "generate", "count", "check", "explain", "plot", "bake", "reach", "clip"] {
+        let help = place.done(&format!("{name} -h")).stdout;
+        let (options, after) = help.split_once("\nExample").expect("an example");
+        let (_, options) = options.split_once("\nOptions:\n").expect("options");
+        for line in options.lines() {
+            assert!(line.is_empty() || line.trim_start().starts_with('-'), "{name}: {line}");
+        }
+        assert!(!after.contains("\n\n"), "{name}: details after the example:{after}");
+    }
+    for word in ["Targets:", "Reduction:", "Plausibility:", "rate_limited", "replaces a clip of this name"] {
+        assert!(place.done("bake --help").stdout.contains(word), "{word}");
+    }
+}
+
+#[test]
 fn the_examples_of_the_help_are_accepted() {
     let place = Place::with_mannequin();
     std::fs::create_dir(place.path("rigs")).expect("a folder can be made");
