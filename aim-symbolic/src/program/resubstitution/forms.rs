@@ -279,7 +279,7 @@ impl FormBuilder<'_> {
     }
 
     fn pair(&mut self, (kind, a, b): Pair, wanted: Residue) -> Value {
-        let residue = kind.op(a, b).map(|v| self.search.facts[v.index()].residue).value(&[]);
+        let residue = Residue::result(kind.op(a, b).map(|v| self.search.facts[v.index()].residue));
         let made = self.push(kind.op(a, b));
         self.signed(made, residue, wanted)
     }

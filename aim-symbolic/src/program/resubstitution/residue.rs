@@ -1,11 +1,11 @@
 //! Numbers modulo a prime, which decide whether two expressions are equal.
 
 use core::hash::{Hash, Hasher};
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Mul, Neg, Sub};
 
 use rustc_hash::FxHasher;
 
-use crate::{Function, Number};
+use crate::{Function, Op};
 
 /// 2⁶¹ − 1
 const PRIME: u64 = (1 << 61) - 1;
@@ -18,6 +18,45 @@ impl Residue {
     pub(super) const ZERO: Self = Self(0);
     const ONE: Self = Self(1);
     const TWO: Self = Self(2);
+
+    /// Returns the result of an operation.
+    pub(super) fn result(op: Op<Self>) -> Self {
+        match op {
+            Op::Constant(c) => Self::constant(c.value()),
+            Op::Add(a, b) => a + b,
+            Op::Sub(a, b) => a - b,
+            Op::Mul(a, b) => a * b,
+            Op::Div(a, b) if b == Self::ZERO => Self::random(("quotient", a)),
+            Op::Div(a, b) => a * b.inverse(),
+            Op::Neg(a) => -a,
+            Op::Call(Function::Sin, a) => a.circle().0,
+            Op::Call(Function::Cos, a) => a.circle().1,
+            Op::Input(i) => Self::random(("input", i)),
+            Op::Tiny => Self::random("tiny"),
+            Op::Sqrt(a) => Self::random(("root", a)),
+            Op::SelectLess(a, b, then, otherwise) => Self::random((a, b, then, otherwise)),
+            Op::Call(function, a) => Self::random((function, a)),
+            Op::Atan2(y, x) => Self::random(("angle", y, x)),
+            Op::Pow(a, b) => Self::random(("power", a, b)),
+        }
+    }
+
+    fn constant(value: f64) -> Self {
+        // value = (1 + fraction / 2⁵²) 2^(exponent − 1023); subnormal numbers lack the leading 1.
+        let bits = value.abs().to_bits();
+        let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
+        let whole = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+        // 1075 ≡ 38 modulo 61
+        let shift = (exponent.max(1) + 61 - 38) % 61;
+        let positive = Self::of(u128::from(whole) << shift);
+        if !value.is_finite() {
+            Self::random(bits)
+        } else if value < 0.0 {
+            -positive
+        } else {
+            positive
+        }
+    }
 
     /// Reduces by 2⁶¹ ≡ 1.
     fn of(x: u128) -> Self {
@@ -108,60 +147,5 @@ impl Mul for Residue {
 
     fn mul(self, other: Self) -> Self {
         Self::of(u128::from(self.0) * u128::from(other.0))
-    }
-}
-
-impl Div for Residue {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        if other == Self::ZERO { Self::random(("quotient", self)) } else { self * other.inverse() }
-    }
-}
-
-impl Number for Residue {
-    fn constant(value: f64) -> Self {
-        // value = (1 + fraction / 2⁵²) 2^(exponent − 1023); subnormal numbers lack the leading 1.
-        let bits = value.abs().to_bits();
-        let (exponent, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
-        let whole = if exponent == 0 { fraction } else { fraction | 1 << 52 };
-        // 1075 ≡ 38 modulo 61
-        let shift = (exponent.max(1) + 61 - 38) % 61;
-        let positive = Self::of(u128::from(whole) << shift);
-        if !value.is_finite() {
-            Self::random(bits)
-        } else if value < 0.0 {
-            -positive
-        } else {
-            positive
-        }
-    }
-
-    fn tiny() -> Self {
-        Self::random("tiny")
-    }
-
-    fn sqrt(self) -> Self {
-        Self::random(("root", self))
-    }
-
-    fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
-        Self::random((a, b, then, otherwise))
-    }
-
-    fn call(self, function: Function) -> Self {
-        match function {
-            Function::Sin => self.circle().0,
-            Function::Cos => self.circle().1,
-            _ => Self::random((function, self)),
-        }
-    }
-
-    fn atan2(self, x: Self) -> Self {
-        Self::random(("angle", self, x))
-    }
-
-    fn pow(self, exponent: Self) -> Self {
-        Self::random(("power", self, exponent))
     }
 }

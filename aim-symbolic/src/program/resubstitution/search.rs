@@ -2,7 +2,7 @@
 
 use super::residue::Residue;
 use super::rounding::Rounded;
-use crate::{Function, Number, Op, Program, Value};
+use crate::{Function, Op, Program, Value};
 
 /// The number of points at which rounding errors are compared.
 const POINTS: u32 = 16;
@@ -102,7 +102,7 @@ impl Search {
                 let sides = [1.0, -1.0].map(|side| zero + side * NEAR_ZERO * zero.abs().max(NEAR_ZERO));
                 let beside = sides.map(|beside| {
                     let mut inputs = at_random(number);
-                    inputs[input] = Rounded::constant(beside);
+                    inputs[input] = Rounded::exact(beside);
                     inputs
                 });
                 beside.into_iter().any(|inputs| search.add_point(inputs));
@@ -151,7 +151,7 @@ impl Search {
         (0..start.len()).find_map(|input| {
             let at = |x: f64| {
                 let mut inputs = start.to_vec();
-                inputs[input] = Rounded::constant(x);
+                inputs[input] = Rounded::exact(x);
                 self.values(&inputs)[sum.index()]
             };
             let mut before = start[input].value;
@@ -169,10 +169,7 @@ impl Search {
     }
 
     pub(super) fn push(&mut self, op: Op, counts: bool) {
-        let residue = match op {
-            Op::Input(i) => Residue::random(("input", i)),
-            op => op.map(|v| self.facts[v.index()].residue).value(&[]),
-        };
+        let residue = Residue::result(op.map(|v| self.facts[v.index()].residue));
         let unsigned = |v: Value| self.facts[v.index()].residue.unsigned();
         let (mut sources, mut own) = (Sources::default(), Vec::new());
         match op {
@@ -243,9 +240,9 @@ impl Search {
 
     /// Returns all values that are used, the others 0.
     fn values(&self, inputs: &[Rounded]) -> Vec<Rounded> {
-        let mut values = vec![Rounded::constant(0.0); self.ops.len()];
+        let mut values = vec![Rounded::exact(0.0); self.ops.len()];
         for &v in &self.order {
-            values[v.index()] = self.ops[v.index()].map(|part| values[part.index()]).value(inputs);
+            values[v.index()] = Rounded::result(self.ops[v.index()].map(|part| values[part.index()]), inputs);
         }
         values
     }
@@ -327,5 +324,5 @@ pub(super) fn is_counted(op: &Op) -> bool {
 fn at_random(number: u32, input: usize) -> Rounded {
     let unit = |what: &str| Residue::random((what, number, input)).unit();
     let size = if number % 4 < 2 { unit("size") } else { 10f64.powf(4.0 * unit("size") - 3.0) };
-    Rounded::constant(if number % 2 == 0 && unit("sign") < 0.5 { -size } else { size })
+    Rounded::exact(if number % 2 == 0 && unit("sign") < 0.5 { -size } else { size })
 }
