@@ -5,7 +5,7 @@ use crate::diff::sweep::SweepRecord;
 use crate::ir::evaluate::Evaluation;
 use crate::ir::node::Node;
 use crate::lower::Effort;
-use crate::program::derive::{Candidate, Choices, choose, distinct};
+use crate::program::derive::{Candidate, Choices, Problem, distinct};
 use crate::rewrite::log::{Log, Rewrite};
 use crate::rewrite::rules::{ARITHMETIC, RESUBSTITUTE, Rule};
 use crate::{Bindings, Count, Graph, InputKind, Program, Scalar, ScalarNode, Singular, Want};
@@ -83,10 +83,15 @@ impl Derivation {
     /// operation of the statement and its derivatives counts, including those with 0 and 1.
     #[must_use]
     pub fn new(g: &Graph, wanted: &[Want]) -> Self {
-        let (program, choices) = choose(g, wanted, &[]);
-        let derive_with = |log: Log, off: &[Rule]| Candidate::new(g, wanted, choices.clone(), off, log, Effort::Polish);
-        let count = |rewrites: usize, off: &[Rule]| derive_with(Log::limited(rewrites), off).program.count();
-        let Candidate { g: mut graph, outputs, log, .. } = derive_with(Log::default(), &[]);
+        let problem = Problem { g, wanted, without: &[] };
+        let (program, choices) = problem.smallest_program();
+        let count = |rewrites: usize, without: &[Rule]| {
+            let candidate =
+                Problem { without, ..problem }.candidate(choices.clone(), Log::limited(rewrites), Effort::Polish);
+            candidate.program.count()
+        };
+        let Candidate { g: mut graph, outputs, log, .. } =
+            problem.candidate(choices.clone(), Log::default(), Effort::Polish);
         let least = program.count().total();
         let mut recorder = StepRecorder { steps: Vec::new(), rules: Vec::new(), count: count(0, &ARITHMETIC), least };
         // The last rule applies only to finished programs.
@@ -125,8 +130,8 @@ impl Derivation {
     /// Returns the wanted expressions as they would be if rewriting had stopped after this many rewrites.
     #[must_use]
     pub fn stopped_after(&self, rewrites: usize) -> (Graph, Vec<Scalar>) {
-        let log = Log::limited(rewrites);
-        let candidate = Candidate::new(&self.statement, &self.wanted, self.choices.clone(), &[], log, Effort::Compare);
+        let problem = Problem { g: &self.statement, wanted: &self.wanted, without: &[] };
+        let candidate = problem.candidate(self.choices.clone(), Log::limited(rewrites), Effort::Compare);
         (candidate.g, candidate.outputs)
     }
 

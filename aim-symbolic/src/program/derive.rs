@@ -41,16 +41,6 @@ impl Want {
             Self::Projected(_) | Self::Normal(..) => None,
         }
     }
-
-    /// Returns the variables by which first derivatives of all values are required.
-    fn of_all(self) -> impl Iterator<Item = Variable> {
-        let variables = match self {
-            Self::Projected(x) => [Some(x), None],
-            Self::Normal(x, y) => [Some(x), Some(y)],
-            _ => [None, None],
-        };
-        variables.into_iter().flatten()
-    }
 }
 
 /// The direction in which derivatives are taken.
@@ -113,76 +103,225 @@ impl Program {
     /// Derives a program by the default choices, without a search. All rules but the optional ones apply; the program
     /// need not be the smallest.
     pub fn derive_at_once(g: &Graph, wanted: &[Want]) -> Self {
-        Candidate::new(g, wanted, Choices::first(), &[], Log::default(), Effort::Compare).program.finished()
+        Problem { g, wanted, without: &[] }.first_candidate().program.finished()
     }
 
     /// Derives the smallest program without these rules, to see their effect.
     #[must_use]
     pub fn derive_without(g: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
-        choose(g, wanted, without).0
+        Problem { g, wanted, without }.smallest_program().0
     }
 }
 
-/// Returns the smallest of a bounded number of programs, and the choices that lead to it.
-///
-/// Each rival changes the best program so far in one respect, and replaces it if the result is smaller. For a small
-/// program every arrangement is compared, and all rivals are tried again after an improvement. The result is also
-/// compared with the smallest program by the rules of arithmetic alone, so that rewriting never makes a program larger.
-pub(crate) fn choose(g: &Graph, wanted: &[Want], without: &[Rule]) -> (Program, Choices) {
-    let (mut best, is_rewritten) = smallest(g, wanted, without, None);
-    if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
-        let off: Vec<Rule> = rules::of_sets().into_iter().chain(without.iter().copied()).collect();
-        let (mut plain, _) = smallest(g, wanted, &off, Some(cost(&best.program).0));
-        plain.choices.without.extend(off);
-        best = best.better_of(plain);
-    }
-    (best.program.finished(), best.choices)
+/// The statement from which programs are derived.
+#[derive(Clone, Copy)]
+pub(crate) struct Problem<'a> {
+    pub(crate) g: &'a Graph,
+    pub(crate) wanted: &'a [Want],
+    /// Rules that do not apply, whatever the choices.
+    pub(crate) without: &'a [Rule],
 }
 
-/// Returns the smallest program by the rules that apply, and whether any rule was applied. Polishes it unless it is too
-/// large to become smaller than a `rival` with this number of operations.
-fn smallest(g: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> (Candidate, bool) {
-    let mut best = Candidate::new(g, wanted, Choices::first(), without, Log::default(), Effort::Compare);
-    let (changes, is_rewritten) = (rivals(&best, wanted), best.is_rewritten());
-    if best.is_small() {
-        best.arrange(without, Effort::Finish);
-        best = best.improve_twice(&changes, g, wanted, without);
-    } else {
-        best = best.improve(&changes, g, wanted, without, Effort::Compare);
+impl<'a> Problem<'a> {
+    /// Returns the smallest of a bounded number of programs, and the choices that lead to it.
+    ///
+    /// Each rival changes the best program so far in one respect, and replaces it if the result is smaller. For a small
+    /// program every arrangement is compared, and all rivals are tried again after an improvement. The result is also
+    /// compared with the smallest program by the rules of arithmetic alone, so that rewriting never makes a program
+    /// larger.
+    pub(crate) fn smallest_program(self) -> (Program, Choices) {
+        let (best, is_rewritten) = self.smallest(None);
+        if is_rewritten || cfg!(not(aim_small)) && best.is_rewritten() {
+            let off: Vec<Rule> = rules::of_sets().into_iter().chain(self.without.iter().copied()).collect();
+            let (mut plain, _) = Problem { without: &off, ..self }.smallest(Some(cost(&best.program).0));
+            if cost(&plain.program) < cost(&best.program) {
+                plain.choices.without.extend(&off);
+                return (plain.program.finished(), plain.choices);
+            }
+        }
+        (best.program.finished(), best.choices)
     }
-    if rival.is_none_or(|rival| best.is_near(rival, MOST_PLAIN)) {
-        best = best.polish(g, wanted, without, rival);
+
+    /// Returns the smallest program by the rules that apply, and whether any rule was applied. Polishes it unless it is
+    /// too large to become smaller than a `rival` with this number of operations.
+    fn smallest(self, rival: Option<usize>) -> (Candidate<'a>, bool) {
+        let mut best = self.first_candidate();
+        let (changes, is_rewritten) = (best.rivals(), best.is_rewritten());
+        if best.is_small() {
+            best.arrange(Effort::Finish);
+            best = best.improve_twice(&changes);
+        } else {
+            best = best.improve(&changes, Effort::Compare);
+        }
+        if rival.is_none_or(|rival| best.is_near(rival, MOST_PLAIN)) {
+            best = best.polish(rival);
+        }
+        (best, is_rewritten)
     }
-    (best, is_rewritten)
+
+    /// Returns the result of the default choices.
+    fn first_candidate(self) -> Candidate<'a> {
+        self.candidate(Choices::first(), Log::default(), Effort::Compare)
+    }
+
+    /// Rewrites and compiles the statement by these choices, as far as the log's limit permits.
+    pub(crate) fn candidate(self, choices: Choices, mut log: Log, effort: Effort) -> Candidate<'a> {
+        let mut g = self.g.clone();
+        let outputs = self.rewritten(&mut g, &choices, &mut log);
+        let program = self.compiled(&mut g, &outputs, &choices, effort);
+        Candidate { problem: self, choices, g, outputs, program, log }
+    }
+
+    /// Returns the sweeps worth trying, starting with the reverse sweep, the default.
+    fn sweeps(self) -> Vec<Sweep> {
+        let variables = self.variables();
+        let mut sweeps = vec![Sweep::Reverse(ReciprocalPlacement::Late)];
+        if !variables.is_empty() {
+            sweeps.push(Sweep::Reverse(ReciprocalPlacement::Early));
+            if variables.len() <= 2 * self.stated().len() {
+                sweeps.push(Sweep::Forward);
+            }
+        }
+        sweeps
+    }
+
+    /// Returns the expressions that are wanted or differentiated.
+    fn stated(self) -> Vec<Scalar> {
+        distinct(self.wanted.iter().filter_map(|want| want.stated()))
+    }
+
+    /// Returns the variables by which first derivatives are required.
+    fn variables(self) -> Vec<Variable> {
+        let by_one = self.wanted.iter().filter_map(|want| match *want {
+            Want::Derivative(_, x) => Some(x),
+            _ => None,
+        });
+        distinct(by_one.chain(self.variables_of_all()))
+    }
+
+    /// Returns the variables by which first derivatives of all values are required.
+    fn variables_of_all(self) -> Vec<Variable> {
+        distinct(self.wanted.iter().flat_map(|want| match *want {
+            Want::Projected(x) => vec![x],
+            Want::Normal(x, y) => vec![x, y],
+            _ => Vec::new(),
+        }))
+    }
+
+    /// Returns the rules that the problem or the choices switch off.
+    fn off(self, choices: &Choices) -> Vec<Rule> {
+        self.without.iter().chain(&choices.without).copied().collect()
+    }
+
+    fn compiled(self, g: &mut Graph, outputs: &[Scalar], choices: &Choices, effort: Effort) -> Program {
+        let rules = Rules { without: &self.off(choices), max_other_side: choices.max_other_side };
+        Program::compile_with(g, outputs, &rules, effort)
+    }
+
+    /// Returns the wanted expressions, rewritten by these choices.
+    fn rewritten(self, g: &mut Graph, choices: &Choices, log: &mut Log) -> Vec<Scalar> {
+        let rules = Rules { without: &self.off(choices), max_other_side: choices.max_other_side };
+        let limits = Rules { without: self.without, max_other_side: None };
+        g.set_inner_frames(&choices.inner_frames);
+        let stated = self.stated();
+        let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
+        let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
+        if !RATIOS.rules.is_empty() {
+            // Dropping lengths may leave expressions that can be restated again.
+            let plain = g.rewrite_with(&worded, &RATIOS, &rules, log);
+            worded = if plain == worded { worded } else { g.rewrite_with(&plain, &WORDING, &rules, log) };
+        }
+        let mut values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
+        if rules.has(&TURN_INTO_ANGLE) {
+            values = g.rewrite_with(&values, &BASES, &rules, log);
+        }
+        (log.values, log.before_sweeps) = (values.clone(), log.applied.len());
+
+        let mut derived = Derived(stated.into_iter().map(Want::Value).zip(values).collect());
+        let residuals = distinct(self.wanted.iter().filter_map(|want| match *want {
+            Want::Value(s) => Some(s),
+            _ => None,
+        }));
+        let by_one = self.wanted.iter().filter_map(|want| match *want {
+            Want::Derivative(s, x) | Want::Second(s, x, _) => Some((s, x)),
+            _ => None,
+        });
+        let of_all = self.variables_of_all().into_iter().flat_map(|x| residuals.iter().map(move |&s| (s, x)));
+        let pairs = distinct(by_one.chain(of_all));
+        derived.take_first(g, &pairs, choices, log);
+        for &(s, x) in &pairs {
+            let by = |want: &Want| match *want {
+                Want::Second(of, a, b) if (of, a) == (s, x) => Some(b),
+                _ => None,
+            };
+            let by: Vec<Variable> = self.wanted.iter().filter_map(by).collect();
+            // Builds with `aim_small` take only first derivatives.
+            if cfg!(not(aim_small)) && !by.is_empty() {
+                let slope = g.rewrite_with(&[derived.get(Want::Derivative(s, x))], &LIMITS, &limits, log);
+                let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
+                let gradient = g.gradient(slope, &by, ReciprocalPlacement::Late);
+                derived.0.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
+            }
+        }
+
+        let sum = |g: &mut Graph, factors: &dyn Fn(Scalar) -> [Want; 2]| {
+            let factors = residuals.iter().map(|&s| factors(s).map(|want| derived.get(want)));
+            let products: Vec<Scalar> = factors.map(|[a, b]| g.mul(a, b)).collect();
+            products.into_iter().reduce(|a, b| g.add(a, b)).unwrap_or_else(|| g.constant(0.0))
+        };
+        let output = |want: &Want| match *want {
+            Want::Projected(x) => sum(g, &|s| [Want::Value(s), Want::Derivative(s, x)]),
+            Want::Normal(x, y) => sum(g, &|s| [Want::Derivative(s, x), Want::Derivative(s, y)]),
+            want => derived.get(want),
+        };
+        let outputs: Vec<Scalar> = self.wanted.iter().map(output).collect();
+        let outputs = g.at_rest(&outputs);
+        log.derived.clone_from(&outputs);
+        let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
+        if !choices.inner_frames.is_empty() {
+            outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);
+        }
+        let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);
+        g.rewrite_with(&outputs, &PRODUCTS, &rules, log)
+    }
 }
 
-/// Returns the sweeps worth trying, starting with the reverse sweep, the default.
-fn sweeps(wanted: &[Want]) -> Vec<Sweep> {
-    let variables = variables(wanted);
-    let values = distinct(wanted.iter().filter_map(|w| w.stated()));
-    let mut sweeps = vec![Sweep::Reverse(ReciprocalPlacement::Late)];
-    if !variables.is_empty() {
-        sweeps.push(Sweep::Reverse(ReciprocalPlacement::Early));
-        if variables.len() <= 2 * values.len() {
-            sweeps.push(Sweep::Forward);
+/// Expressions with their derivatives, as far as they have been taken.
+struct Derived(Vec<(Want, Scalar)>);
+
+impl Derived {
+    fn get(&self, want: Want) -> Scalar {
+        self.0.iter().find(|(known, _)| *known == want).map(|(_, s)| *s).expect("everything wanted was derived")
+    }
+
+    /// Adds the first derivatives of these expressions by these variables.
+    fn take_first(&mut self, g: &mut Graph, pairs: &[(Scalar, Variable)], choices: &Choices, log: &mut Log) {
+        let is_reverse = |x: &Variable| choices.sweep != Sweep::Forward && !choices.forward.contains(x);
+        if let Sweep::Reverse(placement) = choices.sweep {
+            let reverse: Vec<_> = pairs.iter().filter(|(_, x)| is_reverse(x)).collect();
+            for s in distinct(reverse.iter().map(|(s, _)| *s)) {
+                let by: Vec<Variable> = reverse.iter().filter(|(of, _)| *of == s).map(|(_, x)| *x).collect();
+                let value = self.get(Want::Value(s));
+                let (gradient, visited) = g.sweep_backward(value, &by, placement);
+                log.sweeps.push(SweepRecord { direction: SweepDirection::Backward(value), visited });
+                self.0.extend(by.into_iter().map(|x| Want::Derivative(s, x)).zip(gradient));
+            }
+        }
+        for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !is_reverse(x))) {
+            let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
+            let values: Vec<Scalar> = of.iter().map(|&s| self.get(Want::Value(s))).collect();
+            let (tangents, visited) = g.sweep_forward(&values, x);
+            log.sweeps.push(SweepRecord { direction: SweepDirection::Forward(x), visited });
+            self.0.extend(of.into_iter().map(|s| Want::Derivative(s, x)).zip(tangents));
         }
     }
-    sweeps
-}
-
-/// Returns the variables by which first derivatives are required.
-fn variables(wanted: &[Want]) -> Vec<Variable> {
-    let by_one = wanted.iter().filter_map(|w| match *w {
-        Want::Derivative(_, x) => Some(x),
-        _ => None,
-    });
-    distinct(by_one.chain(wanted.iter().flat_map(|w| w.of_all())))
 }
 
 /// A combination of choices and its result. Each starts anew from the statement, so that a program does not depend on
 /// what else was tried.
 #[derive(Clone)]
-pub(crate) struct Candidate {
+pub(crate) struct Candidate<'a> {
+    problem: Problem<'a>,
     choices: Choices,
     pub(crate) g: Graph,
     pub(crate) outputs: Vec<Scalar>,
@@ -191,22 +330,7 @@ pub(crate) struct Candidate {
     pub(crate) log: Log,
 }
 
-impl Candidate {
-    /// Rewrites and compiles the statement by these choices, as far as the log's limit permits.
-    pub(crate) fn new(
-        stated: &Graph,
-        wanted: &[Want],
-        choices: Choices,
-        without: &[Rule],
-        mut log: Log,
-        effort: Effort,
-    ) -> Self {
-        let mut g = stated.clone();
-        let outputs = rewritten(&mut g, wanted, &choices, without, &mut log);
-        let program = compiled(&mut g, &outputs, &choices, without, effort);
-        Self { choices, g, outputs, program, log }
-    }
-
+impl Candidate<'_> {
     fn is_small(&self) -> bool {
         cost(&self.program).0 <= SMALL
     }
@@ -227,60 +351,61 @@ impl Candidate {
     }
 
     /// Tries every rival in turn and returns the best.
-    fn improve(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule], effort: Effort) -> Self {
+    fn improve(self, changes: &[Change], effort: Effort) -> Self {
         changes.iter().fold(self, |best, change| {
             let mut choices = best.choices.clone();
             change(&mut choices);
             if choices == best.choices {
                 return best;
             }
-            best.better_of(Self::new(stated, wanted, choices, without, Log::default(), effort))
+            let rival = best.problem.candidate(choices, Log::default(), effort);
+            best.better_of(rival)
         })
     }
 
     /// Tries every rival of a small program, and if that improves it, all of them once more.
-    fn improve_twice(self, changes: &[Change], stated: &Graph, wanted: &[Want], without: &[Rule]) -> Self {
+    fn improve_twice(self, changes: &[Change]) -> Self {
         let before = cost(&self.program);
-        let best = self.improve(changes, stated, wanted, without, Effort::Finish);
+        let best = self.improve(changes, Effort::Finish);
         if cost(&best.program) == before {
             return best;
         }
-        best.improve(changes, stated, wanted, without, Effort::Finish)
+        best.improve(changes, Effort::Finish)
     }
 
     /// Returns the program with the best arrangement, or a variant with more derivatives taken forward if that is
     /// smaller.
-    fn polish(mut self, stated: &Graph, wanted: &[Want], without: &[Rule], rival: Option<usize>) -> Self {
+    fn polish(mut self, rival: Option<usize>) -> Self {
         if cfg!(aim_small) {
-            self.arrange(without, Effort::Polish);
+            self.arrange(Effort::Polish);
             return self;
         }
         let effort = if self.is_small() { Effort::Finish } else { Effort::Compare };
-        let mut other = self.clone().improve(&self.forward_changes(wanted, true), stated, wanted, without, effort);
-        self.arrange_if_competitive(without, rival);
+        let mut other = self.clone().improve(&self.forward_changes(true), effort);
+        self.arrange_if_competitive(rival);
         if other.choices == self.choices {
             return self;
         }
-        other.arrange_if_competitive(without, rival);
+        other.arrange_if_competitive(rival);
         self.better_of(other)
     }
 
     /// Arranges the program, unless it is too large to become smaller than a rival.
-    fn arrange_if_competitive(&mut self, without: &[Rule], rival: Option<usize>) {
+    fn arrange_if_competitive(&mut self, rival: Option<usize>) {
         if let Some(rival) = rival {
             // The result must not depend on the trial.
             let mut trial = self.clone();
-            trial.arrange(without, Effort::Polish);
+            trial.arrange(Effort::Polish);
             if !trial.is_near(rival, SMALL) {
                 return;
             }
         }
-        self.arrange(without, Effort::Last { rival });
+        self.arrange(Effort::Last { rival });
     }
 
     /// Returns the rivals that take a derivative forward: by the variables on which the arguments of sines and cosines
     /// depend, since these are each other's derivatives, or with `others` by the remaining numbers.
-    fn forward_changes(&self, wanted: &[Want], others: bool) -> Vec<Change> {
+    fn forward_changes(&self, others: bool) -> Vec<Change> {
         let g = &self.g;
         let is_turn = |node: &Node| match *node {
             Node::Scalar(s) => match g.scalar_node(s) {
@@ -292,8 +417,8 @@ impl Candidate {
         let arguments: Vec<Node> = g.order(&self.outputs).iter().filter_map(is_turn).collect();
         let turns = |x: &Variable| arguments.iter().any(|&a| g.depends_on(a, &[*x]));
         let is_number = |x: &Variable| matches!(x, Variable::Input(_));
-        let by = variables(wanted).into_iter().filter(|x| if others { is_number(x) && !turns(x) } else { turns(x) });
-        let by = by.take(MOST_SIDES);
+        let is_chosen = |x: &Variable| if others { is_number(x) && !turns(x) } else { turns(x) };
+        let by = self.problem.variables().into_iter().filter(is_chosen).take(MOST_SIDES);
         by.map(|x| -> Change {
             Box::new(move |c| {
                 if !c.forward.contains(&x) {
@@ -327,8 +452,56 @@ impl Candidate {
     }
 
     /// Compiles the program again, with more arrangements of its sums and products.
-    fn arrange(&mut self, without: &[Rule], effort: Effort) {
-        self.program = compiled(&mut self.g, &self.outputs, &self.choices, without, effort);
+    fn arrange(&mut self, effort: Effort) {
+        self.program = self.problem.compiled(&mut self.g, &self.outputs, &self.choices, effort);
+    }
+
+    /// Returns the rivals worth trying, judged by the rules that were applied.
+    fn rivals(&self) -> Vec<Change> {
+        let Self { g, outputs, log, .. } = self;
+        let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
+        let mut rivals: Vec<Change> = Vec::new();
+        for sweep in self.problem.sweeps() {
+            rivals.push(Box::new(move |c| c.sweep = sweep));
+        }
+        if cfg!(not(aim_small)) {
+            rivals.extend(self.forward_changes(false));
+        }
+        // A rotation that cancelled beside several directions may cost more on the many other sides than it saved.
+        let innermost = distinct(g.cancelled().iter().rev().copied());
+        if g.cancelled().len() > innermost.len() {
+            for count in (1..=innermost.len()).take(MOST_SIDES) {
+                let frames = innermost[..count].to_vec();
+                rivals.push(Box::new(move |c| c.inner_frames = frames.clone()));
+            }
+        }
+        if applied(&[EXPAND_ACROSS]) > 0 {
+            rivals.push(optional(SPREAD));
+        }
+        if g.has_general_basis(outputs) {
+            rivals.push(optional(TURN_INTO_ANGLE));
+        }
+        if g.has_constant_direction(outputs) {
+            rivals.push(optional(CONSTANT_SCALE));
+        }
+        rivals.extend(self.matrix_change());
+        if cfg!(not(aim_small)) {
+            rivals.extend(self.gathering_changes());
+        }
+        let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS].contains(rule) || self.is_small();
+        for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
+            rivals.push(Box::new(move |c| {
+                if !LIMITS.rules.contains(&rule) && !c.without.contains(&rule) {
+                    c.without.push(rule);
+                }
+            }));
+        }
+        if applied(&CANCELLING) == 0 {
+            for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
+                rivals.push(Box::new(move |c| c.max_other_side = Some(fewer)));
+            }
+        }
+        rivals
     }
 }
 
@@ -341,54 +514,6 @@ const CROSSES: [Rule; 2] = [CROSS_OF_DOTS, COMMON_CROSS];
 /// Returns the rival that uses an optional rule.
 fn optional(rule: Rule) -> Change {
     Box::new(move |c| c.without.retain(|&off| off != rule))
-}
-
-/// Returns the rivals worth trying, judged by the rules applied by the default choices.
-fn rivals(first: &Candidate, wanted: &[Want]) -> Vec<Change> {
-    let Candidate { g, outputs, log, .. } = first;
-    let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
-    let mut rivals: Vec<Change> = Vec::new();
-    for sweep in sweeps(wanted) {
-        rivals.push(Box::new(move |c| c.sweep = sweep));
-    }
-    if cfg!(not(aim_small)) {
-        rivals.extend(first.forward_changes(wanted, false));
-    }
-    // A rotation that cancelled beside several directions may cost more on the many other sides than it saved.
-    let innermost = distinct(g.cancelled().iter().rev().copied());
-    if g.cancelled().len() > innermost.len() {
-        for count in (1..=innermost.len()).take(MOST_SIDES) {
-            let frames = innermost[..count].to_vec();
-            rivals.push(Box::new(move |c| c.inner_frames = frames.clone()));
-        }
-    }
-    if applied(&[EXPAND_ACROSS]) > 0 {
-        rivals.push(optional(SPREAD));
-    }
-    if g.has_general_basis(outputs) {
-        rivals.push(optional(TURN_INTO_ANGLE));
-    }
-    if g.has_constant_direction(outputs) {
-        rivals.push(optional(CONSTANT_SCALE));
-    }
-    rivals.extend(first.matrix_change());
-    if cfg!(not(aim_small)) {
-        rivals.extend(first.gathering_changes());
-    }
-    let is_rival = |rule: &Rule| [MERGE_SHARED, ACROSS_FOR_CROSS].contains(rule) || first.is_small();
-    for rule in distinct(log.applied.iter().map(|done| done.rule)).into_iter().filter(is_rival) {
-        rivals.push(Box::new(move |c| {
-            if !LIMITS.rules.contains(&rule) && !c.without.contains(&rule) {
-                c.without.push(rule);
-            }
-        }));
-    }
-    if applied(&CANCELLING) == 0 {
-        for fewer in (0..applied(&OTHER_SIDES)).rev().take(MOST_SIDES) {
-            rivals.push(Box::new(move |c| c.max_other_side = Some(fewer)));
-        }
-    }
-    rivals
 }
 
 fn cost(program: &Program) -> (usize, usize, usize) {
@@ -404,110 +529,4 @@ pub(crate) fn distinct<T: PartialEq>(all: impl Iterator<Item = T>) -> Vec<T> {
         }
     }
     found
-}
-
-fn compiled(g: &mut Graph, outputs: &[Scalar], choices: &Choices, without: &[Rule], effort: Effort) -> Program {
-    let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
-    Program::compile_with(g, outputs, &Rules { without: &off, max_other_side: choices.max_other_side }, effort)
-}
-
-/// Returns the wanted expressions, rewritten by these choices.
-fn rewritten(g: &mut Graph, wanted: &[Want], choices: &Choices, without: &[Rule], log: &mut Log) -> Vec<Scalar> {
-    let off: Vec<Rule> = without.iter().chain(&choices.without).copied().collect();
-    let rules = Rules { without: &off, max_other_side: choices.max_other_side };
-    let stated = distinct(wanted.iter().filter_map(|w| w.stated()));
-    g.set_inner_frames(&choices.inner_frames);
-    let limits = Rules { without, max_other_side: None };
-    let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
-    let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
-    if !RATIOS.rules.is_empty() {
-        // Dropping lengths may leave expressions that can be restated again.
-        let plain = g.rewrite_with(&worded, &RATIOS, &rules, log);
-        worded = if plain == worded { worded } else { g.rewrite_with(&plain, &WORDING, &rules, log) };
-    }
-    let mut values = g.rewrite_with(&worded, &ROTATIONS, &rules, log);
-    if rules.has(&TURN_INTO_ANGLE) {
-        values = g.rewrite_with(&values, &BASES, &rules, log);
-    }
-    (log.values, log.before_sweeps) = (values.clone(), log.applied.len());
-    let value =
-        |s: Scalar| values[stated.iter().position(|&known| known == s).expect("every wanted statement is here")];
-
-    let mut firsts: Vec<((Scalar, Variable), Scalar)> = Vec::new();
-    let by_variable = |want: &Want| match *want {
-        Want::Derivative(s, x) | Want::Second(s, x, _) => Some((s, x)),
-        _ => None,
-    };
-    let residuals = distinct(wanted.iter().filter_map(|want| match *want {
-        Want::Value(s) => Some(s),
-        _ => None,
-    }));
-    let of_all = wanted.iter().flat_map(|want| want.of_all());
-    let of_all = of_all.flat_map(|x| residuals.iter().map(move |&s| (s, x)));
-    let pairs = distinct(wanted.iter().filter_map(by_variable).chain(of_all));
-    let is_reverse = |x: &Variable| choices.sweep != Sweep::Forward && !choices.forward.contains(x);
-    if let Sweep::Reverse(placement) = choices.sweep {
-        for &s in &stated {
-            let of = pairs.iter().filter(|(of, x)| *of == s && is_reverse(x));
-            let variables: Vec<Variable> = of.map(|(_, x)| *x).collect();
-            if !variables.is_empty() {
-                let (gradient, visited) = g.sweep_backward(value(s), &variables, placement);
-                log.sweeps.push(SweepRecord { direction: SweepDirection::Backward(value(s)), visited });
-                firsts.extend(variables.iter().map(|&x| (s, x)).zip(gradient));
-            }
-        }
-    }
-    for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !is_reverse(x))) {
-        let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
-        let values: Vec<Scalar> = of.iter().map(|&s| value(s)).collect();
-        let (tangents, visited) = g.sweep_forward(&values, x);
-        log.sweeps.push(SweepRecord { direction: SweepDirection::Forward(x), visited });
-        firsts.extend(of.iter().map(|&s| (s, x)).zip(tangents));
-    }
-    let first = |s: Scalar, x: Variable| {
-        firsts.iter().find(|(key, _)| *key == (s, x)).map(|(_, d)| *d).expect("every wanted derivative was taken")
-    };
-
-    let mut seconds: Vec<(Want, Scalar)> = Vec::new();
-    for &(s, x) in &pairs {
-        let by: Vec<Variable> = wanted
-            .iter()
-            .filter_map(|w| match *w {
-                Want::Second(of, a, b) if (of, a) == (s, x) => Some(b),
-                _ => None,
-            })
-            .collect();
-        // Builds with `aim_small` take only first derivatives.
-        if cfg!(not(aim_small)) && !by.is_empty() {
-            let slope = g.rewrite_with(&[first(s, x)], &LIMITS, &limits, log);
-            let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
-            let gradient = g.gradient(slope, &by, ReciprocalPlacement::Late);
-            seconds.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
-        }
-    }
-
-    let sum = |g: &mut Graph, factors: &dyn Fn(Scalar) -> (Scalar, Scalar)| {
-        let products: Vec<Scalar> = residuals.iter().map(|&s| factors(s)).map(|(a, b)| g.mul(a, b)).collect();
-        products.into_iter().reduce(|a, b| g.add(a, b)).unwrap_or_else(|| g.constant(0.0))
-    };
-    let outputs: Vec<Scalar> = wanted
-        .iter()
-        .map(|want| match *want {
-            Want::Value(s) => value(s),
-            Want::Derivative(s, x) => first(s, x),
-            Want::Second(..) => {
-                seconds.iter().find(|(key, _)| key == want).map(|(_, d)| *d).expect("every wanted derivative was taken")
-            }
-            Want::Projected(x) => sum(g, &|s| (value(s), first(s, x))),
-            Want::Normal(x, y) => sum(g, &|s| (first(s, x), first(s, y))),
-        })
-        .collect();
-    let outputs = g.at_rest(&outputs);
-    log.derived.clone_from(&outputs);
-    let mut outputs = g.rewrite_with(&outputs, &DIRECTIONS, &rules, log);
-    if !choices.inner_frames.is_empty() {
-        outputs = g.rewrite_with(&outputs, &FRAMES, &rules, log);
-    }
-    let outputs = g.rewrite_with(&outputs, &SCALES, &rules, log);
-    g.rewrite_with(&outputs, &PRODUCTS, &rules, log)
 }
