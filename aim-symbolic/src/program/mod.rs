@@ -10,9 +10,10 @@ pub(crate) mod singular;
 
 use crate::ir::table::Table;
 use crate::lower::components::Lowering;
+use crate::lower::rebuild::Uses;
 use crate::lower::{Effort, best_arrangements, scaled};
 use crate::rewrite::rules::{DIVIDE_ONCE, FACTOR, MATRIX, MOVE_CONSTANTS, RESUBSTITUTE, Rules, SHARE};
-use crate::{Constant, Graph, Op, Scalar, ScalarNode, Value};
+use crate::{Graph, Op, Scalar, ScalarNode, Value};
 
 /// Limit on the number of operations that are written as one step, for readability.
 const MOST_IN_A_STEP: usize = 6;
@@ -64,16 +65,13 @@ impl Program {
     }
 
     /// Orders lowered outputs into a program.
-    fn scheduled(g: &Graph, lowered: &[Scalar], rules: &Rules<'_>) -> Self {
-        let mut schedule = Schedule { g, ops: Vec::new(), values: Table::default() };
+    fn scheduled(g: &mut Graph, lowered: &[Scalar], rules: &Rules<'_>) -> Self {
+        let uses = rules.has(&DIVIDE_ONCE).then(|| Uses::count(g, lowered));
+        let mut schedule = Schedule { g, uses, ops: Vec::new(), values: Table::default() };
         let outputs = lowered.iter().map(|&s| schedule.value(s)).collect();
         let ops = schedule.ops;
         let inputs = g.inputs().iter().map(|(name, _)| name.clone()).collect();
         let mut program = Self { inputs, ops, outputs, numbers: Vec::new(), inline: Vec::new() };
-        if rules.has(&DIVIDE_ONCE) {
-            program.divide_once();
-        }
-        program.drop_unused();
         program.number();
         program
     }
@@ -191,14 +189,6 @@ impl Program {
         flipped
     }
 
-    fn uses(&self) -> Vec<u32> {
-        let mut uses = vec![0; self.ops.len()];
-        for v in self.ops.iter().flat_map(|op| op.operands()).chain(self.outputs.iter().copied()) {
-            uses[v.index()] += 1;
-        }
-        uses
-    }
-
     /// Returns the program as it is written, with as few negations as possible.
     pub(crate) fn finished(mut self) -> Self {
         self.remove_negations();
@@ -209,69 +199,12 @@ impl Program {
     pub(crate) fn replace(&mut self, ops: Vec<Op>, outputs: Vec<Value>) {
         (self.ops, self.outputs) = (ops, outputs);
     }
-
-    /// Turns a guarded reciprocal that only one product uses into a division in that product.
-    fn divide_once(&mut self) {
-        let uses = self.uses();
-        let mut places = Vec::with_capacity(self.ops.len());
-        let mut ops: Vec<Op> = Vec::with_capacity(self.ops.len());
-        for &op in &self.ops {
-            let new = match self.single_reciprocal(op, &uses) {
-                Some((x, divisor, [tiny, length, _, zero])) => {
-                    ops.push(Op::Div(places[x.index()], places[divisor.index()]));
-                    let quotient = Value::at(ops.len() - 1);
-                    let at = |v: Value| places[v.index()];
-                    Op::SelectLess(at(tiny), at(length), quotient, at(zero))
-                }
-                None => op.map(|v| places[v.index()]),
-            };
-            places.push(Value::at(ops.len()));
-            ops.push(new);
-        }
-        self.outputs = self.outputs.iter().map(|v| places[v.index()]).collect();
-        self.ops = ops;
-    }
-
-    /// For a product with a guarded reciprocal that has no other use, returns the other factor, the divisor, and the
-    /// operands of the guard.
-    fn single_reciprocal(&self, op: Op, uses: &[u32]) -> Option<(Value, Value, [Value; 4])> {
-        let Op::Mul(a, b) = op else { return None };
-        [(a, b), (b, a)].into_iter().find_map(|(x, guard)| {
-            let Op::SelectLess(tiny, length, then, otherwise) = self.ops[guard.index()] else { return None };
-            let Op::Div(one, divisor) = self.ops[then.index()] else { return None };
-            let is = |v: Value, c: f64| self.ops[v.index()] == Op::Constant(Constant::new(c));
-            let once = uses[guard.index()] == 1 && uses[then.index()] == 1;
-            (once && is(one, 1.0) && is(otherwise, 0.0)).then_some((x, divisor, [tiny, length, then, otherwise]))
-        })
-    }
-
-    fn drop_unused(&mut self) {
-        let mut used = vec![false; self.ops.len()];
-        for v in &self.outputs {
-            used[v.index()] = true;
-        }
-        for place in (0..self.ops.len()).rev() {
-            if used[place] {
-                for v in self.ops[place].operands() {
-                    used[v.index()] = true;
-                }
-            }
-        }
-        let mut places = Vec::with_capacity(self.ops.len());
-        let mut kept: Vec<Op> = Vec::new();
-        for (place, &op) in self.ops.iter().enumerate() {
-            places.push(Value::at(kept.len()));
-            if used[place] {
-                kept.push(op.map(|v| places[v.index()]));
-            }
-        }
-        self.outputs = self.outputs.iter().map(|v| places[v.index()]).collect();
-        self.ops = kept;
-    }
 }
 
 struct Schedule<'g> {
-    g: &'g Graph,
+    g: &'g mut Graph,
+    /// The uses of each scalar; `None` if no reciprocal becomes a division.
+    uses: Option<Uses>,
     ops: Vec<Op>,
     values: Table<Scalar, Value>,
 }
@@ -284,8 +217,8 @@ impl Schedule<'_> {
                 wanted.pop();
                 continue;
             }
-            let op = self.op(scalar);
-            match op.operands().find(|&operand| !self.values.contains(operand)) {
+            let (first, op) = self.op(scalar);
+            match first.into_iter().chain(op.operands()).find(|&part| !self.values.contains(part)) {
                 Some(missing) => wanted.push(missing),
                 None => self.schedule(scalar, op),
             }
@@ -293,15 +226,31 @@ impl Schedule<'_> {
         self.values[scalar]
     }
 
-    /// Returns the operation. Of the operands of an addition a sum comes first, as in `x x + y y + z z`.
-    fn op(&self, scalar: Scalar) -> Op<Scalar> {
-        let node = self.g.scalar_node(scalar);
-        let Some(op) = node.op() else { unreachable!("nodes are lowered before they are scheduled") };
+    /// Returns the operation, and the part that comes before all operands, if any. Of the operands of an addition a sum
+    /// comes first, as in `x x + y y + z z`.
+    fn op(&mut self, scalar: Scalar) -> (Option<Scalar>, Op<Scalar>) {
+        let Some(op) = self.g.scalar_node(scalar).op() else {
+            unreachable!("nodes are lowered before they are scheduled")
+        };
         let is_sum = |s| matches!(self.g.scalar_node(s), ScalarNode::Op(Op::Add(..) | Op::Sub(..)));
         match op {
-            Op::Add(a, b) if is_sum(b) && !is_sum(a) => Op::Add(b, a),
-            op => op,
+            Op::Add(a, b) if is_sum(b) && !is_sum(a) => (None, Op::Add(b, a)),
+            Op::Mul(a, b) => match (self.quotient(a, b), self.quotient(b, a)) {
+                (Some(quotient), _) => (Some(a), quotient),
+                (None, quotient) => (None, quotient.unwrap_or(op)),
+            },
+            op => (None, op),
         }
+    }
+
+    /// If `reciprocal` is a guarded reciprocal that only its product with `x` uses, returns the product as a guarded
+    /// division.
+    fn quotient(&mut self, x: Scalar, reciprocal: Scalar) -> Option<Op<Scalar>> {
+        let Op::SelectLess(a, b, then, otherwise) = self.g.scalar_node(reciprocal).op()? else { return None };
+        let Op::Div(one, divisor) = self.g.scalar_node(then).op()? else { return None };
+        let is = |s, c| self.g.constant_of(s) == Some(c);
+        let once = self.uses.as_ref().is_some_and(|uses| uses.once(reciprocal) && uses.once(then));
+        (once && is(one, 1.0) && is(otherwise, 0.0)).then(|| Op::SelectLess(a, b, self.g.div(x, divisor), otherwise))
     }
 
     fn schedule(&mut self, scalar: Scalar, op: Op<Scalar>) {
