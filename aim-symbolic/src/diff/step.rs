@@ -4,9 +4,8 @@
 //! ∂(exp(δ) v) = δ̇ × v; no entry of the rotation itself is differentiated. They keep the terms of first order in δ, so
 //! that second derivatives are right too. After the sweeps all steps are set to 0.
 
-use crate::ir::node::{Node, Parts};
-use crate::ir::table::Table;
-use crate::{Angle, Graph, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::rewrite::rules::AT_REST;
+use crate::{Graph, Rotation, RotationNode, Scalar, Vector, VectorNode};
 
 impl Graph {
     /// Returns the step or motion of `rotation`, and `true` if `rotation` is the inverse of that rotation. The inverse
@@ -66,75 +65,6 @@ impl Graph {
         if self.step_components() == 0 {
             return outputs.to_vec();
         }
-        let nodes: Vec<Node> = outputs.iter().map(|&s| Node::Scalar(s)).collect();
-        let order = self.order_with_numbers(&nodes);
-        let mut rest = Rest { g: self, scalars: Table::default(), vectors: Table::default() };
-        for node in order {
-            match node {
-                Node::Scalar(s) => rest.take_scalar(s),
-                Node::Vector(v) => rest.take_vector(v),
-            }
-        }
-        outputs.iter().map(|&s| rest.scalar(s)).collect()
-    }
-}
-
-/// Rebuilds expressions without steps, each after its operands.
-struct Rest<'g> {
-    g: &'g mut Graph,
-    scalars: Table<Scalar, Scalar>,
-    vectors: Table<Vector, Vector>,
-}
-
-impl Rest<'_> {
-    fn take_scalar(&mut self, s: Scalar) {
-        let made = match self.g.scalar_node(s) {
-            ScalarNode::Step(_) => self.g.constant(0.0),
-            node => {
-                let node = node.map(self);
-                self.g.remade_scalar(node)
-            }
-        };
-        self.scalars.insert(s, made);
-    }
-
-    fn take_vector(&mut self, v: Vector) {
-        let made = match self.g.vector_node(v) {
-            VectorNode::Rotate(rotation, inner)
-                if self.g.moved_by(rotation).is_some_and(|(by, _)| !self.g.is_motion(by)) =>
-            {
-                self.vector(inner)
-            }
-            node => {
-                let node = node.map(self);
-                self.g.intern_vector(node)
-            }
-        };
-        self.vectors.insert(v, made);
-    }
-}
-
-impl Parts for Rest<'_> {
-    fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.scalars.copied(scalar).unwrap_or(scalar)
-    }
-
-    fn vector(&mut self, vector: Vector) -> Vector {
-        self.vectors.copied(vector).unwrap_or(vector)
-    }
-
-    fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        let node = self.g.rotation_node(rotation).map(self);
-        self.g.remade_rotation(node)
-    }
-
-    fn angle(&mut self, angle: Angle) -> Angle {
-        match self.g.radians(angle) {
-            Some(radians) => {
-                let radians = self.scalar(radians);
-                self.g.angle_of(radians)
-            }
-            None => angle,
-        }
+        self.rewrite_by(outputs, &AT_REST)
     }
 }

@@ -185,6 +185,18 @@ pub(crate) fn split_composition(g: &mut Graph, v: Vector) -> Option<Vector> {
     Some(g.rotate(outer, once))
 }
 
+/// `δ = 0`, for a component of a step
+pub(crate) fn step_at_rest(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    matches!(g.scalar_node(s), ScalarNode::Step(_)).then(|| g.constant(0.0))
+}
+
+/// `exp(δ) v = v`, with a step δ
+pub(crate) fn turn_at_rest(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (rotation, inner) = leading(g, v)?;
+    let (by, _) = g.moved_by(rotation)?;
+    (!g.is_motion(by)).then_some(inner)
+}
+
 /// `R Rᵀ v = v`
 pub(crate) fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (outer, inner) = leading(g, v)?;

@@ -160,6 +160,9 @@ pub const ROTATIONS: RuleSet = RuleSet {
 /// Compositions, split into the rotations that they consist of, as both sweeps require.
 pub(crate) const COMPOSITIONS: RuleSet = RuleSet { rules: &[SPLIT_COMPOSITION], sums: Sums::Open };
 
+/// Steps set to 0, and the rotations about them removed.
+pub(crate) const AT_REST: RuleSet = RuleSet { rules: &[STEP_AT_REST, TURN_AT_REST], sums: Sums::Open };
+
 /// Constant rotations, merged into the angles of adjacent turns.
 pub const BASES: RuleSet = RuleSet { rules: &[TURN_INTO_ANGLE], sums: Sums::Open };
 
@@ -279,6 +282,10 @@ rules! {
     /// Rotating by a product of rotations is rotating by one after the other, the right one first. Split, each can meet
     /// what it cancels with.
     SPLIT_COMPOSITION = "split composition": Vector(rotations::split_composition);
+    /// The value of a step is 0. Only derivatives depend on it, and they have been taken.
+    STEP_AT_REST = "a step is zero": Scalar(rotations::step_at_rest);
+    /// The rotation about a step, whose value is 0, turns nothing.
+    TURN_AT_REST = "a turn by a step is none": Vector(rotations::turn_at_rest);
     /// A rotation is undone by its transpose: R Rᵀ = 1.
     UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);
     /// A term that is both added and subtracted drops out of the sum.
