@@ -4,9 +4,9 @@
 //! degree: sums of inputs are taken for finite, products of inputs are not. A guarded reciprocal is at most the square
 //! root of the largest finite number, so that a product of two of them is finite; it has half the degree of an input.
 
-use crate::ir::node::{Node, Parts};
+use crate::ir::node::Node;
 use crate::ir::table::NodeTable;
-use crate::{Angle, Attitude, Function, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector, VectorNode};
+use crate::{Attitude, Function, Graph, Op, Rotation, Scalar, ScalarNode, Vector, VectorNode};
 
 /// The degree of expressions that may be infinite or NaN.
 const UNBOUNDED: u8 = u8::MAX;
@@ -109,44 +109,12 @@ impl DegreeRules<'_> {
 
     /// Returns the degree of a rotation, which preserves lengths: 0 if its numbers are finite.
     fn rotation(self, rotation: Rotation) -> u8 {
-        let mut parts = LargestDegree { of: self, degree: 0 };
-        parts.rotation(rotation);
-        bounded(parts.degree)
+        let degrees = self.g.numbers(rotation).into_iter().map(|node| self.growth.degree(self.g, node, self.zero));
+        bounded(degrees.max().unwrap_or(0))
     }
 }
 
 /// Returns the degree of an expression whose absolute value is at most about 1 if its operands are finite.
 fn bounded(degree: u8) -> u8 {
     if degree <= FINITE { 0 } else { UNBOUNDED }
-}
-
-/// Accumulates the largest degree among operands.
-struct LargestDegree<'a> {
-    of: DegreeRules<'a>,
-    degree: u8,
-}
-
-impl Parts for LargestDegree<'_> {
-    fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.degree = self.degree.max(self.of.scalar(scalar));
-        scalar
-    }
-
-    fn vector(&mut self, vector: Vector) -> Vector {
-        self.degree = self.degree.max(self.of.vector(vector));
-        vector
-    }
-
-    fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        let node: RotationNode = self.of.g.rotation_node(rotation);
-        node.map(self);
-        rotation
-    }
-
-    fn angle(&mut self, angle: Angle) -> Angle {
-        if let Some(radians) = self.of.g.radians(angle) {
-            self.scalar(radians);
-        }
-        angle
-    }
 }

@@ -5,11 +5,6 @@ use crate::ir::table::{NodeSet, Table};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Variable, Vector, VectorNode};
 
 impl Graph {
-    /// Returns the number of scalars and vectors on which `outputs` depend, themselves included.
-    pub(crate) fn size(&self, outputs: &[Scalar]) -> usize {
-        self.order(outputs).len()
-    }
-
     /// Returns `outputs` and everything they depend on, each node after its operands.
     pub(crate) fn order(&self, outputs: &[Scalar]) -> Vec<Node> {
         let outputs: Vec<Node> = outputs.iter().map(|&s| Node::Scalar(s)).collect();
@@ -86,6 +81,13 @@ impl Graph {
     pub fn parts(&self, node: Node) -> Vec<Node> {
         let mut parts = Collect::new(self);
         parts.collect(node);
+        parts.nodes
+    }
+
+    /// Returns the operands of `rotation` that have a value of their own, including its numbers.
+    pub(crate) fn numbers(&self, rotation: Rotation) -> Vec<Node> {
+        let mut parts = Collect { numbers: Numbers::Parts, ..Collect::new(self) };
+        parts.rotation(rotation);
         parts.nodes
     }
 

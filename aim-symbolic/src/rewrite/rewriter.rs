@@ -28,7 +28,8 @@ impl Graph {
         rules: &Rules<'_>,
         log: &mut Log,
     ) -> Vec<Scalar> {
-        let fuel = FUEL_PER_NODE * self.size(scalars);
+        let nodes: Vec<Node> = scalars.iter().map(|&s| Node::Scalar(s)).collect();
+        let order = self.order_with_numbers(&nodes);
         let shared = match set.sums {
             Sums::Open => Table::default(),
             Sums::Shared => self.shared_vectors(scalars),
@@ -38,11 +39,13 @@ impl Graph {
             rules: set.rules.iter().copied().filter(|rule| rules.has(rule)).collect(),
             max_other_side: rules.max_other_side,
             log,
-            fuel,
+            fuel: FUEL_PER_NODE * order.len(),
             shared,
             nodes: NodeTable::default(),
             rotations: Table::default(),
         };
+        // Operands first, so that the recursion is no deeper than what a rule makes.
+        order.into_iter().for_each(|node| _ = rewriter.node(node));
         let rewritten = scalars.iter().map(|&s| rewriter.scalar(s)).collect();
         self.open_all();
         rewritten
@@ -95,36 +98,6 @@ impl Rewriter<'_> {
         if let Some(done) = self.nodes.copied(node) {
             return done;
         }
-        let mut wanted = vec![node];
-        while let Some(&top) = wanted.last() {
-            if self.nodes.contains(top) {
-                wanted.pop();
-                continue;
-            }
-            match self.first_unrewritten_operand(top) {
-                Some(part) => wanted.push(part),
-                None => self.finish(top),
-            }
-        }
-        self.nodes.copied(node).unwrap_or(node)
-    }
-
-    /// Returns the first operand that is not yet rewritten.
-    fn first_unrewritten_operand(&self, node: Node) -> Option<Node> {
-        let mut missing = UnrewrittenOperand { rewriter: self, found: None };
-        match node {
-            Node::Scalar(s) => {
-                self.g.scalar_node(s).map(&mut missing);
-            }
-            Node::Vector(v) => {
-                self.g.vector_node(v).map(&mut missing);
-            }
-        }
-        missing.found
-    }
-
-    /// Rewrites a node whose operands are rewritten already.
-    fn finish(&mut self, node: Node) {
         let mut current = self.with_operands_rewritten(node);
         while self.fuel > 0 && self.log.may_apply() {
             let Some((rule, next)) = self.replacement(current) else { break };
@@ -138,6 +111,7 @@ impl Rewriter<'_> {
             self.g.close(after);
         }
         self.nodes.insert(node, current);
+        current
     }
 
     /// Returns `true` if the rotation is constant or consists of inputs, so that nothing in it can be rewritten.
@@ -148,46 +122,6 @@ impl Rewriter<'_> {
             RotationNode::Matrix(entries) => entries.iter().all(is_input),
             _ => false,
         }
-    }
-}
-
-/// Finds the first operand that is not yet rewritten.
-struct UnrewrittenOperand<'t, 'g> {
-    rewriter: &'t Rewriter<'g>,
-    found: Option<Node>,
-}
-
-impl UnrewrittenOperand<'_, '_> {
-    fn check(&mut self, node: Node) {
-        if self.found.is_none() && !self.rewriter.nodes.contains(node) {
-            self.found = Some(node);
-        }
-    }
-}
-
-impl Parts for UnrewrittenOperand<'_, '_> {
-    fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.check(Node::Scalar(scalar));
-        scalar
-    }
-
-    fn vector(&mut self, vector: Vector) -> Vector {
-        self.check(Node::Vector(vector));
-        vector
-    }
-
-    fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        if !self.rewriter.rotations.contains(rotation) && !self.rewriter.is_given(rotation) {
-            self.rewriter.g.rotation_node(rotation).map(self);
-        }
-        rotation
-    }
-
-    fn angle(&mut self, angle: Angle) -> Angle {
-        if let Some(radians) = self.rewriter.g.radians(angle) {
-            self.check(Node::Scalar(radians));
-        }
-        angle
     }
 }
 
