@@ -2,28 +2,29 @@
 
 use super::{AngleEntry, Graph};
 use crate::ir::node::{Node, Parts};
-use crate::ir::table::{Id, Table};
+use crate::ir::table::Table;
 use crate::{Angle, Op, Rotation, Scalar, ScalarNode, Variable, Vector};
 
 /// The result of [`Graph::pruned`].
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Pruned {
-    /// The remaining graph; its nodes keep their order.
+    /// The remaining graph; its scalars and vectors keep their order.
     pub graph: Graph,
-    ids: IdMap,
+    scalars: Table<Scalar, Scalar>,
+    vectors: Table<Vector, Vector>,
 }
 
 impl Pruned {
     /// Returns the new id of a scalar, or `None` if it was dropped.
     #[must_use]
     pub fn scalar(&self, scalar: Scalar) -> Option<Scalar> {
-        self.ids.scalars.copied(scalar)
+        self.scalars.copied(scalar)
     }
 
     /// Returns the new id of a vector, or `None` if it was dropped.
     #[must_use]
     pub fn vector(&self, vector: Vector) -> Option<Vector> {
-        self.ids.vectors.copied(vector)
+        self.vectors.copied(vector)
     }
 }
 
@@ -31,161 +32,104 @@ impl Graph {
     /// Drops all nodes that `needed` does not depend on. Keeps angles, directions, and inputs that are not `optional`.
     #[must_use]
     pub fn pruned(&self, needed: &[Node], optional: &[Scalar]) -> Pruned {
-        let mut reachable = ReachableNodes::default();
-        for &node in needed {
+        let (mut scalars, mut vectors) = (Vec::new(), Vec::new());
+        for node in self.order_with_numbers(&self.roots(needed, optional)) {
             match node {
-                Node::Scalar(s) => _ = reachable.scalar(s),
-                Node::Vector(v) => _ = reachable.vector(v),
+                Node::Scalar(s) => scalars.push(s),
+                Node::Vector(v) => vectors.push(v),
             }
         }
-        for angle in &self.angles {
-            [Some(angle.sin), Some(angle.cos), angle.radians]
-                .into_iter()
-                .flatten()
-                .for_each(|s| _ = reachable.scalar(s));
+        scalars.sort_unstable();
+        vectors.sort_unstable();
+        let mut pruning = Pruning { g: self, pruned: Pruned::default(), rotations: Table::default() };
+        for (&s, new) in scalars.iter().zip((0..).map(Scalar)) {
+            pruning.pruned.scalars.insert(s, new);
         }
-        for &(variable, component) in self.directions.iter().flatten() {
-            reachable.scalar(component);
-            exchanged(variable, &mut reachable);
+        for (&v, new) in vectors.iter().zip((0..).map(Vector)) {
+            pruning.pruned.vectors.insert(v, new);
         }
-        for (s, node) in (0..).map(Scalar).zip(&self.scalars.nodes) {
-            if matches!(node, ScalarNode::Op(Op::Input(_))) && !optional.contains(&s) {
-                reachable.scalar(s);
+        for s in scalars {
+            if let ScalarNode::Op(Op::Input(input)) = self.scalar_node(s) {
+                let (name, kind) = self.inputs[input as usize].clone();
+                pruning.pruned.graph.declare(name, kind);
+            } else {
+                let node = self.scalar_node(s).map(&mut pruning);
+                pruning.pruned.graph.intern_scalar(node);
             }
         }
-        while let Some(part) = reachable.unvisited.pop() {
-            match part {
-                Part::Scalar(s) => _ = self.scalar_node(s).map(&mut reachable),
-                Part::Vector(v) => _ = self.vector_node(v).map(&mut reachable),
-                Part::Rotation(r) => _ = self.rotation_node(r).map(&mut reachable),
-            }
+        for v in vectors {
+            let node = self.vector_node(v).map(&mut pruning);
+            pruning.pruned.graph.intern_vector(node);
         }
-        let [scalars, vectors, rotations] = self.sizes();
-        let mut ids = reachable.ids;
-        number(&mut ids.scalars, scalars, Scalar);
-        number(&mut ids.vectors, vectors, Vector);
-        number(&mut ids.rotations, rotations, Rotation);
-        Pruned { graph: self.with_new_ids(&mut ids), ids }
+        pruning.copy_variables();
+        pruning.pruned
     }
 
-    fn with_new_ids(&self, ids: &mut IdMap) -> Self {
-        let mut pruned = Self { steps: self.steps, ..Self::new() };
-        for (s, &node) in (0..).map(Scalar).zip(&self.scalars.nodes) {
-            match node {
-                _ if !ids.scalars.contains(s) => {}
-                ScalarNode::Op(Op::Input(input)) => {
-                    let (name, kind) = self.inputs[input as usize].clone();
-                    pruned.declare(name, kind);
-                }
-                node => _ = pruned.intern_scalar(node.map(ids)),
-            }
-        }
-        for (v, &node) in (0..).map(Vector).zip(&self.vectors.nodes) {
-            if ids.vectors.contains(v) {
-                pruned.intern_vector(node.map(ids));
-            }
-        }
-        for (r, &node) in (0..).map(Rotation).zip(&self.rotations.nodes) {
-            if ids.rotations.contains(r) {
-                pruned.intern_rotation(node.map(ids));
-            }
-        }
-        for (angle, entry) in (0..).map(Angle).zip(&self.angles) {
-            let [sin, cos] = [entry.sin, entry.cos].map(|s| ids.scalar(s));
-            let radians = entry.radians.map(|s| ids.scalar(s));
-            if let Some(radians) = radians {
-                pruned.angles_of.insert(radians, angle);
-            }
-            pruned.angles.push(AngleEntry { name: entry.name.clone(), sin, cos, radians, shifted: entry.shifted });
-        }
-        let mut components = |all: &Vec<(Variable, Scalar)>| {
-            all.iter().map(|&(variable, k)| (exchanged(variable, ids), ids.scalar(k))).collect()
-        };
-        pruned.directions = self.directions.iter().map(&mut components).collect();
-        pruned
+    /// Returns the nodes of which nothing is dropped: what is `needed`, angles, directions, and inputs.
+    fn roots(&self, needed: &[Node], optional: &[Scalar]) -> Vec<Node> {
+        let of_angles =
+            self.angles.iter().flat_map(|angle| [Some(angle.sin), Some(angle.cos), angle.radians]).flatten();
+        let of_directions = self.directions.iter().flatten().flat_map(|&(variable, component)| match variable {
+            Variable::Input(input) => vec![input, component],
+            _ => vec![component],
+        });
+        let is_input = |s: &Scalar| matches!(self.scalar_node(*s), ScalarNode::Op(Op::Input(_)));
+        let all = (0..).map(Scalar).take(self.scalars.nodes.len());
+        let inputs = all.filter(|s| is_input(s) && !optional.contains(s));
+        needed.iter().copied().chain(of_angles.chain(of_directions).chain(inputs).map(Node::Scalar)).collect()
     }
 }
 
-/// Numbers the remaining ids consecutively.
-fn number<K: Id>(ids: &mut Table<K, K>, count: usize, id: fn(u32) -> K) {
-    let mut next = 0..;
-    for old in (0..).take(count).map(id) {
-        if ids.contains(old) {
-            ids.insert(old, id(next.next().unwrap_or_default()));
-        }
-    }
-}
-
-/// Old ids mapped to ids in the pruned graph.
-#[derive(Clone, Debug, Default)]
-struct IdMap {
-    scalars: Table<Scalar, Scalar>,
-    vectors: Table<Vector, Vector>,
+/// Maps operands to the pruned graph, to which it adds the rotations.
+struct Pruning<'g> {
+    g: &'g Graph,
+    pruned: Pruned,
     rotations: Table<Rotation, Rotation>,
 }
 
-impl Parts for IdMap {
+impl Pruning<'_> {
+    fn copy_variables(&mut self) {
+        let g = self.g;
+        for (angle, entry) in (0..).map(Angle).zip(&g.angles) {
+            let [sin, cos] = [entry.sin, entry.cos].map(|s| self.scalar(s));
+            let radians = entry.radians.map(|s| self.scalar(s));
+            if let Some(radians) = radians {
+                self.pruned.graph.angles_of.insert(radians, angle);
+            }
+            self.pruned.graph.angles.push(AngleEntry { sin, cos, radians, ..entry.clone() });
+        }
+        for components in &g.directions {
+            let component = |&(variable, k): &(Variable, Scalar)| match variable {
+                Variable::Input(input) => (self.scalar(input).into(), self.scalar(k)),
+                variable => (variable, self.scalar(k)),
+            };
+            let components = components.iter().map(component).collect();
+            self.pruned.graph.directions.push(components);
+        }
+        self.pruned.graph.steps = g.steps;
+    }
+}
+
+impl Parts for Pruning<'_> {
     fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        self.scalars[scalar]
+        self.pruned.scalars[scalar]
     }
 
     fn vector(&mut self, vector: Vector) -> Vector {
-        self.vectors[vector]
+        self.pruned.vectors[vector]
     }
 
     fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        self.rotations[rotation]
+        if let Some(known) = self.rotations.copied(rotation) {
+            return known;
+        }
+        let node = self.g.rotation_node(rotation).map(self);
+        let new = self.pruned.graph.intern_rotation(node);
+        self.rotations.insert(rotation, new);
+        new
     }
 
     fn angle(&mut self, angle: Angle) -> Angle {
         angle
-    }
-}
-
-/// Nodes that are needed, and a stack of those among them whose operands have not been visited.
-#[derive(Default)]
-struct ReachableNodes {
-    ids: IdMap,
-    unvisited: Vec<Part>,
-}
-
-enum Part {
-    Scalar(Scalar),
-    Vector(Vector),
-    Rotation(Rotation),
-}
-
-impl Parts for ReachableNodes {
-    fn scalar(&mut self, scalar: Scalar) -> Scalar {
-        if self.ids.scalars.insert(scalar, scalar) {
-            self.unvisited.push(Part::Scalar(scalar));
-        }
-        scalar
-    }
-
-    fn vector(&mut self, vector: Vector) -> Vector {
-        if self.ids.vectors.insert(vector, vector) {
-            self.unvisited.push(Part::Vector(vector));
-        }
-        vector
-    }
-
-    fn rotation(&mut self, rotation: Rotation) -> Rotation {
-        if self.ids.rotations.insert(rotation, rotation) {
-            self.unvisited.push(Part::Rotation(rotation));
-        }
-        rotation
-    }
-
-    fn angle(&mut self, angle: Angle) -> Angle {
-        angle
-    }
-}
-
-/// Returns a variable with its operand mapped.
-fn exchanged(variable: Variable, parts: &mut impl Parts) -> Variable {
-    match variable {
-        Variable::Input(input) => Variable::Input(parts.scalar(input)),
-        variable => variable,
     }
 }
