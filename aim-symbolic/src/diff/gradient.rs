@@ -397,10 +397,7 @@ impl Sweep<'_> {
 impl Graph {
     /// Returns the angle of `rotation`, and the derivative of the result `rotated` by that angle.
     pub(crate) fn swing(&mut self, rotation: Rotation, rotated: Vector) -> Option<(crate::Angle, Vector)> {
-        let (turn, back) = match self.rotation_node(rotation) {
-            RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
-            node => (node, false),
-        };
+        let (turn, back) = self.untransposed(rotation);
         let (angle, perp) = match turn {
             RotationNode::Turn(plane, angle) => (angle, self.perp(plane, rotated)),
             RotationNode::About(axis, angle) => (angle, self.cross(axis, rotated)),

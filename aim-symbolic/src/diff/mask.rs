@@ -39,8 +39,8 @@ enum Condition {
 pub(crate) struct Masks {
     conditions: Vec<Condition>,
     index: FxHashMap<Condition, Mask>,
-    /// Scalars that are 1 where the mask holds, else 0, for the masks that needed one.
-    flags: FxHashMap<Mask, Scalar>,
+    /// Scalars that are 1 where a condition holds, else 0, as far as they have been needed.
+    flags: Vec<Scalar>,
     needed: NodeTable<Mask>,
 }
 
@@ -55,7 +55,7 @@ impl Default for Masks {
         let mut masks = Self {
             conditions: Vec::new(),
             index: FxHashMap::default(),
-            flags: FxHashMap::default(),
+            flags: Vec::new(),
             needed: NodeTable::default(),
         };
         masks.intern(Condition::Always);
@@ -194,29 +194,19 @@ impl Masks {
 
     /// Returns a scalar that is 1 where the mask holds, else 0.
     fn flag(&mut self, g: &mut Graph, mask: Mask) -> Scalar {
-        let mut wanted = vec![mask];
-        while let Some(&mask) = wanted.last() {
-            let parts = match self.conditions[mask.0] {
-                Condition::Always => [None, None],
-                Condition::Less { within, .. } => [Some(within), None],
-                Condition::Either(one, other) => [Some(one), Some(other)],
+        // A condition was interned after its parts.
+        while self.flags.len() <= mask.0 {
+            let flag = match self.conditions[self.flags.len()] {
+                Condition::Always => g.constant(1.0),
+                Condition::Less { a, b, holds, within } => g.where_less(a, b, holds, self.flags[within.0]),
+                Condition::Either(one, other) => {
+                    let (zero, one, other) = (g.constant(0.0), self.flags[one.0], self.flags[other.0]);
+                    g.select_less(zero, one, one, other)
+                }
             };
-            let before = wanted.len();
-            wanted.extend(parts.into_iter().flatten().filter(|part| !self.flags.contains_key(part)));
-            if wanted.len() == before {
-                wanted.pop();
-                let flag = match self.conditions[mask.0] {
-                    Condition::Always => g.constant(1.0),
-                    Condition::Less { a, b, holds, within } => g.where_less(a, b, holds, self.flags[&within]),
-                    Condition::Either(one, other) => {
-                        let (zero, one, other) = (g.constant(0.0), self.flags[&one], self.flags[&other]);
-                        g.select_less(zero, one, one, other)
-                    }
-                };
-                self.flags.insert(mask, flag);
-            }
+            self.flags.push(flag);
         }
-        self.flags[&mask]
+        self.flags[mask.0]
     }
 }
 

@@ -11,10 +11,7 @@ impl Graph {
     /// Returns the step or motion of `rotation`, and `true` if `rotation` is the inverse of that rotation. The inverse
     /// of a moving rotation has the motion in the body.
     pub(crate) fn moved_by(&self, rotation: Rotation) -> Option<(Vector, bool)> {
-        let (turn, back) = match self.rotation_node(rotation) {
-            RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
-            node => (node, false),
-        };
+        let (turn, back) = self.untransposed(rotation);
         match turn {
             RotationNode::Step(step) => Some((step, back)),
             RotationNode::Moving([_, body]) if back => Some((body, back)),

@@ -51,7 +51,7 @@ pub struct Graph {
     steps: u32,
     /// Vectors that are used more than once and that the rules of the current pass may not take apart.
     closed: Table<Vector, ()>,
-    /// Rotations whose inner frame the calculation should move to; see [`keep`](Graph::keep).
+    /// Rotations whose inner frame the calculation should move to; see [`set_inner_frames`](Graph::set_inner_frames).
     inner_frames: Vec<Rotation>,
     /// Rotations that cancelled between a direction and the other side of a dot product, in order, with repetitions.
     cancelled: Vec<Rotation>,
@@ -574,6 +574,14 @@ impl Graph {
             return inner;
         }
         self.intern_rotation(RotationNode::Transpose(rotation))
+    }
+
+    /// Returns the node of a rotation, and `false`; for an inverse the node of the rotation that it inverts, and `true`.
+    pub(crate) fn untransposed(&self, rotation: Rotation) -> (RotationNode, bool) {
+        match self.rotation_node(rotation) {
+            RotationNode::Transpose(inner) => (self.rotation_node(inner), true),
+            node => (node, false),
+        }
     }
 
     /// `rotation` as a rigid transform about the origin.

@@ -10,12 +10,9 @@ type Matrix = [[f64; 3]; 3];
 /// Returns a change of basis as a matrix in which row i gives component i of the image.
 fn as_basis(g: &Graph, rotation: Rotation) -> Option<Matrix> {
     let rows = |entries: [crate::Constant; 9]| [0, 1, 2].map(|i| [0, 1, 2].map(|k| entries[3 * i + k].value()));
-    match g.rotation_node(rotation) {
-        RotationNode::Basis(images) => Some(transposed(rows(images))),
-        RotationNode::Transpose(inner) => match g.rotation_node(inner) {
-            RotationNode::Basis(images) => Some(rows(images)),
-            _ => None,
-        },
+    match g.untransposed(rotation) {
+        (RotationNode::Basis(images), false) => Some(transposed(rows(images))),
+        (RotationNode::Basis(images), true) => Some(rows(images)),
         _ => None,
     }
 }
@@ -38,12 +35,8 @@ fn transposed(m: Matrix) -> Matrix {
 
 /// Returns the plane and the angle of a turn, and `true` if `rotation` is its inverse.
 fn as_turn(g: &Graph, rotation: Rotation) -> Option<(Plane, Angle, bool)> {
-    match g.rotation_node(rotation) {
-        RotationNode::Turn(plane, angle) => Some((plane, angle, false)),
-        RotationNode::Transpose(inner) => match g.rotation_node(inner) {
-            RotationNode::Turn(plane, angle) => Some((plane, angle, true)),
-            _ => None,
-        },
+    match g.untransposed(rotation) {
+        (RotationNode::Turn(plane, angle), back) => Some((plane, angle, back)),
         _ => None,
     }
 }

@@ -1,7 +1,7 @@
 //! Rules that move a whole calculation into another frame. If several vectors are rotated back by the same rotation,
 //! the few vectors that they meet are rotated forward instead. [`rules::FRAMES`](crate::rewrite::rules::FRAMES).
 //!
-//! They apply only to the rotations set by [`Graph::keep`], and the result is kept only if it costs less than the
+//! They apply only to the rotations set by [`Graph::set_inner_frames`], and the result is kept only if it costs less than the
 //! original.
 
 use crate::rewrite::rotations::{leading, operation_before, turned_back};
@@ -38,8 +38,7 @@ pub(crate) fn operation_in_frame(g: &mut Graph, v: Vector) -> Option<Vector> {
 
 /// Returns `true` if `back` is the inverse of a turn in this plane.
 fn turns_in(g: &Graph, back: Rotation, plane: Plane) -> bool {
-    let RotationNode::Transpose(rotation) = g.rotation_node(back) else { return false };
-    matches!(g.rotation_node(rotation), RotationNode::Turn(own, _) if own == plane)
+    matches!(g.untransposed(back), (RotationNode::Turn(own, _), true) if own == plane)
 }
 
 /// `Rᵀ v · w = v · R w`, `|Rᵀ v| = |v|`

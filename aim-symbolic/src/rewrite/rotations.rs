@@ -19,11 +19,7 @@ fn is_forward(g: &Graph, rotation: Rotation) -> bool {
 }
 
 fn is_basis(g: &Graph, rotation: Rotation) -> bool {
-    match g.rotation_node(rotation) {
-        RotationNode::Basis(_) => true,
-        RotationNode::Transpose(inner) => matches!(g.rotation_node(inner), RotationNode::Basis(_)),
-        _ => false,
-    }
+    matches!(g.untransposed(rotation), (RotationNode::Basis(_), _))
 }
 
 /// Returns `true` if `v` is a constant vector after at most one rotation, not counting changes of basis: nothing costs
