@@ -4,9 +4,7 @@ use core::f32::consts::PI;
 
 use glam::{Vec3A, Vec4};
 
-use super::body::Turn;
 use super::glide::{Pair, pair, square};
-use super::range::Range;
 use super::region::{Region, pitch_reduction};
 use super::{Aims, Gaze, Posture, SAME_RAD, SightAngles};
 use crate::kinematics::bearing::BY_THE_FRONT_RAD;
@@ -25,11 +23,7 @@ const MOST_STEPS: f32 = 5.0;
 /// Ratio to the last round's error above which another round is not worth trying.
 const GAIN: f32 = 0.95;
 /// Part of an eye's range that it is allotted at most. The margin covers the error of adding headings and elevations.
-const EYE_PART: f32 = 0.98;
-/// Part of that which is left to the regions at a head share of 1, as long as they have room. People's eyes can turn by
-/// 50°, but come to rest beside a turned head within a customary range that is 44° wide on average (Stahl, *Exp. Brain
-/// Res.* 126, 1999).
-const UNCUSTOMARY_PART: f32 = 0.35;
+pub(super) const EYE_PART: f32 = 0.98;
 /// Part of its range within which the leading joint can certainly cover what headings and elevations leave to it, at
 /// elevations below [`STEEP_RAD`].
 const PLAIN_PART: f32 = 0.8;
@@ -120,29 +114,16 @@ impl<const C: usize> Gaze<'_, C> {
 
     #[cfg_attr(not(aim_small), inline(always))]
     fn gaze_shift_to(&self, point: Vec3A) -> Option<GazeShift> {
-        let gaze = self.body.gaze.direction;
         let to_target = math::unit(point - self.pivot)?;
-        let [from, to] = self.bearings.turned(gaze, to_target);
+        let [from, to] = self.bearings.turned(self.body.gaze.direction, to_target);
         let shift = self.bearings.angle_change(from, to, self.goal.side);
-        let own = if !self.has_eye() {
-            shift
-        } else if SightAngles::is_negligible(self.glance) {
-            shift * self.sharing.head_part(math::angle_between_units(gaze, to_target))
+        let own = if self.has_eye() {
+            let angle = math::angle_between_units(self.glance.rest, to_target);
+            (shift + self.glance.change) * self.sharing.head_part(angle)
         } else {
-            let (rest, glance) = self.gaze_at_rest(gaze);
-            (shift + glance) * self.sharing.head_part(math::angle_between_units(rest, to_target))
+            shift
         };
         Some(GazeShift { from, to, shift, own })
-    }
-
-    /// Returns the animated gaze with the animation's turn of the eye undone, and the heading and elevation of that
-    /// turn. Where the animation looks is replaced by the target, so it must not move the head.
-    #[cold]
-    fn gaze_at_rest(&self, gaze: Vec3A) -> (Vec3A, Pair) {
-        let first = self.body.first();
-        let rest = self.body.frames[first] * Turn::new(self.glance).undo(self.body.effector.direction);
-        let [heading, elevation, rest_heading, rest_elevation] = self.bearings.angles_of_both([gaze, rest]).to_array();
-        (rest, pair([math::wrap_pi(heading - rest_heading), elevation - rest_elevation]))
     }
 
     /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest, or the target is out
@@ -270,8 +251,8 @@ impl<const C: usize> Gaze<'_, C> {
             let eye = &self.ranges[self.body.first()];
             (lo, hi) = (eye.lo, eye.hi);
             // The regions' part, but at least what would take the eye out of its customary range.
-            let [least, most] = self.customary_range(eye);
-            wanted = own.max(shift - most).min(shift - least);
+            let [least, most] = &self.customary;
+            wanted = own.max(shift - *most).min(shift - *least);
         }
         let done = self.turn_regions(wanted + extra, &mut directions);
         let rest = shift - done;
@@ -288,15 +269,6 @@ impl<const C: usize> Gaze<'_, C> {
             self.raise(&mut directions);
         }
         (directions, unfit)
-    }
-
-    /// Returns the least and the greatest turn of the eye while the regions have room: about its rest, a part of its
-    /// range, which the shifts that it makes alone extend.
-    #[cfg_attr(not(aim_small), inline(always))]
-    fn customary_range(&self, eye: &Range<'_>) -> [Pair; 2] {
-        let [lo, hi] = [eye.lo, eye.hi].map(|end| (end + self.glance) * EYE_PART);
-        let (part, alone) = (1.0 - UNCUSTOMARY_PART * self.sharing.head_share, Vec4::splat(self.sharing.eyes_only));
-        [(lo * part).min(-alone).max(lo) - self.glance, (hi * part).max(alone).min(hi) - self.glance]
     }
 
     /// Corrects the directions of steep regions by way of their front.

@@ -51,7 +51,7 @@ use crate::math::trig;
 use crate::rig::{BodyPart, ChainRig, EXACT_JOINTS, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Goal, Movement, Scene};
-use crate::{Joint, Outcome, Role, Settings};
+use crate::{Joint, Outcome, Role, Settings, math};
 
 /// Difference of angles that counts as rounding, radians.
 const SAME_RAD: f32 = 1e-5;
@@ -118,20 +118,28 @@ pub(super) fn aim<const C: usize>(
     let count = parts.len();
     let [turns, _] = parts[count - 1].ends::<C>(count - 1);
     let direction = body.gaze.direction;
+    let glance = if has_eye && pose.bind.is_some() {
+        Glance::new(&body, pose, &bearings, settings.effective_weight())
+    } else {
+        Glance::none(direction)
+    };
+    let sharing = Sharing::new(&rig.sharing, settings);
+    let customary = if has_eye { sharing.customary_range(&ranges[first], glance.turn) } else { [Vec4::ZERO; 2] };
     let gaze = Gaze {
         rig,
         body: &body,
         chain: chain.as_ref(),
         ranges: &ranges,
         goal: &goal,
-        sharing: Sharing::new(&rig.sharing, settings),
+        sharing,
         patience: settings.patience.at_least(0.0),
         fade: fade_of(settings),
         bearings: &bearings,
         regions: &regions,
         count,
         has_eye,
-        glance: if has_eye { glance(rig, pose, first) * settings.effective_weight() } else { Vec4::ZERO },
+        glance,
+        customary,
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
     let mut before = *joints;
@@ -171,9 +179,34 @@ pub(super) fn aim<const C: usize>(
     Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
 }
 
-/// Returns the heading and pitch by which the animation turns an eye out of the bind pose; 0 without one.
-fn glance<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>, eye: usize) -> Pair {
-    animated_angles(&rig.joints[eye], pose, eye).map_or(Vec4::ZERO, |turn| pair([turn.heading, turn.pitch]))
+/// The animation's turn of the leading eye out of the bind pose, times the weight. Where the animation looks is replaced
+/// by the target, so it must not move the head.
+#[derive(Clone, Copy)]
+struct Glance {
+    /// The eye's heading and pitch.
+    turn: Pair,
+    /// The change of the gaze's heading and elevation.
+    change: Pair,
+    /// The direction of the gaze with the turn undone.
+    rest: Vec3A,
+}
+
+impl Glance {
+    /// Returns the glance of an eye that counts as at rest, because there is no bind pose.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn none(gaze: Vec3A) -> Self {
+        Self { turn: Vec4::ZERO, change: Vec4::ZERO, rest: gaze }
+    }
+
+    #[cold]
+    fn new<const C: usize>(body: &Body<'_, C>, pose: &PoseSlices<'_>, bearings: &Bearings, weight: f32) -> Self {
+        let (gaze, eye) = (body.gaze.direction, body.first());
+        let Some(turn) = animated_angles(&body.infos()[eye], pose, eye) else { return Self::none(gaze) };
+        let turn = pair([turn.heading, turn.pitch]) * weight;
+        let rest = body.frames[eye] * Turn::new(turn).undo(body.effector.direction);
+        let [heading, elevation, rest_heading, rest_elevation] = bearings.angles_of_both([gaze, rest]).to_array();
+        Self { turn, change: pair([math::wrap_pi(heading - rest_heading), elevation - rest_elevation]), rest }
+    }
 }
 
 /// Returns a hash of weight and attention, to detect their changes: all their bits folded into eight.
@@ -261,9 +294,9 @@ struct Gaze<'a, const C: usize> {
     count: usize,
     /// See [`has_eye`](Self::has_eye).
     has_eye: bool,
-    /// The heading and pitch by which the animation turns the eye out of the bind pose, times the weight. 0 without a
-    /// bind pose: the animated eye then counts as at rest.
-    glance: Pair,
+    glance: Glance,
+    /// The least and the greatest turn of the eye while the regions have room.
+    customary: [Pair; 2],
     /// The point from which the target's heading and elevation are measured: the effector, moved back along the gaze to
     /// beside the joint that turns the head. The effector will look from there once the head has turned.
     pivot: Vec3A,
@@ -439,7 +472,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.has_eye()
             && motion.arrived
             && sight.is_within()
-            && sight.eccentricity(self.glance) < self.sharing.release
+            && sight.eccentricity(self.glance.turn) < self.sharing.release
         {
             motion.memory.support = Support::Rests;
         }
@@ -458,7 +491,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             let now = self.sight_angles_at(joints, self.goal.aim_point)?;
             let engages = memory.support == Support::None
                 || !now.is_within()
-                || now.eccentricity(self.glance) > self.sharing.engage;
+                || now.eccentricity(self.glance.turn) > self.sharing.engage;
             (memory.support, memory.wait_s) = (if engages { Support::Waits } else { Support::Rests }, delay);
             sight = Some(now);
         }
@@ -499,7 +532,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.goal.movement == Movement::Aim {
             let sight = self.sight_angles_at(&found, self.goal.aim_point)?;
             after.support = Support::Rests;
-            if self.has_eye() && sight.is_within() && sight.eccentricity(self.glance) <= self.sharing.engage {
+            if self.has_eye() && sight.is_within() && sight.eccentricity(self.glance.turn) <= self.sharing.engage {
                 found[first] = at(&found[first], sight.clamped);
             } else {
                 let mut extra = Vec4::ZERO;

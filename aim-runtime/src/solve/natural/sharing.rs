@@ -1,7 +1,17 @@
 //! [`Sharing`]: the gaze-sharing parameters of a call.
 
+use glam::Vec4;
+
+use super::allot::EYE_PART;
+use super::glide::Pair;
+use super::range::Range;
 use crate::math::Bounded;
 use crate::{GazeSharing, Settings};
+
+/// Part of an eye's range that is left to the regions at a head share of 1, as long as they have room. People's eyes can
+/// turn by 50°, but come to rest beside a turned head within a customary range that is 44° wide on average (Stahl, *Exp.
+/// Brain Res.* 126, 1999).
+const UNCUSTOMARY_PART: f32 = 0.35;
 
 /// The gaze-sharing parameters that apply to a call: declared or overridden, clamped, and scaled by the attention.
 pub(super) struct Sharing {
@@ -26,6 +36,15 @@ impl Sharing {
             release: sharing.release.at_least(0.0) * left_to_eyes,
             delay: sharing.delay.at_least(0.0),
         }
+    }
+
+    /// Returns the least and the greatest turn of an eye while the regions have room: about its rest, a part of its
+    /// range, which the shifts that it makes alone extend. `glance` is the turn of the animated eye out of its rest.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn customary_range(&self, eye: &Range<'_>, glance: Pair) -> [Pair; 2] {
+        let [lo, hi] = [eye.lo, eye.hi].map(|end| (end + glance) * EYE_PART);
+        let (part, alone) = (1.0 - UNCUSTOMARY_PART * self.head_share, Vec4::splat(self.eyes_only));
+        [(lo * part).min(-alone).max(lo) - glance, (hi * part).max(alone).min(hi) - glance]
     }
 
     /// Returns the part of a gaze shift that the regions make: g·max(0, E − D)/E.

@@ -475,7 +475,7 @@ impl<const C: usize> Gaze<'_, C> {
     fn clamp_far_aside(&self, wanted: Pair, joint: &Joint, posture: &Posture<'_, C>) -> Pair {
         /// Headings between which the eye changes from the straight line to the point's elevation.
         const ASIDE_RAD: [f32; 2] = [50.0 * PI / 180.0, 100.0 * PI / 180.0];
-        let (range, glance) = (&self.ranges[self.body.first()], self.glance);
+        let (range, glance) = (&self.ranges[self.body.first()], self.glance.turn);
         let (lo, hi, from_rest) = (range.lo + glance, range.hi + glance, wanted + glance);
         // Part of the straight line to the point that the range allows.
         let part = [0, 1].into_iter().fold(1.0_f32, |part, axis| {
