@@ -5,9 +5,12 @@ use core::f32::consts::PI;
 use glam::Vec4;
 
 use super::JointInfo;
-use super::chain_rig::EXACT_JOINTS;
 use crate::{Budget, Budgets, Role};
 
+/// Number of joints of most rigs (an eye, a head, a chest). Chains of exactly this capacity have this count, so the
+/// compiler knows the length of loops over joints. In a natural gaze of such a chain, an eye leads and each other joint
+/// is a body part of its own ([`Description::is_eye_head_chest`]), so the compiler knows their indices too.
+pub(crate) const EXACT_JOINTS: usize = 3;
 /// Upper bound on accelerations, rad/s²; larger ones make no visible difference.
 const MOST_RAD_S2: f32 = 1e6;
 /// Number of parts for which a description has room. A rig with more has its parts computed in each call.

@@ -2,6 +2,7 @@
 
 use core::ops::{Deref, DerefMut};
 
+use super::body_part::EXACT_JOINTS;
 use crate::{Description, Rig};
 
 /// Largest number of joints of a rig.
@@ -10,11 +11,6 @@ pub(crate) const MOST_JOINTS: usize = 64;
 /// Largest number of joints of a rig with `aim_small`.
 #[cfg(aim_small)]
 pub(crate) const MOST_JOINTS: usize = 16;
-
-/// Number of joints of most rigs (an eye, a head, a chest). Chains of exactly this capacity have this count, so the
-/// compiler knows the length of loops over joints. In a natural gaze of such a chain, an eye leads and each other joint
-/// is a body part of its own ([`Description::is_eye_head_chest`]), so the compiler knows their indices too.
-pub(crate) const EXACT_JOINTS: usize = 3;
 
 /// A rig in one call: its description, read once, and its kernels. `C` is the largest number of joints, and the exact
 /// one if it is [`EXACT_JOINTS`].

@@ -176,10 +176,11 @@ impl<'a> Description<'a> {
         self.default_solver
     }
 
-    /// Returns `true` if the rig has [`EXACT_JOINTS`](super::EXACT_JOINTS) joints: an eye that leads, and two body parts of one joint each.
+    /// Returns `true` if the rig has [`EXACT_JOINTS`](super::EXACT_JOINTS) joints: an eye that leads, and two body parts
+    /// of one joint each.
     #[cfg(not(aim_small))]
     pub(crate) fn is_eye_head_chest(&self) -> bool {
-        self.joints.len() == super::chain_rig::EXACT_JOINTS && self.part_count == 2 && self.parts[1].outer == 1
+        self.joints.len() == super::EXACT_JOINTS && self.part_count == 2 && self.parts[1].outer == 1
     }
 
     /// Returns `true` if the effector is joint 0's forward from joint 0's origin.

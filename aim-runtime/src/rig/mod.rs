@@ -15,8 +15,8 @@ mod state;
 #[cfg(feature = "std")]
 extern crate std;
 
-pub(crate) use body_part::{BodyPart, MOST_PARTS};
-pub(crate) use chain_rig::{ChainRig, EXACT_JOINTS, MOST_JOINTS, PerJoint};
+pub(crate) use body_part::{BodyPart, EXACT_JOINTS, MOST_PARTS};
+pub(crate) use chain_rig::{ChainRig, MOST_JOINTS, PerJoint};
 pub(crate) use description::{AllLanes, LANE_JOINTS, Lanes};
 pub use description::{Description, Effector};
 pub use joint_info::JointInfo;

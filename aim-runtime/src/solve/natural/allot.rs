@@ -6,6 +6,7 @@ use glam::{Vec3A, Vec4};
 
 use super::glide::{Pair, pair, square};
 use super::region::{Region, pitch_reduction};
+use super::sharing::EYE_PART;
 use super::{Aims, Gaze, Posture, SAME_RAD, SightAngles};
 use crate::kinematics::bearing::BY_THE_FRONT_RAD;
 use crate::limits::Interval;
@@ -22,8 +23,6 @@ pub(super) const FRAME_ROUNDS: usize = 2;
 const MOST_STEPS: f32 = 5.0;
 /// Ratio to the last round's error above which another round is not worth trying.
 const GAIN: f32 = 0.95;
-/// Part of an eye's range that it is allotted at most. The margin covers the error of adding headings and elevations.
-pub(super) const EYE_PART: f32 = 0.98;
 /// Part of its range within which the leading joint can certainly cover what headings and elevations leave to it, at
 /// elevations below [`STEEP_RAD`].
 const PLAIN_PART: f32 = 0.8;

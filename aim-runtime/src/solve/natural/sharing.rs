@@ -2,12 +2,13 @@
 
 use glam::Vec4;
 
-use super::allot::EYE_PART;
 use super::glide::Pair;
 use super::range::Range;
 use crate::math::Bounded;
 use crate::{GazeSharing, Settings};
 
+/// Part of an eye's range that it is allotted at most. The margin covers the error of adding headings and elevations.
+pub(super) const EYE_PART: f32 = 0.98;
 /// Part of an eye's range that is left to the regions at a head share of 1, as long as they have room. People's eyes can
 /// turn by 50°, but come to rest beside a turned head within a customary range that is 44° wide on average (Stahl, *Exp.
 /// Brain Res.* 126, 1999).
