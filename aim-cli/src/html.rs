@@ -23,6 +23,7 @@ mod trajectory;
 use maud::{Markup, html};
 
 pub(crate) use clips::{ClipPage, ClipTakes, page as clips_page};
+use directions::Directions;
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use subject::BakePage;
 pub(crate) use takes::Takes;
@@ -32,14 +33,17 @@ pub(crate) use trajectory::page as trajectory_page;
 pub(crate) fn page(subject: &BakePage<'_>) -> String {
     let BakePage { spec, report, .. } = *subject;
     let title = format!("{} aimed over {}", report.rig, report.over);
+    let directions = Directions::new(subject);
     let content = html! {
         h1 { (report.rig) " aimed over " q { (report.over) } }
         (summary::section(spec, report))
-        @if let Some(strips) = film::strips(subject) { (film(&strips)) }
+        @if let Some(strips) = directions.as_ref().and_then(|directions| film::strips(subject, directions)) {
+            (film(&strips))
+        }
         (rig::section(subject))
         section.over-time {
             h2 { "Over time" }
-            (charts::all(subject))
+            (charts::all(subject, directions.as_ref()))
         }
     };
     crate::page::report(&title, &content)

@@ -13,19 +13,18 @@ use super::subject::BakePage;
 use crate::bake_report::{BakeFrame, BakeReport, JointReport};
 use crate::words::{self, Wanted, chip, shown, trimmed};
 
-/// Returns all charts of the page.
-pub(super) fn all(subject: &BakePage<'_>) -> Markup {
+/// Returns all charts of the page. `directions` are `None` if the document lacks bones of the rig.
+pub(super) fn all(subject: &BakePage<'_>, directions: Option<&Directions>) -> Markup {
     let BakePage { spec, report, .. } = *subject;
     let times: Vec<f64> = report.frames.iter().map(|frame| frame.t.into()).collect();
     let statuses: Vec<&str> = report.frames.iter().map(|frame| frame.status).collect();
     let base = Base { times: &times, statuses: &statuses, wanted: report.wanted() };
-    let directions = Directions::new(subject);
-    let has_head = directions.as_ref().is_some_and(|directions| directions.head.is_some());
+    let has_head = directions.is_some_and(|directions| directions.head.is_some());
     html! {
         p {
             "Azimuth and elevation are the angles of a direction, seen from the effector, to the left of and above the \
              direction in which the effector looks in the bind pose. "
-            @if let Some(carrier) = directions.as_ref().and_then(|directions| directions.carrier.as_deref()) {
+            @if let Some(carrier) = directions.and_then(|directions| directions.carrier.as_deref()) {
                 "They turn with " (carrier) ", which carries the chain, so that 0° stays ahead of the body. "
             }
             @if has_head {
@@ -44,7 +43,7 @@ pub(super) fn all(subject: &BakePage<'_>) -> Markup {
         }
         div.charts {
             (error(&base, report))
-            @if let Some(directions) = &directions { (gaze::charts(&base, directions)) }
+            @if let Some(directions) = directions { (gaze::charts(&base, directions)) }
             (roll(&base, report))
             (looks::charts(&base, &report.plausibility))
             @for k in 0..spec.joints.len() { (angles(&base, subject, k)) }

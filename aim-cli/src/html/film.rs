@@ -25,12 +25,11 @@ const PLAN: f64 = 24.0;
 
 /// Returns three strips: the whole length from the front and from the side, and the events from the side. `None` if the
 /// document lacks bones of the rig.
-pub(super) fn strips(subject: &BakePage<'_>) -> Option<[Markup; 3]> {
+pub(super) fn strips(subject: &BakePage<'_>, directions: &Directions) -> Option<[Markup; 3]> {
     let BakePage { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
-    let directions = Directions::new(subject)?;
     let times: Vec<f64> = baked.frames[..all].iter().map(|frame| frame.t.into()).collect();
-    let chosen: Vec<Moment> = spread(&progress(&times, &directions)).into_iter().map(|frame| (frame, None)).collect();
+    let chosen: Vec<Moment> = spread(&progress(&times, directions)).into_iter().map(|frame| (frame, None)).collect();
     let events = events(subject, all);
     Some([
         strip(subject, IN_FRONT, &chosen)?,

@@ -64,7 +64,7 @@ pub(super) struct GazeShift {
     from: Pair,
     to: Pair,
     shift: Pair,
-    /// What the regions cover of it, as far as the eye can cover the rest.
+    /// The part of it that the regions cover, as far as the eye can cover the rest.
     own: Pair,
 }
 
@@ -240,7 +240,7 @@ impl<const C: usize> Gaze<'_, C> {
         self.share(gaze_shift, extra)
     }
 
-    /// Shares a gaze shift out between the regions, which cover its `part` and `extra` on top. Returns the resulting
+    /// Shares a gaze shift out between the regions, which cover its `own` part and `extra` on top. Returns the resulting
     /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
     #[cfg_attr(not(aim_small), inline(always))]
     fn share(&self, &GazeShift { to, shift, own, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {

@@ -304,7 +304,7 @@ impl HeadGoal {
         (1.0 - self.slowdown).at_least(LEAST).at_most(1.0)
     }
 
-    /// Limits how a shaking goal is followed, and how it changes `slowdown`.
+    /// Limits how a shaking goal is followed. `lasts` tells whether the goal's last change was within the acceleration.
     ///
     /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow,
     /// then following overshoots by v²/2a and shakes the head. A goal that turns back at once does the same. The higher
@@ -312,7 +312,6 @@ impl HeadGoal {
     ///
     /// Returns the new `slowdown`, the feed-forward velocity that replaces `speed`, and whether its change is within the
     /// acceleration.
-    /// `lasts` tells whether the goal's last change was.
     #[cold]
     #[inline(never)]
     fn damp_shaking(mut self, speed: Pair, change: Pair, lasts: bool, bounds: Bounds) -> (f32, Pair, bool) {
