@@ -53,13 +53,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result {
 
 /// Writes files that belong together: all of them or none. A file that is replaced keeps its permissions.
 pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result {
-    let replaced = files.iter().map(|(path, _)| fs::metadata(path).ok().map(|there| there.permissions()));
-    let replaced: Vec<_> = replaced.collect();
-    aim_gltf::write_files(files).map_err(|error| Failure::input(error.to_string()))?;
-    for ((path, _), permissions) in files.iter().zip(replaced) {
-        permissions.map_or(Ok(()), |permissions| fs::set_permissions(path, permissions)).map_err(Failure::of(path))?;
-    }
-    Ok(())
+    aim_gltf::write_files(files).map_err(|error| Failure::input(error.to_string()))
 }
 
 /// Returns indented JSON text that ends with a newline.

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 
-/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`.
+/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`. A file that is replaced keeps its
+/// permissions.
 ///
 /// # Errors
 /// [`Error::NotAFile`] if `path` is a folder or a device, [`Error::Write`] if the file system refuses. In both cases
@@ -48,6 +49,10 @@ impl<'a> Staged<'a> {
         let staged = Self { path, temporary: place.with_file_name(hidden), place };
         let fill = || -> io::Result<()> {
             let mut file = fs::File::create(&staged.temporary)?;
+            // Before the content, which may be private.
+            if let Ok(replaced) = fs::metadata(&staged.place) {
+                file.set_permissions(replaced.permissions())?;
+            }
             file.write_all(bytes)?;
             file.sync_all()
         };
