@@ -24,6 +24,7 @@ use maud::{Markup, html};
 
 pub(crate) use clips::{ClipPage, ClipTakes, page as clips_page};
 use directions::Directions;
+use film::Strips;
 pub(crate) use inspection::{Inspected, page as inspection_page};
 pub(crate) use subject::BakePage;
 pub(crate) use takes::Takes;
@@ -49,7 +50,7 @@ pub(crate) fn page(subject: &BakePage<'_>) -> String {
     crate::page::report(&title, &content)
 }
 
-fn film([front, side, events]: &[Markup; 3]) -> Markup {
+fn film(Strips { front, eyes, side, events }: &Strips) -> Markup {
     html! {
         section.film-strip {
             h2 { "How it looks" }
@@ -59,9 +60,13 @@ fn film([front, side, events]: &[Markup; 3]) -> Markup {
                 "points to it. The disc shows both from above, with the viewer at its lower edge."
             }
             (front)
+            @if let Some(eyes) = eyes {
+                p { "The eyes in the face, seen by a camera that turns with the head." }
+                (eyes)
+            }
             p { "The same frames from the side, where a head that tilts back or leans is easy to see." }
             (side)
-            @if !events.0.is_empty() {
+            @if let Some(events) = events {
                 p { "Notable moments, from the side." }
                 (events)
             }

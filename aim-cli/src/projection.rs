@@ -1,6 +1,6 @@
 //! [`Projection`]: the parallel projection used by all drawings.
 
-use aim_runtime::glam::DVec3;
+use aim_runtime::glam::{DAffine3, DVec3};
 
 /// A parallel projection onto a drawing whose y axis points down.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +34,12 @@ impl Projection {
         let (aside, above) = (aside_deg.to_radians(), above_deg.to_radians());
         let level = forward * aside.cos() + left * aside.sin();
         Self::new(level * above.cos() + up * above.sin(), up, left, middle)
+    }
+
+    /// Returns the view after a rigid movement of the camera.
+    pub(crate) fn moved(&self, by: DAffine3) -> Self {
+        let [right, up, toward] = [self.right, self.up, self.toward].map(|v| by.transform_vector3(v));
+        Self { right, up, toward, centre: by.transform_point3(self.centre), ..*self }
     }
 
     /// Returns the components of a vector to the right, up and towards the viewer.

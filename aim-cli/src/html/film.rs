@@ -1,12 +1,12 @@
 //! The film strips: drawings of the character with its line of sight over time, each strip from one side.
 
-use aim_character::{AimedFrame, Criterion, chain_nodes};
+use aim_character::{AimedFrame, ChainNodes, Criterion, chain_nodes};
 use aim_runtime::glam::{DAffine3, DVec3};
 use maud::{Markup, html};
 
 use super::directions::Directions;
 use super::gaze::between;
-use super::scene::{BESIDE, Eye, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
+use super::scene::{BESIDE, EYES_HEIGHT, Eye, GazeView, HEIGHT, IN_FRONT, Scene, Stand, WIDTH};
 use super::subject::BakePage;
 use crate::bake_report::BakeFrame;
 use crate::effector::Effector;
@@ -23,23 +23,31 @@ const START: f64 = 13.0;
 /// Radius of the plan view in the corner, in units of the drawing.
 const PLAN: f64 = 24.0;
 
-/// Returns three strips: the whole length from the front and from the side, and the events from the side. `None` if the
-/// document lacks bones of the rig.
-pub(super) fn strips(subject: &BakePage<'_>, directions: &Directions) -> Option<[Markup; 3]> {
+/// The film strips of a gaze.
+pub(super) struct Strips {
+    /// The whole length from the front.
+    pub(super) front: Markup,
+    /// The eyes in the face, if the character has eyeballs.
+    pub(super) eyes: Option<Markup>,
+    /// The whole length from the side.
+    pub(super) side: Markup,
+    /// The events from the side, if there are any.
+    pub(super) events: Option<Markup>,
+}
+
+/// Returns the film strips, or `None` if the document lacks bones of the rig.
+pub(super) fn strips(subject: &BakePage<'_>, directions: &Directions) -> Option<Strips> {
     let BakePage { report, baked, .. } = *subject;
     let all = baked.frames.len().min(report.frames.len());
     let times: Vec<f64> = baked.frames[..all].iter().map(|frame| frame.t.into()).collect();
     let chosen: Vec<Moment> = spread(&progress(&times, directions)).into_iter().map(|frame| (frame, None)).collect();
     let events = events(subject, all);
-    Some([
-        strip(subject, IN_FRONT, &chosen)?,
-        strip(subject, BESIDE, &chosen)?,
-        if events.is_empty() {
-            html! {}
-        } else {
-            strip(subject, BESIDE, &events)?
-        },
-    ])
+    Some(Strips {
+        front: strip(subject, IN_FRONT, &chosen)?,
+        eyes: eye_strip(subject, &chosen),
+        side: strip(subject, BESIDE, &chosen)?,
+        events: if events.is_empty() { None } else { strip(subject, BESIDE, &events) },
+    })
 }
 
 /// Returns how far each frame is on the way from the first to the last, 0 to 1: half by time, half by the angles by which
@@ -109,17 +117,41 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     moments
 }
 
+fn scene<'a>(subject: &BakePage<'a>, view: GazeView, drawn: &[Moment]) -> Option<Scene<'a>> {
+    let BakePage { spec, document, baked, .. } = *subject;
+    let chain = chain_nodes(spec, document.skeleton()).ok()?;
+    let frames = drawn.iter().map(|(k, _)| &baked.frames[*k]);
+    Some(Scene::of_gaze(subject, &chain, eye(&chain, Effector::of(spec, 0)), view, frames))
+}
+
+fn eye(chain: &ChainNodes, Effector { joint, ray }: Effector) -> Eye {
+    Eye { node: chain.joints[joint], centre: ray.origin.into(), forward: ray.frame.forward.into() }
+}
+
+/// Returns the strip of the eyes in the face; `None` if the surface has no eyeballs.
+fn eye_strip(subject: &BakePage<'_>, drawn: &[Moment]) -> Option<Markup> {
+    let scene = scene(subject, GazeView::Eyes, drawn).filter(Scene::has_eyeballs)?;
+    Some(html! {
+        ol.film {
+            @for (k, _) in drawn {
+                @let frame = &subject.baked.frames[*k];
+                @let time = words::fixed(frame.t.into(), 2);
+                li {
+                    figure {
+                        svg viewBox={ "0 0 " (n(WIDTH)) " " (n(EYES_HEIGHT)) } role="img"
+                            aria-label={ "The eyes at " (time) " s." } { (scene.character(&frame.world)) }
+                        figcaption { span.time { (time) " s" } }
+                    }
+                }
+            }
+        }
+    })
+}
+
 fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Markup> {
     let BakePage { spec, report, document, baked, .. } = *subject;
-    let chain = chain_nodes(spec, document.skeleton()).ok()?;
-    let ray = |Effector { joint, ray }| Eye {
-        node: chain.joints[joint],
-        centre: ray.origin.into(),
-        forward: ray.frame.forward.into(),
-    };
-    let [eye, effector] = [Effector::of(spec, 0), report.aimed].map(ray);
-    let frames = drawn.iter().map(|(k, _)| &baked.frames[*k]);
-    let scene = Scene::of_gaze(subject, &chain, eye, stand, frames);
+    let effector = eye(&chain_nodes(spec, document.skeleton()).ok()?, report.aimed);
+    let scene = scene(subject, GazeView::Head(stand), drawn)?;
     Some(html! {
         ol.film {
             @for (k, what) in drawn {

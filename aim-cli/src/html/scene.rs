@@ -15,10 +15,25 @@ use crate::words::{n, segment, span};
 pub(super) const WIDTH: f64 = 240.0;
 /// Height of a drawing.
 pub(super) const HEIGHT: f64 = 250.0;
-/// Width and height of the picture in a drawing, pixels.
-const PICTURE: (usize, usize) = (480, 500);
-/// Pixels per unit of a drawing.
-const PIXELS: f64 = 2.0;
+/// Height of a drawing of the eyes.
+pub(super) const EYES_HEIGHT: f64 = 72.0;
+
+/// The picture in a drawing.
+#[derive(Clone, Copy)]
+struct Picture {
+    /// Height of the drawing.
+    height: f64,
+    /// Pixels per unit of the drawing.
+    pixels: f64,
+    /// Share of the height at the lower edge over which the figure fades out.
+    fade: f64,
+}
+
+const OF_GAZE: Picture = Picture { height: HEIGHT, pixels: 2.0, fade: FADE };
+/// The face fills the drawing and compresses less.
+const OF_EYES: Picture = Picture { height: EYES_HEIGHT, pixels: 1.2, fade: 0.0 };
+const OF_LIMB: Picture = Picture { height: HEIGHT, pixels: 2.0, fade: 0.0 };
+
 /// Angle of the front camera towards the side of the effector, degrees.
 const ASIDE_DEG: f64 = 27.0;
 /// Angle of the camera for limbs towards the side of the limb, degrees. It is larger, because limbs move mostly
@@ -37,8 +52,19 @@ pub(super) struct Stand {
 pub(super) const IN_FRONT: Stand = Stand { aside_deg: ASIDE_DEG, above_deg: ABOVE_DEG };
 /// A level camera at the side of the character, where a head that leans back is clearly visible.
 pub(super) const BESIDE: Stand = Stand { aside_deg: 90.0, above_deg: 0.0 };
+/// A level camera right in front of the face.
+pub(super) const BEFORE_THE_FACE: Stand = Stand { aside_deg: 0.0, above_deg: 0.0 };
 /// A camera for the path of a limb.
 const BEFORE_THE_LIMB: Stand = Stand { aside_deg: LIMB_ASIDE_DEG, above_deg: ABOVE_DEG };
+
+/// The part of a character that a film strip of a gaze shows.
+#[derive(Clone, Copy)]
+pub(super) enum GazeView {
+    /// The head and its surroundings, seen from one side.
+    Head(Stand),
+    /// The eyes in the face, seen by a camera that turns with the head.
+    Eyes,
+}
 
 /// Largest size of a head, as a multiple of its width.
 const WIDE: f64 = 1.6;
@@ -48,6 +74,10 @@ const HEADS: f64 = 2.5;
 const OF_HEIGHT: f64 = 0.9;
 /// Height of the head above the middle of the window, as a share of the window.
 const RAISED: f64 = 0.14;
+/// Width of a close view of two eyes, in distances between them.
+const OF_DISTANCE: f64 = 2.6;
+/// Width of a close view of one eye, as a share of the head's height.
+const OF_HEAD: f64 = 0.6;
 /// Size of the window as a multiple of its content.
 const AROUND: f64 = 1.1;
 /// Distance from the character up to which a target is kept in the window, as a share of the character.
@@ -65,8 +95,7 @@ pub(super) struct Scene<'a> {
     /// Nodes whose surface is drawn as an eyeball.
     pub(super) eyes: Vec<Eye>,
     pub(super) camera: FollowingCamera,
-    /// Share of the picture's height at its lower edge over which the figure fades out.
-    fade: f64,
+    picture: Picture,
 }
 
 /// A bone that looks along `forward` of its own space.
@@ -77,10 +106,13 @@ pub(super) struct Eye {
     pub(super) forward: DVec3,
 }
 
-/// A camera that moves with the bone `follows`, but never turns. The centre of its view is relative to that bone.
+/// A camera that moves with the bone `follows`. It never turns, and the centre of its view is relative to that bone,
+/// unless it is `fixed` to the bone.
 pub(super) struct FollowingCamera {
     pub(super) view: Projection,
     follows: Option<usize>,
+    /// The inverse transform of the bone in the bind pose, for which `view` is given, if the camera turns with the bone.
+    fixed: Option<DAffine3>,
 }
 
 impl FollowingCamera {
@@ -91,7 +123,11 @@ impl FollowingCamera {
         let is_right = eye_bind.dot(left) * 2.0 < low + high - 1e-6 * height;
         let aside_deg = if is_right { -stand.aside_deg } else { stand.aside_deg };
         let middle = [WIDTH / 2.0, HEIGHT / 2.0];
-        Self { view: Projection::from_aside([up, forward, left], aside_deg, stand.above_deg, middle), follows }
+        Self {
+            view: Projection::from_aside([up, forward, left], aside_deg, stand.above_deg, middle),
+            follows,
+            fixed: None,
+        }
     }
 
     /// Frames the head wherever the effector is. `head` is the head's extent and `eye_bind` the effector's place, both
@@ -124,6 +160,23 @@ impl FollowingCamera {
         self
     }
 
+    /// Creates a camera fixed to the bone `carrier` of the `eyes`, with these in the middle of its view. `head` is the
+    /// head's extent in the bind pose.
+    fn before_eyes(measurement: &Measurement, carrier: usize, eyes: &[Eye], head: Option<(DVec3, DVec3)>) -> Self {
+        let bind = &measurement.bind_world;
+        let places = eyes.iter().map(|eye| bind[eye.node].transform_point3(eye.centre));
+        let (low, high) = ends(places).unwrap_or_default();
+        let apart = (high - low).length();
+        let height = head.map_or(measurement.height / 8.0, |(low, high)| (high - low).dot(measurement.up));
+        let mut camera = Self::new(measurement, BEFORE_THE_FACE, Some(carrier), low);
+        let window = if apart > 0.0 { OF_DISTANCE * apart } else { OF_HEAD * height };
+        camera.view.scale = WIDTH / if window > 0.0 { window } else { 1.0 };
+        camera.view.centre = (low + high) * 0.5;
+        camera.view.middle[1] = EYES_HEIGHT / 2.0;
+        camera.fixed = Some(rigid(&bind[carrier]).inverse());
+        camera
+    }
+
     /// Frames all points of `character`, and `target` unless it is far away.
     fn around(mut self, character: impl Iterator<Item = DVec3>, target: DVec3) -> Self {
         let seen = character.filter(|point| point.is_finite()).map(|point| self.view.turn(point));
@@ -145,6 +198,9 @@ impl FollowingCamera {
 
     /// Returns the view with the nodes at `world`.
     fn view_of(&self, world: &[DAffine3]) -> Projection {
+        if let Some((node, bind)) = self.follows.zip(self.fixed) {
+            return self.view.moved(rigid(&world[node]) * bind);
+        }
         Projection { centre: self.view.centre + at(self.follows, world), ..self.view }
     }
 }
@@ -152,6 +208,12 @@ impl FollowingCamera {
 /// Returns the lowest and highest coordinates of some points; `None` if there are none.
 pub(super) fn ends(points: impl Iterator<Item = DVec3>) -> Option<(DVec3, DVec3)> {
     points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)))
+}
+
+/// Returns a transform without its scale.
+fn rigid(transform: &DAffine3) -> DAffine3 {
+    let (_, rotation, translation) = transform.to_scale_rotation_translation();
+    DAffine3::from_rotation_translation(rotation, translation)
 }
 
 fn at(node: Option<usize>, world: &[DAffine3]) -> DVec3 {
@@ -165,7 +227,7 @@ impl<'a> Scene<'a> {
         subject: &BakePage<'a>,
         chain: &ChainNodes,
         eye: Eye,
-        stand: Stand,
+        view: GazeView,
         drawn: impl Iterator<Item = &'f AimedFrame>,
     ) -> Self {
         let BakePage { document, measurement, .. } = *subject;
@@ -196,9 +258,14 @@ impl<'a> Scene<'a> {
         let eye_bind = bind[first].transform_point3(origin);
         let follows = chain.joints.last().and_then(|node| skeleton.parents()[*node]);
         let places = drawn.map(|frame| frame.world[first].transform_point3(origin) - at(follows, &frame.world));
-        let camera =
-            FollowingCamera::new(measurement, stand, follows, eye_bind).framing(measurement, head, eye_bind, places);
-        Self { document, measurement, skinned, joints: chain.joints.clone(), eyes, camera, fade: FADE }
+        let (camera, picture) = match view {
+            GazeView::Head(stand) => {
+                let camera = FollowingCamera::new(measurement, stand, follows, eye_bind);
+                (camera.framing(measurement, head, eye_bind, places), OF_GAZE)
+            }
+            GazeView::Eyes => (FollowingCamera::before_eyes(measurement, carrier, &eyes, head), OF_EYES),
+        };
+        Self { document, measurement, skinned, joints: chain.joints.clone(), eyes, camera, picture }
     }
 
     /// Creates the scene of a limb: the whole character in each of the poses `worlds`, and the limb's target.
@@ -218,13 +285,20 @@ impl<'a> Scene<'a> {
         let camera = FollowingCamera::new(measurement, BEFORE_THE_LIMB, None, bind[limb.tip].translation);
         let camera = camera.around(character, target);
         let joints = vec![limb.upper, limb.lower, limb.tip];
-        Self { document, measurement, skinned, joints, eyes: Vec::new(), camera, fade: 0.0 }
+        Self { document, measurement, skinned, joints, eyes: Vec::new(), camera, picture: OF_LIMB }
+    }
+
+    /// Returns `true` if the surface has eyeballs.
+    pub(super) fn has_eyeballs(&self) -> bool {
+        let surface = &self.skinned.surface;
+        let is_eye = |node: Option<usize>| self.eyes.iter().any(|eye| Some(eye.node) == node);
+        surface.triangles().iter().any(|t| is_eye(surface.node_of(self.document.skeleton(), t.vertices[0])))
     }
 
     /// Draws the surface, or the bones if there is none.
     pub(super) fn character(&self, world: &[DAffine3]) -> Markup {
         match self.figure(world) {
-            Some(uri) => html! { image width=(n(WIDTH)) height=(n(HEIGHT)) href=(uri) {} },
+            Some(uri) => html! { image width=(n(WIDTH)) height=(n(self.picture.height)) href=(uri) {} },
             None => self.bones(world),
         }
     }
@@ -242,8 +316,11 @@ impl<'a> Scene<'a> {
             let material = triangle.material.map(|at| &surface.materials()[at]);
             Paint::Plain(material.filter(|material| material.texture.is_none()).map_or(CLAY, |m| srgb(m.colour)))
         };
-        let mut picture = Raster::new(PICTURE.0, PICTURE.1, self.fade);
-        picture.draw_surface(&self.skinned, world, (&self.camera.view_of(world), PIXELS), paint);
+        let Picture { height, pixels, fade } = self.picture;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
+        let [width, height] = [WIDTH, height].map(|size| (size * pixels) as usize);
+        let mut picture = Raster::new(width, height, fade);
+        picture.draw_surface(&self.skinned, world, (&self.camera.view_of(world), pixels), paint);
         picture.data_uri()
     }
 

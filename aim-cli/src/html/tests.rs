@@ -7,10 +7,11 @@ use aim_character::{
 };
 use aim_codegen::{AngleRange, RigSpec};
 use aim_gltf::Document;
-use aim_runtime::glam::DVec3;
+use aim_runtime::glam::{DAffine3, DVec3};
 use aim_runtime::{DynAim, Settings, Solver};
 use scraper::{Html, Selector};
 
+use super::scene::{Eye, GazeView, IN_FRONT, Scene};
 use super::{BakePage, page};
 use crate::bake_report::{BakeReport, JointReport, Reported};
 use crate::effector::Effector;
@@ -108,9 +109,13 @@ impl Case {
         self
     }
 
-    fn page(&self) -> String {
+    fn subject(&self) -> BakePage<'_> {
         let Self { spec, report, document, measurement, baked, .. } = self;
-        page(&BakePage { spec, report, document, measurement, source: document.clips().first(), baked })
+        BakePage { spec, report, document, measurement, source: document.clips().first(), baked }
+    }
+
+    fn page(&self) -> String {
+        page(&self.subject())
     }
 }
 
@@ -150,8 +155,8 @@ fn the_mannequins_page_is_whole() {
     let events = count(&html, ".film .event");
     assert_eq!(
         count(&html, ".film li image"),
-        16 + events,
-        "eight drawings of the skin, from before and from the side"
+        24 + events,
+        "eight drawings of the skin from before and from the side, and of the eyes"
     );
     assert!(
         (3..=6).contains(&events) && text.contains("fastest head motion") && text.contains("first out of reach"),
@@ -236,6 +241,33 @@ fn limits_are_shaded_just_where_they_bind() {
 }
 
 #[test]
+fn the_camera_of_the_eyes_turns_with_the_head() {
+    let (case, _) = &*WHOLE;
+    let Effector { joint, ray } = Effector::of(&case.spec, 0);
+    let eye = Eye { node: case.chain.joints[joint], centre: ray.origin.into(), forward: ray.frame.forward.into() };
+    let skeleton = case.document.skeleton();
+    let head = skeleton.parents()[eye.node].expect("a head");
+    // The place of the eye in the drawing, and of a point in front of the head.
+    let places = |view| {
+        let frames = &case.baked.frames;
+        let scene = Scene::of_gaze(&case.subject(), &case.chain, eye, view, frames.iter());
+        let bind = case.measurement.bind_world[head].inverse();
+        let ahead = bind.transform_vector3(case.measurement.forward) * 0.1;
+        let at = |world: &[DAffine3]| {
+            let place = world[eye.node].transform_point3(eye.centre);
+            [place, place + world[head].transform_vector3(ahead)].map(|point| scene.camera.project(point, world))
+        };
+        frames.iter().map(|frame| at(&frame.world)).collect::<Vec<_>>()
+    };
+    let moved = |places: Vec<[DVec3; 2]>| {
+        let moves = places.iter().map(|place| (0..2).map(|k| place[k].distance(places[0][k])).fold(0.0, f64::max));
+        moves.fold(0.0, f64::max)
+    };
+    assert!(moved(places(GazeView::Eyes)) < 0.1);
+    assert!(moved(places(GazeView::Head(IN_FRONT))) > 10.0);
+}
+
+#[test]
 fn bones_without_skin_or_clip_are_lines_and_hostile_names_are_text() {
     let case = Case::new(BONES_RIG, BONES.as_bytes(), 2.0);
     assert_eq!(case.spec.joints[0].bones, [HOSTILE]);
@@ -253,7 +285,7 @@ fn one_frame_and_none_make_a_page() {
     for frames in [1, 0] {
         let text = Case::mannequin(0.5).cut(frames).page();
         let html = parsed(&text);
-        assert_eq!(count(&html, ".film li"), 2 * frames, "from before and from the side");
+        assert_eq!(count(&html, ".film li"), 3 * frames, "from before, from the side, and of the eyes");
         assert_eq!(count(&html, ".rig tbody tr"), 3);
     }
 }
