@@ -36,7 +36,7 @@ pub mod print;
 mod program;
 mod rewrite;
 
-pub use diff::gradient::ReciprocalPlacement;
+pub use diff::differential::ReciprocalPlacement;
 pub use diff::sweep::{SweepDirection, SweepRecord, VisitedNode};
 pub use ir::evaluate::Bindings;
 pub use ir::graph::Graph;

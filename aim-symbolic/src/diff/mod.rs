@@ -1,6 +1,7 @@
 //! Derivatives: reverse sweeps from a value, over whole vectors, and forward sweeps from a variable.
 
-pub(crate) mod gradient;
+pub(crate) mod differential;
+mod gradient;
 mod growth;
 mod mask;
 mod partial;

@@ -36,27 +36,6 @@ impl Graph {
         if curled_back { self.sub_vectors(sum, aside) } else { self.add_vectors(sum, aside) }
     }
 
-    /// ½ v × w
-    pub(crate) fn half_cross(&mut self, v: Vector, w: Vector) -> Vector {
-        let (half, cross) = (self.constant(0.5), self.cross(v, w));
-        self.scale(half, cross)
-    }
-
-    /// Returns the contribution of a result y = exp(δ) v to the adjoint of δ: J(δ)ᵀ (y × ȳ), with J = 1 + ½ [δ]× to
-    /// first order. For the inverse, y = exp(−δ) v, it is J(−δ)ᵀ (ȳ × y). For motions, which are velocities, J is 1.
-    pub(crate) fn moment(&mut self, step: Vector, back: bool, rotated: Vector, bar: Vector) -> Vector {
-        let moment = if back { self.cross(bar, rotated) } else { self.cross(rotated, bar) };
-        if self.is_motion(step) {
-            return moment;
-        }
-        if back {
-            let curl = self.half_cross(step, moment);
-            return self.add_vectors(moment, curl);
-        }
-        let curl = self.half_cross(step, moment);
-        self.sub_vectors(moment, curl)
-    }
-
     /// Returns `outputs` with all steps set to 0 and the rotations about them removed.
     pub(crate) fn at_rest(&mut self, outputs: &[Scalar]) -> Vec<Scalar> {
         if self.step_components() == 0 {

@@ -35,6 +35,24 @@ pub enum Node {
     Vector(Vector),
 }
 
+impl From<Scalar> for Node {
+    fn from(scalar: Scalar) -> Self {
+        Self::Scalar(scalar)
+    }
+}
+
+impl From<Vector> for Node {
+    fn from(vector: Vector) -> Self {
+        Self::Vector(vector)
+    }
+}
+
+impl From<Unit> for Node {
+    fn from(unit: Unit) -> Self {
+        Self::Vector(unit.0)
+    }
+}
+
 /// A rotation followed by a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rigid {
