@@ -7,9 +7,10 @@
 //! A product with a constant is free if the scale of the result compensates for the constant. This is one more
 //! equation, which is added if it contradicts no other.
 
+use crate::ir::node::Node;
 use crate::ir::table::Table;
 use crate::lower::fold::Fold;
-use crate::lower::rebuild::{Exchange, Missing, Rebuild, operands};
+use crate::lower::rebuild::{Exchange, Missing, Rebuild};
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// The logarithm of a scale: a linear combination of free parameters and of logarithms of constants.
@@ -81,7 +82,8 @@ const MOST_PRODUCTS: usize = 400;
 
 /// Returns `outputs`, which must be lowered, with constants where they cost least; `None` if nothing can be saved.
 pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>> {
-    let order = parts_first(&fold.g, outputs);
+    let scalar = |node| if let Node::Scalar(s) = node { Some(s) } else { None };
+    let order: Vec<Scalar> = fold.g.order(outputs).into_iter().filter_map(scalar).collect();
     let products: Vec<Scalar> = order.iter().copied().filter(|&s| by_constant(&fold.g, s).is_some()).collect();
     if products.is_empty() || products.len() > MOST_PRODUCTS {
         return None;
@@ -113,21 +115,6 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
         freed |= scales.solve(&left);
     }
     freed.then(|| Rebuild::outputs(fold, outputs, &mut scales))
-}
-
-/// Returns everything on which `outputs` depend, operands first.
-fn parts_first(g: &Graph, outputs: &[Scalar]) -> Vec<Scalar> {
-    let (mut order, mut done) = (Vec::new(), Table::default());
-    let mut open: Vec<(Scalar, bool)> = outputs.iter().rev().map(|&s| (s, false)).collect();
-    while let Some((s, parts_are_done)) = open.pop() {
-        if parts_are_done {
-            order.push(s);
-        } else if done.insert(s, ()) {
-            open.push((s, true));
-            open.extend(operands(g.scalar_node(s)).map(|part| (part, false)));
-        }
-    }
-    order
 }
 
 /// Splits a product with a constant into the constant, the other operand, and `true` if the constant is a divisor.
