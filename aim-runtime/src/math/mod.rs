@@ -166,7 +166,7 @@ pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
 #[inline(always)]
 pub(crate) fn angle_between_units(a: Vec3A, b: Vec3A) -> f32 {
     let [apart, along] = [a - b, a + b].map(|v| v.dot(v));
-    if apart < along { trig::twice_atan(root(apart / along)) } else { angle_between(a, b) }
+    if apart < along { trig::twice_atan(root(apart / along)) } else { PI - trig::twice_atan(root(along / apart)) }
 }
 
 /// Gram–Schmidt orthonormalisation of the columns, in order x, y, z. Keeps handedness. `None` if the columns are

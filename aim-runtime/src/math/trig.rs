@@ -31,6 +31,9 @@ const ATAN: [f32; 8] = [
     -0.016_580_988,
     0.002_974_536_7,
 ];
+/// Bound below which the arctangent of a number is the number itself, to rounding: x³/3 is less than half a unit of
+/// x's last place.
+const SMALL: f32 = 1.0 / 4096.0;
 
 /// Returns sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
 #[inline(always)]
@@ -103,7 +106,7 @@ pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
 #[inline(always)]
 pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
     let angles = angles_rad.yyxx();
-    if angles.abs().cmpgt(Vec4::splat(PI)).any() {
+    if !angles.abs().cmple(Vec4::splat(PI)).all() {
         return halves_beyond(angles.x, angles.z);
     }
     // Sines and cosines by one polynomial. The first coefficient, 0, gives both the same degree.
@@ -124,7 +127,7 @@ pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
 /// Returns sines and cosines of the halves of two pairs of heading and pitch, radians, given one pair after the other.
 #[inline(always)]
 pub(crate) fn halves_of_both(angles_rad: Vec4) -> [Halves; 2] {
-    if angles_rad.abs().cmpgt(Vec4::splat(PI)).any() {
+    if !angles_rad.abs().cmple(Vec4::splat(PI)).all() {
         return [halves_beyond(angles_rad.y, angles_rad.x), halves_beyond(angles_rad.w, angles_rad.z)];
     }
     let (sin, cos) = half_sin_cos_4(angles_rad.yxwz());
@@ -143,12 +146,12 @@ pub(crate) fn doubled(halves: Halves) -> Vec4 {
     halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)
 }
 
-/// Returns the angle of the point (x, y), radians, −π…π; 0 for the origin.
+/// Returns the angle of the point (x, y), radians, −π…π, with the sign of y; 0 for the origin.
 pub(crate) fn atan2(y: f32, x: f32) -> f32 {
     let (across, along) = (y.abs(), x.abs());
     let turn = if across.at_least(along) > 0.0 { within_right_angle(across, along) } else { along };
     let turn = if x < 0.0 { PI - turn } else { turn };
-    if y < 0.0 { -turn } else { turn }
+    turn.copysign(y)
 }
 
 /// Returns the angles of four points (x, y), radians. For coordinates that are normal numbers or 0, bit-identical to
@@ -159,12 +162,10 @@ pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
     // The lower bound gives 0 for the origin.
     let t = across.min(along) / across.max(along).max(Vec4::splat(f32::MIN_POSITIVE));
     let tt = t * t;
-    let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
-    let turn = t + t * tt * series;
+    let turn = t + t * tt * series_of_4(tt);
     // |0 − turn| is turn: these select in fewer instructions than `select` of two numbers.
     let turn = (Vec4::select(across.cmpgt(along), Vec4::splat(FRAC_PI_2), Vec4::ZERO) - turn).abs();
-    let turn = (Vec4::select(x.cmplt(Vec4::ZERO), Vec4::splat(PI), Vec4::ZERO) - turn).abs();
-    Vec4::select(y.cmplt(Vec4::ZERO), -turn, turn)
+    (Vec4::select(x.cmplt(Vec4::ZERO), Vec4::splat(PI), Vec4::ZERO) - turn).copysign(y)
 }
 
 /// Returns the angle of a point other than the origin whose coordinates are not negative.
@@ -179,16 +180,10 @@ fn within_right_angle(across: f32, along: f32) -> f32 {
 /// Returns the angle of the point (x, y), y ≥ 0, which is usually near the positive x axis. Bit-identical to [`atan2`].
 #[inline(always)]
 pub(crate) fn small_atan2(y: f32, x: f32) -> f32 {
-    if x > y { atan_within(y / x) } else { atan2(y, x) }
-}
-
-/// Returns the angles of two points (x, y), as [`small_atan2`] does.
-#[inline(always)]
-pub(crate) fn small_atan2_of_both([y, other_y]: [f32; 2], [x, other_x]: [f32; 2]) -> [f32; 2] {
-    if x > y && other_x > other_y {
-        atans_within([y / x, other_y / other_x])
-    } else {
-        [atan2(y, x), atan2(other_y, other_x)]
+    match y / x {
+        t if x > y && t < SMALL => t,
+        t if x > y => atan_within(t),
+        _ => atan2(y, x),
     }
 }
 
@@ -209,16 +204,23 @@ pub(crate) fn twice_atan_of_both(half_tangents: [f32; 2]) -> [f32; 2] {
 fn atans_within([a, b]: [f32; 2]) -> [f32; 2] {
     let t = Vec4::new(a, b, a, b);
     let tt = t * t;
-    let series = ATAN[..7].iter().rev().fold(Vec4::splat(ATAN[7]), |sum, &next| sum * tt + Vec4::splat(next));
-    let [a, b, ..] = (t + t * tt * series).to_array();
+    let [a, b, ..] = (t + t * tt * series_of_4(tt)).to_array();
     [a, b]
+}
+
+/// Returns the sums of the arctangent's series at four squares.
+#[inline(always)]
+fn series_of_4(squares: Vec4) -> Vec4 {
+    let [rest @ .., last] = ATAN.map(Vec4::splat);
+    rest.iter().rev().fold(last, |sum, &next| sum * squares + next)
 }
 
 /// Returns the arctangent of a number within ±1.
 #[inline(always)]
 fn atan_within(t: f32) -> f32 {
     let tt = t * t;
-    t + t * tt * ATAN[..7].iter().rev().fold(ATAN[7], |sum, &next| sum * tt + next)
+    let [rest @ .., last] = ATAN;
+    t + t * tt * rest.iter().rev().fold(last, |sum, &next| sum * tt + next)
 }
 
 #[cfg(test)]

@@ -69,7 +69,7 @@ pub(crate) struct Eyes<'a, const C: usize> {
     other_eye: &'a Affine3A,
     /// The eyes' animated positions.
     places: [Vec3A; 2],
-    /// Transform of directions in the pose to the frame in which the eyes' angles are measured.
+    /// Transform of directions in the pose to forward, left and up, along which the eyes' angles are measured.
     to_angles: Mat3A,
     /// The same for the other eye, if it differs.
     other_to_angles: Option<Mat3A>,
@@ -96,15 +96,18 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let (joint, info, own_motion) = (pose.joints.first()?, rig.joints.first()?, declared.first()?);
         let square = common_scale(pose.joints, NEGLIGIBLE_DEVIATION);
         let other_square = common_scale(slice::from_ref(other_eye), NEGLIGIBLE_DEVIATION);
-        let (from_pose, relation, from_pose_to_other) = match (square, other_square) {
+        // Forward, left and up of joint 0.
+        let axes = info.planes.frame(&joint.matrix3);
+        let (to_angles, relation, other_to_angles) = match (square, other_square) {
             (Some(own), Some(other)) if info.planes.are_square() => {
-                let from_pose = joint.matrix3.transpose() * (1.0 / own);
                 let relation = other_eye.matrix3.transpose() * joint.matrix3 * (1.0 / math::sqrt(own * other));
-                (from_pose, relation, None)
+                (axes.transpose() * (1.0 / own), relation, None)
             }
             _ => {
                 let (from_pose, relation, to_other) = eye_transforms(joint, other_eye, info)?;
-                (from_pose, relation, Some(to_other))
+                let rows = info.planes.basis.transpose();
+                // The animated gazes count as parallel.
+                (rows * from_pose, relation, Some(rows * (relation.transpose() * to_other)))
             }
         };
         let middle = 0.5 * joint.translation + 0.5 * other_eye.translation;
@@ -113,20 +116,18 @@ impl<'a, const C: usize> Eyes<'a, C> {
         if !(middle.is_finite() && eye_distance.is_finite()) {
             return None;
         }
-        let leftward = joint.matrix3 * Vec3A::from(info.axes.left);
-        let side = if between_eyes.dot(leftward) < 0.0 { -1.0 } else { 1.0 };
+        let side = if between_eyes.dot(axes.y_axis) < 0.0 { -1.0 } else { 1.0 };
         Some(Self {
             rig,
             pose,
             motions: [*own_motion, mirrored(rig, pose, own_motion)],
             leads: can_lead(rig.description),
             middle,
-            square: square.filter(|_| from_pose_to_other.is_none()),
+            square: square.filter(|_| other_to_angles.is_none()),
             other_eye,
             places: [joint.translation - middle, other_eye.translation - middle],
-            // The animated gazes count as parallel.
-            to_angles: from_pose,
-            other_to_angles: from_pose_to_other.map(|other| relation.transpose() * other),
+            to_angles,
+            other_to_angles,
             relation,
             tilts: if rig.has_upright { tilts(rig, pose.joints, about) } else { rig.array(Quat::IDENTITY) },
             eye_distance,
@@ -183,7 +184,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             outcome
         };
         motions[0] = self.motions[0];
-        let chain = ChainResult { outcome: outcome?, solution: solution? };
+        let chain = ChainResult { outcome: outcome.as_ref()?, solution: solution.as_ref()? };
         let lead = joints[0];
         let to_pose = |point| chain.solution.space.to_pose(point);
         let measured_point = match chain.solution.measured_point {
@@ -238,7 +239,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
         let distance = length(target).at_least(NEAREST * self.eye_distance);
         // NaN if the distance is 0.
         let half = (0.5 * self.eye_distance * call.settings.effective_weight() / distance).at_least(0.0).at_most(0.5);
-        let inward = self.side * trig::atan2(half, math::sqrt(1.0 - half * half));
+        // The arcsine of `half`.
+        let inward = self.side * trig::twice_atan(half / (1.0 + math::root(1.0 - half * half)));
         let [own, other] = self.motions;
         let (own_heading, other_heading) = (own.heading.moved(inward), other.heading.moved(-inward));
         // The nearer eye sees the target at a larger pitch than the leading one, increasingly so with elevation. This
@@ -302,9 +304,8 @@ impl<'a, const C: usize> Eyes<'a, C> {
     /// Returns the vectors from the eyes to a point, along the forward, left and up from which the angles are measured.
     #[cfg_attr(not(aim_small), inline(always))]
     fn views(&self, point: Vec3A) -> [Vec3A; 2] {
-        let basis = self.rig.joints[0].planes.basis.transpose();
-        let [own, other] = self.places.map(|place| point - place);
-        [basis * (self.to_angles * own), basis * (self.other_to_angles.unwrap_or(self.to_angles) * other)]
+        let [own, other] = self.places;
+        [self.to_angles * (point - own), self.other_to_angles.unwrap_or(self.to_angles) * (point - other)]
     }
 
     /// Returns both eyes' headings and pitches towards the target with these `views`; `None` unless both are within
@@ -344,7 +345,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         corrections: &[Quat],
         lead: &Joint,
         start: &[Joint; 2],
-        chain: &ChainResult,
+        chain: &ChainResult<'_>,
     ) -> Option<[[f32; 2]; 2]> {
         if call.dt == Some(0.0) {
             return Some(both(|eye| start[eye].angles()));
@@ -442,7 +443,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         halves: [Halves; 2],
         [measured_point, views @ ..]: [Vec3A; 3],
         within_limits: bool,
-        chain: &ChainResult,
+        chain: &ChainResult<'_>,
     ) -> [Option<f32>; 2] {
         if self.square.is_none() || !within_limits {
             return both(|eye| {
@@ -454,9 +455,10 @@ impl<'a, const C: usize> Eyes<'a, C> {
                 )
             });
         }
-        let [a, b] = both(|eye| Turn::of_halves(halves[eye]).undo(views[eye]));
-        let aside = [a, b].map(|v| math::root(v.y * v.y + v.z * v.z));
-        let angles = trig::small_atan2_of_both(aside, [a.x, b.x]);
+        let angles = both(|eye| {
+            let seen = Turn::of_halves(halves[eye]).undo(views[eye]);
+            trig::small_atan2(math::root(seen.y * seen.y + seen.z * seen.z), seen.x)
+        });
         let least = 1e-4 * self.eye_distance;
         both(|eye| {
             let away = measured_point - self.places[eye];
@@ -493,7 +495,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         joints: &[Joint],
         eye_turns: &EyeTurns,
         lead: &Joint,
-        chain: &ChainResult,
+        chain: &ChainResult<'_>,
     ) -> Option<Outcome> {
         // Joint 0's flags cover both eyes.
         let other = with_angles(lead, eye_turns.angles[1]);
@@ -503,7 +505,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         recovering.set(0, met[1]);
         let [own_remaining, other_eye_remaining] = eye_turns.remaining;
         let other_eye_correction = Some(self.to_other_eye(eye_turns.turns[1]));
-        let outcome = Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction, ..chain.outcome };
+        let outcome = Outcome { at_limit, recovering, other_eye_remaining, other_eye_correction, ..*chain.outcome };
         if !self.leads || self.is_supported(call) {
             return Some(outcome);
         }
@@ -519,7 +521,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
 
     /// Returns `true` if only rates keep the eyes from their target.
     #[cold]
-    fn is_within_reach(&self, call: &Call<'_>, eye_turns: &EyeTurns, lead: &Joint, chain: &ChainResult) -> bool {
+    fn is_within_reach(&self, call: &Call<'_>, eye_turns: &EyeTurns, lead: &Joint, chain: &ChainResult<'_>) -> bool {
         match chain.outcome.status {
             Status::RateLimited => true,
             // The leading eye has reached the target: check whether the ranges let both eyes reach it.
@@ -542,9 +544,9 @@ impl<'a, const C: usize> Eyes<'a, C> {
 }
 
 /// The result of solving the chain for the leading eye.
-struct ChainResult {
-    outcome: Outcome,
-    solution: ChainSolution,
+struct ChainResult<'a> {
+    outcome: &'a Outcome,
+    solution: &'a ChainSolution,
 }
 
 /// The eyes' new angles, and the measurements of the result.

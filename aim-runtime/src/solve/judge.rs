@@ -97,14 +97,15 @@ pub(crate) fn nothing_to_aim() -> Outcome {
 pub(crate) fn limits_met(infos: &[JointInfo], motions: &[RangeOfMotion], joints: &[Joint]) -> (JointSet, JointSet) {
     let (mut at_limit, mut recovering) = (JointSet::EMPTY, JointSet::EMPTY);
     let mut meet = |index: usize, is_declared: bool, range: Interval, angle: f32| {
-        if angle > range.lo() + AT_LIMIT_RAD && angle < range.hi() - AT_LIMIT_RAD {
+        let margin = (angle - range.lo()).at_most(range.hi() - angle);
+        if margin > AT_LIMIT_RAD {
             return;
         }
         if is_declared {
             at_limit.insert(index);
         }
-        // The margin allows for rounding of an angle that has just returned to its range.
-        if angle < range.lo() - AT_LIMIT_RAD || angle > range.hi() + AT_LIMIT_RAD {
+        // This allows for rounding of an angle that has just returned to its range.
+        if margin < -AT_LIMIT_RAD {
             recovering.insert(index);
         }
     };
