@@ -6,7 +6,7 @@ use glam::{Affine3A, Mat3A, Vec3A};
 
 use crate::limits::{Angles, Interval, RangeOfMotion};
 use crate::math::trig;
-use crate::rig::{ChainRig, LANE_JOINTS, PoseSlices};
+use crate::rig::{ChainRig, LANE_JOINTS, PerJoint, PoseSlices};
 use crate::{Joint, JointInfo, LimitsFrom, math};
 
 /// Returns the ranges of a joint that the animation turns by `animated` out of the bind pose; `None` if they are
@@ -28,21 +28,12 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
 /// Evaluates every joint's ranges of motion in this pose. Ranges relative to the bind pose count as relative to the
 /// animation if the pose has no bind pose or if the joint's animated or bind transform contains no rotation.
 #[inline(always)]
-pub(crate) fn find_motions<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    pose: &PoseSlices<'_>,
-    motions: &mut [RangeOfMotion],
-) {
+pub(crate) fn find_motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<RangeOfMotion, C> {
     if rig.has_fixed_ranges && C <= LANE_JOINTS {
         // Fixed ranges do not depend on the pose.
-        for (index, motion) in motions.iter_mut().enumerate() {
-            *motion = rig.lanes[index / 2].motion(index % 2);
-        }
-        return;
+        return rig.array_of(RangeOfMotion::REST, |index| rig.lanes[index / 2].motion(index % 2));
     }
-    for (index, (motion, info)) in motions.iter_mut().zip(rig.joints).enumerate() {
-        *motion = range_in_pose(info, pose, index);
-    }
+    rig.array_of(RangeOfMotion::REST, |index| range_in_pose(&rig.joints[index], pose, index))
 }
 
 /// Returns the ranges of motion of one joint in this pose.
@@ -59,10 +50,10 @@ pub(crate) fn mirrored<const C: usize>(
     pose: &PoseSlices<'_>,
     own: &RangeOfMotion,
 ) -> RangeOfMotion {
-    let mut info = rig.joints[0];
     if rig.has_fixed_ranges {
-        return RangeOfMotion { heading: Interval::from_ends(-own.heading.hi(), -own.heading.lo()), ..*own };
+        return RangeOfMotion { heading: Interval::ordered(-own.heading.hi(), -own.heading.lo()), ..*own };
     }
+    let mut info = rig.joints[0];
     info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
     range_in_pose(&info, pose, 0)
 }

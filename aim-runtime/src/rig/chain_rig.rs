@@ -1,5 +1,6 @@
 //! [`ChainRig`] and [`PerJoint`]: a rig with a bounded number of joints, in the form that the solvers use.
 
+use core::array;
 use core::ops::{Deref, DerefMut};
 
 use super::body_part::EXACT_JOINTS;
@@ -31,6 +32,13 @@ impl<'a, const C: usize> ChainRig<'a, C> {
     #[inline(always)]
     pub(crate) fn array<T: Copy>(&self, value: T) -> PerJoint<T, C> {
         PerJoint { values: [value; C], count: self.count() }
+    }
+
+    /// Returns the value of `of` for every joint's index. `filler` is for indices without a joint.
+    #[inline(always)]
+    pub(crate) fn array_of<T: Copy>(&self, filler: T, of: impl Fn(usize) -> T) -> PerJoint<T, C> {
+        let count = self.count();
+        PerJoint { values: array::from_fn(|index| if index < count { of(index) } else { filler }), count }
     }
 
     /// Returns the values of a slice with one for every joint. `filler` is for indices without a joint.

@@ -310,7 +310,7 @@ impl Memory {
     pub(crate) fn extra_turn(&self) -> [f32; 2] {
         let [a, b, c] = self.searched.map(u32::from);
         // Stored data may be arbitrary.
-        [a << 16 | b, c << 16 | u32::from(self.turn)]
+        [b << 16 | a, u32::from(self.turn) << 16 | c]
             .map(f32::from_bits)
             .map(|turn| if turn.abs() < PI { turn } else { 0.0 })
     }
@@ -318,7 +318,7 @@ impl Memory {
     #[cfg_attr(not(aim_small), inline(always))]
     #[expect(clippy::cast_possible_truncation, reason = "halves are meant")]
     pub(crate) fn set_extra_turn(&mut self, turn: [f32; 2]) {
-        let [[a, b], [c, d]] = turn.map(f32::to_bits).map(|bits| [(bits >> 16) as u16, bits as u16]);
+        let [[a, b], [c, d]] = turn.map(f32::to_bits).map(|bits| [bits as u16, (bits >> 16) as u16]);
         (self.searched, self.turn) = ([a, b, c], d);
     }
 

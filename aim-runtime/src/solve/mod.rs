@@ -34,7 +34,7 @@ use crate::limits::motion::find_motions;
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, HeadGoal, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
-use crate::target::goal::{Goal, Movement, Scene};
+use crate::target::goal::{Goal, Movement, Scene, Seen};
 use crate::{Behind, Description, Joint, JointInfo, Outcome, Rig, Role, Settings, Solver};
 
 /// Serves a frame that needs no search: moves `state` and writes the joints' corrections. Returns `None`, with nothing
@@ -79,12 +79,10 @@ pub(crate) fn solve<const C: usize>(
     call: &Call<'_>,
     corrections: &mut [Quat],
 ) -> Outcome {
-    // Filled with joint 0's declared ranges, because a constant would be copied twice.
-    let mut motions = rig.array(rig.lanes[0].motion(0));
-    find_motions(rig, pose, &mut motions);
+    let mut motions = find_motions(rig, pose);
     let mut joints = rig.array_from(state.joints, Joint::REST);
-    let mut memory = *state.memory;
-    let output = SolveOutput { joints: &mut joints, memory: &mut memory, corrections, solution: None };
+    let before = *state.memory;
+    let output = SolveOutput { joints: &mut joints, memory: state.memory, corrections, solution: None };
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),
         None => {
@@ -92,14 +90,13 @@ pub(crate) fn solve<const C: usize>(
             solve_chain(rig, pose, &motions, call, output)
         }
     };
+    if outcome.is_some() && call.dt != Some(0.0) {
+        joints.copy_to(state.joints);
+    } else {
+        *state.memory = before;
+    }
     match outcome {
-        Some(outcome) => {
-            if call.dt != Some(0.0) {
-                joints.copy_to(state.joints);
-                *state.memory = memory;
-            }
-            outcome
-        }
+        Some(outcome) => outcome,
         None => {
             let about = upright_axis(pose, solver(rig, call.settings));
             let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
@@ -252,11 +249,8 @@ fn snap_joints<const C: usize>(
     let solver = solver(rig, settings);
     let about = upright_axis(pose, solver);
     let tolerance = settings.effective_tolerance();
-    // Keep only the side from the memory: a snap should depend on the past as little as possible.
-    let mut before = *memory;
-    before.behind = false;
     let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
-    let goal = goal(rig, &chain, pose, motions, call, &before)?;
+    let goal = goal(rig, &chain, pose, motions, call, memory)?;
     // A target on the animated effector has no direction, even if the joints could give it one.
     chain.animated_gaze().angle_to(goal.aim_point)?;
     joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
@@ -311,5 +305,5 @@ fn goal<const C: usize>(
         bearings: None,
         has_two_eyes: pose.other_eye.is_some(),
     };
-    Goal::new(&scene, call.target_ps.into(), call.settings, memory)
+    Goal::new(&scene, call.target_ps.into(), call.settings, Seen::of(memory, call.dt.is_some()))
 }

@@ -77,7 +77,7 @@ impl Front {
 
     /// Returns `true` if the policy for targets behind applies: the joints' total turn `span` cannot reach behind the
     /// character, neither round the side nor over the head.
-    pub(crate) fn is_guarded(&self, span: &Span) -> bool {
+    pub(crate) fn is_guarded(self, span: &Span) -> bool {
         let gaze_rad = trig::atan2(self.gaze.dot(self.left), self.gaze.dot(self.forward));
         let [right_rad, left_rad] = span.heading;
         let around = left_rad + gaze_rad >= BEHIND_RAD || right_rad + gaze_rad <= -BEHIND_RAD;
@@ -86,20 +86,20 @@ impl Front {
     }
 
     /// Returns the distance of a point and its unit direction along forward, left, up; `None` if it has no direction.
-    fn distance_and_direction(&self, target: Vec3A) -> Option<(f32, [f32; 3])> {
+    fn distance_and_direction(self, target: Vec3A) -> Option<(f32, [f32; 3])> {
         let to_target = target - self.origin;
         let toward = math::direction(to_target)?;
         let direction = [toward.dot(self.forward), toward.dot(self.left), toward.dot(self.up)];
         Some((to_target.length(), direction))
     }
 
-    fn point(&self, distance: f32, [forward, left, up]: [f32; 3]) -> Vec3A {
+    fn point(self, distance: f32, [forward, left, up]: [f32; 3]) -> Vec3A {
         self.origin + (self.forward * forward + self.left * left + self.up * up) * distance
     }
 
     /// Returns the side of `target`. Near the middle of the back, keeps the side `before`.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(crate) fn side(&self, target: Vec3A, before: Side) -> Side {
+    pub(crate) fn side(self, target: Vec3A, before: Side) -> Side {
         let to_target = target - self.origin;
         let (forward, left) = (to_target.dot(self.forward), to_target.dot(self.left));
         let (sin, cos) = SIDE_HYSTERESIS_SIN_COS;
@@ -109,7 +109,7 @@ impl Front {
 
     /// Returns `target` if it lies on `side` or in front. A target behind that is held on the opposite side is moved
     /// just across the middle.
-    pub(crate) fn on_side(&self, target: Vec3A, side: Side) -> Vec3A {
+    pub(crate) fn on_side(self, target: Vec3A, side: Side) -> Vec3A {
         match self.distance_and_direction(target) {
             Some((distance, [forward, left, up])) if forward < 0.0 && left * side.sign() <= 0.0 => {
                 self.point(distance, [forward, 1e-3 * side.sign(), up])
@@ -119,14 +119,14 @@ impl Front {
     }
 
     /// Returns `true` if `target` is behind. `before` tells whether it was behind in the last frame.
-    pub(crate) fn is_behind(&self, target: Vec3A, before: bool) -> bool {
+    pub(crate) fn is_behind(self, target: Vec3A, before: bool) -> bool {
         let edge = if before { COS_STILL_BACK } else { COS_BACK };
         self.distance_and_direction(target).is_some_and(|(_, [forward, ..])| forward < -edge)
     }
 
     /// Moves a `target` inside the cone behind the character to the cone's edge on `side`, keeping distance and height.
     /// Returns any other target unchanged.
-    pub(crate) fn clip(&self, target: Vec3A, side: Side) -> Vec3A {
+    pub(crate) fn clip(self, target: Vec3A, side: Side) -> Vec3A {
         match self.distance_and_direction(target) {
             Some((distance, [forward, _, up])) if forward < -COS_BACK => {
                 let left = side.sign() * math::sqrt(1.0 - COS_BACK * COS_BACK - up * up);
@@ -137,13 +137,13 @@ impl Front {
     }
 
     /// Returns `true` if `target` is not in front of the plane.
-    pub(crate) fn is_off_plane(&self, target: Vec3A) -> bool {
+    pub(crate) fn is_off_plane(self, target: Vec3A) -> bool {
         self.distance_and_direction(target).is_some_and(|(_, direction)| direction[0] < COS_PLANE * level(direction))
     }
 
     /// Moves `target` along forward to the plane in front, keeping its distance and elevation. Returns it unchanged if
     /// it is in front of the plane, or straight above or below.
-    pub(crate) fn clip_to_plane(&self, target: Vec3A) -> Vec3A {
+    pub(crate) fn clip_to_plane(self, target: Vec3A) -> Vec3A {
         let Some((distance, direction)) = self.distance_and_direction(target) else { return target };
         let ([forward, left, up], level) = (direction, level(direction));
         let forward = forward.max(COS_PLANE * level);

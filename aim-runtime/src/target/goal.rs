@@ -37,7 +37,23 @@ pub(crate) enum Movement {
     Rest,
 }
 
+/// What is remembered of the last target.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    pub(crate) side: Side,
+    pub(crate) behind: bool,
+}
+
+impl Seen {
+    /// Returns what a call considers. A snap keeps only the side: it should depend on the past as little as possible.
+    #[inline(always)]
+    pub(crate) fn of(memory: &Memory, is_frame: bool) -> Self {
+        Self { side: memory.side, behind: memory.behind && is_frame }
+    }
+}
+
 /// The animated pose from which a target is seen, and the rig's limits.
+#[derive(Clone, Copy)]
 pub(crate) struct Scene<'a> {
     pub(crate) space: Space,
     /// The animated effector.
@@ -57,7 +73,7 @@ pub(crate) struct Scene<'a> {
 impl Scene<'_> {
     /// Returns the total turn that the joints from `first` inward allow.
     #[cold]
-    fn span(&self) -> Span {
+    fn span(self) -> Span {
         let motions = &self.motions[self.first..];
         match self.bearings {
             Some(_) => Span::of_budgets(self.rig, &self.rig.joints[self.first..], motions),
@@ -67,14 +83,14 @@ impl Scene<'_> {
 }
 
 impl Goal {
-    /// Creates the goal for a target in the pose's space. `before` is the memory of the last frame. The weight scales
-    /// the way from the animated gaze to the target; at weight 0 the goal is the animation, whatever the target. `None`
-    /// if the target is not finite.
+    /// Creates the goal for a target in the pose's space. `before` is what is remembered of the last target. The weight
+    /// scales the way from the animated gaze to the target; at weight 0 the goal is the animation, whatever the target.
+    /// `None` if the target is not finite.
     #[inline(always)]
-    pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: &Memory) -> Option<Self> {
+    pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: Seen) -> Option<Self> {
         let weight = settings.effective_weight();
         let mut goal = if weight == 0.0 {
-            Self::animation(scene.gaze, before)
+            Self::animation(scene.gaze, before.side)
         } else {
             Self::for_target(scene, scene.space.to_solver(target_ps)?, settings, before)
         };
@@ -85,7 +101,7 @@ impl Goal {
     }
 
     #[inline(always)]
-    fn for_target(scene: &Scene<'_>, target: Vec3A, settings: &Settings, before: &Memory) -> Self {
+    fn for_target(scene: &Scene<'_>, target: Vec3A, settings: &Settings, before: Seen) -> Self {
         let &Scene { gaze, ref front, bearings, .. } = scene;
         let side = front.side(target, before.side);
         let weight = settings.effective_weight();
@@ -102,12 +118,11 @@ impl Goal {
             }
             None => part_way(front, gaze, front.on_side(target, side), weight, side),
         };
-        let behind = match settings.behind {
-            Behind::Off => false,
+        let is_seen_behind = || match settings.behind {
             Behind::Plane => front.is_off_plane(measured_point),
-            Behind::Clip | Behind::Hold | Behind::Release => front.is_behind(measured_point, before.behind),
+            _ => front.is_behind(measured_point, before.behind),
         };
-        let behind = behind && front.is_guarded(&scene.span());
+        let behind = settings.behind != Behind::Off && is_seen_behind() && front.is_guarded(&scene.span());
         let (movement, aim_point) = match settings.behind {
             Behind::Hold if behind => (Movement::Stay, measured_point),
             Behind::Release if behind => (Movement::Rest, measured_point),
@@ -119,16 +134,16 @@ impl Goal {
     }
 
     /// Returns the goal for weight 0: the animated gaze itself.
-    #[cold]
-    fn animation(gaze: Ray, before: &Memory) -> Self {
+    #[inline(always)]
+    fn animation(gaze: Ray, side: Side) -> Self {
         // Far enough away that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
-        Self { measured_point: ahead, aim_point: ahead, movement: Movement::Rest, behind: false, side: before.side }
+        Self { measured_point: ahead, aim_point: ahead, movement: Movement::Rest, behind: false, side }
     }
 
     /// Moves the goal's points away from the effector by the reciprocal of the weight, so that two eyes converge
     /// proportionally less.
-    #[cold]
+    #[inline(always)]
     fn receding(self, gaze: Ray, weight: f32) -> Self {
         let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);

@@ -78,6 +78,9 @@ pub(super) struct Allotment<const C: usize> {
     pub(super) fit: Fit,
 }
 
+/// The directions of the regions' outermost joints, and the remainder of a gaze shift that does not fit.
+pub(super) type Shared<const C: usize> = (PerJoint<Pair, C>, Pair);
+
 /// The result of fitting a target's heading and elevation into ranges and budgets.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fit {
@@ -125,19 +128,20 @@ impl<const C: usize> Gaze<'_, C> {
         Some(GazeShift { from, to, shift, own })
     }
 
-    /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest, or the target is out
-    /// of reach. Otherwise returns `None`, and [`settle`](Self::settle) has to iterate.
+    /// Returns the allotment in the plain cases: the leading joint can certainly cover the rest and could so before,
+    /// when the regions covered nothing beyond their part (`extra`), or the target is out of reach. Otherwise returns
+    /// the result of [`share`](Self::share) without `extra`, from which [`settle`](Self::settle) has to iterate.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn allot(&self, gaze_shift: &GazeShift) -> Option<Allotment<C>> {
+    pub(super) fn allot(&self, gaze_shift: &GazeShift, extra: Pair) -> Result<Allotment<C>, Shared<C>> {
         let (directions, unfit) = self.share(gaze_shift, Vec4::ZERO);
         let head = self.count() - 1;
         let is_level = gaze_shift.to.y.abs().at_least(directions[head].y.abs()) < STEEP_RAD;
         let nothing = if is_level { OUT_OF_REACH_RAD } else { STEEP_OUT_OF_REACH_RAD };
         if square(unfit) > nothing * nothing {
-            return Some(self.out_of_reach(gaze_shift, directions, unfit));
+            return Ok(self.out_of_reach(gaze_shift, directions, unfit));
         }
-        if !is_level || !self.body.deviation.is_rigid() {
-            return None;
+        if !is_level || square(extra) != 0.0 || !self.body.deviation.is_rigid() {
+            return Err((directions, unfit));
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;
         let own = &self.ranges[self.body.first()];
@@ -150,7 +154,10 @@ impl<const C: usize> Gaze<'_, C> {
         // NaN or infinite if an angle cannot move.
         let used = rest / Vec4::select(rest.cmpgt(Vec4::ZERO), hi, lo);
         let is_plain = square(used) < PLAIN_PART * PLAIN_PART;
-        is_plain.then_some(Allotment { directions, point: self.goal.aim_point, fit: Fit::WITHIN_REACH })
+        if !is_plain {
+            return Err((directions, unfit));
+        }
+        Ok(Allotment { directions, point: self.goal.aim_point, fit: Fit::WITHIN_REACH })
     }
 
     /// Returns the allotment for a target out of reach. To the side, the gaze keeps the target's elevation; too high or
@@ -177,29 +184,39 @@ impl<const C: usize> Gaze<'_, C> {
         posture: &mut Posture<'_, C>,
         extra: &mut Pair,
     ) -> Option<Allotment<C>> {
-        if let Some(allotment) = self.allot(&gaze_shift) {
-            let sight = self.turn_joints(allotment.aims(), from, None, posture)?;
-            if sight.is_within() || !allotment.fit.within_reach {
-                return Some(allotment);
+        let shared = match self.allot(&gaze_shift, *extra) {
+            Ok(allotment) => {
+                let sight = self.turn_joints(allotment.aims(), from, None, posture)?;
+                if sight.is_within() || !allotment.fit.within_reach {
+                    self.settle_eye(&sight, from, posture);
+                    return Some(allotment);
+                }
+                (allotment.directions, Vec4::ZERO)
             }
-        }
-        let allotment = self.iterate_allotment(&gaze_shift, from, posture, (extra, ROUNDS))?;
-        self.turn_joints(allotment.aims(), from, None, posture)?;
+            Err(shared) => shared,
+        };
+        let allotment = self.iterate_allotment(&gaze_shift, shared, from, posture, (extra, ROUNDS))?;
+        let sight = self.turn_joints(allotment.aims(), from, None, posture)?;
+        self.settle_eye(&sight, from, posture);
         Some(allotment)
     }
 
     /// Finds the allotment by iteration, where it is not plain: in each of at most `rounds` rounds, adjusts `extra`
-    /// until the leading joint can just cover the rest.
+    /// until the leading joint can just cover the rest. `shared` is the result of [`share`](Self::share) without it.
     pub(super) fn iterate_allotment(
         &self,
         gaze_shift: &GazeShift,
+        shared: Shared<C>,
         from: &PerJoint<Joint, C>,
         posture: &mut Posture<'_, C>,
         (extra, rounds): (&mut Pair, usize),
     ) -> Option<Allotment<C>> {
         let own = &self.ranges[self.body.first()];
         let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
-        let mut directions = self.share_again(gaze_shift, *extra).0;
+        let (mut directions, unfit) = shared;
+        if square(*extra) != 0.0 {
+            directions = self.share_again(gaze_shift, *extra).0;
+        }
         for round in 0..rounds {
             let sight = self.turn_joints(Aims::At(&directions, self.goal.aim_point), from, None, posture)?;
             let left = sight.excess();
@@ -216,7 +233,14 @@ impl<const C: usize> Gaze<'_, C> {
             if SightAngles::is_negligible(off) {
                 break;
             }
-            if round > 0 && !(square(off) < GAIN * GAIN * square(before)) {
+            // Where something does not fit without `extra`, the regions are at their limits and turn no further.
+            let gains = if round > 0 {
+                square(off) < GAIN * GAIN * square(before)
+            } else {
+                let ends = off.cmpeq(Vec4::ZERO) | (unfit * off.signum()).cmpgt(Vec4::splat(OUT_OF_REACH_RAD));
+                square(*extra) != 0.0 || ends.bitmask() & 3 != 3
+            };
+            if !gains {
                 if SightAngles::is_negligible(left) {
                     *extra = Vec4::ZERO;
                     break;
@@ -236,14 +260,14 @@ impl<const C: usize> Gaze<'_, C> {
 
     /// [`share`](Self::share), compiled once for the callers that are rarely reached.
     #[inline(never)]
-    fn share_again(&self, gaze_shift: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
+    fn share_again(&self, gaze_shift: &GazeShift, extra: Pair) -> Shared<C> {
         self.share(gaze_shift, extra)
     }
 
     /// Shares a gaze shift out between the regions, which cover its `own` part and `extra` on top. Returns the resulting
     /// directions of the regions' outermost joints, and the remainder of the shift that does not fit.
     #[cfg_attr(not(aim_small), inline(always))]
-    fn share(&self, &GazeShift { to, shift, own, .. }: &GazeShift, extra: Pair) -> (PerJoint<Pair, C>, Pair) {
+    fn share(&self, &GazeShift { to, shift, own, .. }: &GazeShift, extra: Pair) -> Shared<C> {
         let mut directions = self.rig.array(Vec4::ZERO);
         let (mut lo, mut hi, mut wanted) = (Vec4::ZERO, Vec4::ZERO, own);
         if self.has_eye() {

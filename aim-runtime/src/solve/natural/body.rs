@@ -209,6 +209,13 @@ impl<'a, const C: usize> Body<'a, C> {
         self.frames[joint] * turn.undo(self.rows[joint] * direction)
     }
 
+    /// [`undo_turn`](Self::undo_turn) for several directions: multiplies them by Fᵀ, then by F·Rᵀ.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn undoing(&self, joint: usize, turn: &Turn) -> impl Fn(Vec3A) -> Vec3A {
+        let (rows, undone) = (self.rows[joint], turn.undone(&self.frames[joint]));
+        move |direction| undone * (rows * direction)
+    }
+
     /// Undoes a joint's turn on a point.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn undo_turn_at(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
@@ -244,6 +251,14 @@ impl Turn {
         Vec3A::new(level * cos_p + up * sin_p, left * cos_h - ahead * sin_h, up * cos_p - level * sin_p)
     }
 
+    /// Returns the frame (f, l, u) times the inverse of the turn, F·Rᵀ.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn undone(&self, &Mat3A { x_axis: forward, y_axis: left, z_axis: up }: &Mat3A) -> Mat3A {
+        let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
+        let level = forward * cos_p - up * sin_p;
+        Mat3A::from_cols(level * cos_h - left * sin_h, level * sin_h + left * cos_h, forward * sin_p + up * cos_p)
+    }
+
     /// Turns the frame (f, l, u).
     pub(super) fn of_frame(&self, frame: &Mat3A) -> Mat3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
@@ -256,5 +271,5 @@ impl Turn {
 /// Returns a joint's angles as a pair.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn angles(joint: &crate::Joint) -> Pair {
-    Vec4::new(joint.heading, joint.pitch, 0.0, 0.0)
+    Vec4::new(joint.heading, joint.pitch, joint.heading, joint.pitch)
 }

@@ -26,8 +26,6 @@ mod sharing;
 mod sight;
 mod turning;
 
-use core::f32::consts::PI;
-
 use glam::{Quat, Vec3A, Vec4};
 
 use self::allot::{FRAME_ROUNDS, Fit, ROUNDS};
@@ -50,7 +48,7 @@ use crate::math::Bounded;
 use crate::math::trig;
 use crate::rig::{BodyPart, ChainRig, EXACT_JOINTS, HeadGoal, MOST_PARTS, Memory, PerJoint, PoseSlices, Support};
 use crate::target::behind::Front;
-use crate::target::goal::{Goal, Movement, Scene};
+use crate::target::goal::{Goal, Movement, Scene, Seen};
 use crate::{Joint, Outcome, Role, Settings, math};
 
 /// Difference of angles that counts as rounding, radians.
@@ -75,12 +73,13 @@ pub(super) fn aim<const C: usize>(
     let settings = call.settings;
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
+    let skewed;
     let chain = if body.deviation.is_rigid() {
         None
     } else {
-        let chain = Chain::new(rig, pose.joints, settings.effector, about)?;
-        body.set_gaze(chain.animated_gaze())?;
-        Some(chain)
+        skewed = Chain::new(rig, pose.joints, settings.effector, about)?;
+        body.set_gaze(skewed.animated_gaze())?;
+        Some(&skewed)
     };
     let bearings = Bearings::of_trunk(&body.trunk, about, body.turns_round());
     let scene = Scene {
@@ -93,12 +92,9 @@ pub(super) fn aim<const C: usize>(
         bearings: Some(&bearings),
         has_two_eyes: pose.other_eye.is_some(),
     };
-    let mut before = *memory;
-    // A snap keeps only the side from the memory: it should depend on the past as little as possible.
-    before.behind &= call.dt.is_some();
-    let goal = Goal::new(&scene, call.target_ps.into(), settings, &before)?;
+    let goal = Goal::new(&scene, call.target_ps.into(), settings, Seen::of(memory, call.dt.is_some()))?;
     let first = body.first();
-    let has_eye = rig.joints[first].role == Role::Eye && first + 1 < body.count();
+    let has_eye = C == EXACT_JOINTS || rig.joints[first].role == Role::Eye && first + 1 < body.count();
     let mut own_parts = None;
     let parts = if C == EXACT_JOINTS {
         &rig.parts[..C - 1]
@@ -109,10 +105,8 @@ pub(super) fn aim<const C: usize>(
         let count = BodyPart::find(rig.joints, first, &rig.budgets, parts);
         &parts[..count]
     };
-    let mut ranges = rig.array(Range::REST);
-    for (range, motion) in ranges.iter_mut().zip(motions.get(..rig.count())?) {
-        *range = Range::new(motion, rig.has_fixed_ranges);
-    }
+    let motions = motions.get(..rig.count())?;
+    let ranges = rig.array_of(Range::REST, |index| Range::new(&motions[index], rig.has_fixed_ranges));
     let mut regions = rig.array(Region::of_part(parts.first()?));
     find_regions(&body, parts, &ranges, &bearings, &mut regions);
     let count = parts.len();
@@ -128,7 +122,7 @@ pub(super) fn aim<const C: usize>(
     let gaze = Gaze {
         rig,
         body: &body,
-        chain: chain.as_ref(),
+        chain,
         ranges: &ranges,
         goal: &goal,
         sharing,
@@ -138,7 +132,7 @@ pub(super) fn aim<const C: usize>(
         regions: &regions,
         count,
         has_eye,
-        glance,
+        glance: &glance,
         customary,
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
@@ -163,7 +157,7 @@ pub(super) fn aim<const C: usize>(
     let well_within = least.cmpgt(Vec4::splat(AT_LIMIT_RAD)).bitmask() & 3 == 3;
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
-    let outcome = task.finish(joints, memory, |_| match &chain {
+    let outcome = task.finish(joints, memory, |_| match chain {
         Some(chain) => chain.gaze(corrections).angle_to(goal.measured_point).map(Measured::of_angle),
         None if body.deviation.is_negligible() => body.measure(measured_point, &leading),
         // Undoing a rotation in skewed axes is inexact by the skew, so use true kinematics.
@@ -181,7 +175,6 @@ pub(super) fn aim<const C: usize>(
 
 /// The animation's turn of the leading eye out of the bind pose, times the weight. Where the animation looks is replaced
 /// by the target, so it must not move the head.
-#[derive(Clone, Copy)]
 struct Glance {
     /// The eye's heading and pitch.
     turn: Pair,
@@ -209,11 +202,10 @@ impl Glance {
     }
 }
 
-/// Returns a hash of weight and attention, to detect their changes: all their bits folded into eight.
+/// Returns a hash of weight and attention, to detect their changes: the upper eight bits of a product.
 fn fade_of(settings: &Settings) -> u8 {
     let bits = settings.weight.to_bits() ^ settings.attention.to_bits().rotate_left(4);
-    let halves = bits ^ bits >> 16;
-    (halves ^ halves >> 8).to_le_bytes()[0]
+    bits.wrapping_mul(0x9e37_79b1).to_be_bytes()[0]
 }
 
 /// The joints' turns in a call, assigned from the root outward.
@@ -243,8 +235,6 @@ impl<const C: usize> Posture<'_, C> {
 /// The inputs and the results of one frame's movement.
 struct Motion<'a, const C: usize> {
     memory: &'a mut Memory,
-    /// The movement of the head's goal so far; the default in the first frame.
-    head_goal: HeadGoal,
     /// `true` in the first frame of a natural gaze.
     is_first: bool,
     /// The angles that each joint can reach in this frame.
@@ -282,7 +272,7 @@ struct Gaze<'a, const C: usize> {
     chain: Option<&'a Chain<C>>,
     ranges: &'a PerJoint<Range<'a>, C>,
     goal: &'a Goal,
-    sharing: Sharing,
+    sharing: Sharing<'a>,
     /// Time out of reach after which the gaze returns to the animation, seconds.
     patience: f32,
     /// A hash of weight and attention, to detect their changes.
@@ -294,7 +284,7 @@ struct Gaze<'a, const C: usize> {
     count: usize,
     /// See [`has_eye`](Self::has_eye).
     has_eye: bool,
-    glance: Glance,
+    glance: &'a Glance,
     /// The least and the greatest turn of the eye while the regions have room.
     customary: [Pair; 2],
     /// The point from which the target's heading and elevation are measured: the effector, moved back along the gaze to
@@ -331,16 +321,14 @@ impl<'a, const C: usize> Gaze<'a, C> {
         dt: f32,
     ) -> Option<Fit> {
         let rig = self.rig;
-        let mut reaches = rig.array(Range::REST);
-        for (index, reach) in reaches.iter_mut().enumerate() {
-            let (joint, info) = (&mut posture.joints[index], &self.body.infos()[index]);
-            // A NaN or negative rate does not move.
-            let step = (info.rate * dt).at_least(0.0).at_most(PI);
-            *reach = self.ranges[index].within(angles(joint), step);
-            if index < self.body.first() {
-                *joint = at(joint, reach.towards_rest(angles(joint), step));
-                joint.set_destination(None);
-            }
+        let infos = self.body.infos();
+        // A NaN or negative rate does not move.
+        let step = |index: usize| (infos[index].rate * dt).at_least(0.0);
+        let within = |index: usize| self.ranges[index].within(angles(&posture.joints[index]), step(index));
+        let reaches = rig.array_of(Range::REST, within);
+        for (index, joint) in posture.joints[..self.body.first()].iter_mut().enumerate() {
+            *joint = at(joint, reaches[index].towards_rest(angles(joint), step(index)));
+            joint.set_destination(None);
         }
         if !(dt > LEAST_S) {
             if dt > 0.0 {
@@ -356,9 +344,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
             return Some(self.fit_of_target(fit));
         }
         let is_first = memory.support == Support::None;
-        let head_goal = if is_first { HeadGoal::default() } else { memory.head_goal() };
         if is_first {
             memory.blocked_s = 0.0;
+            memory.set_head_goal(HeadGoal::default());
             for joint in from.iter_mut() {
                 joint.velocity = [0.0; 2];
                 joint.set_destination(None);
@@ -369,7 +357,6 @@ impl<'a, const C: usize> Gaze<'a, C> {
         memory.caution = self.fade;
         let mut motion = Motion {
             memory,
-            head_goal,
             is_first,
             reaches: &reaches,
             dt,
@@ -395,8 +382,6 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if motion.memory.support == Support::None {
             motion.memory.support = Support::Rests;
         }
-        let head_goal = motion.head_goal;
-        memory.set_head_goal(head_goal);
         Some(fit)
     }
 
@@ -433,15 +418,17 @@ impl<'a, const C: usize> Gaze<'a, C> {
         }
         let gaze_shift = self.gaze_shift()?;
         let mut extra = pair(motion.memory.extra_turn());
-        let plain = self.allot(&gaze_shift).filter(|plain| square(extra) == 0.0 || !plain.fit.within_reach);
-        let is_plain = plain.is_some();
+        let plain = self.allot(&gaze_shift, extra);
+        let is_plain = plain.is_ok();
         let allotment = match plain {
-            Some(allotment) => allotment,
-            None if self.has_eye() => self.iterate_allotment(&gaze_shift, from, posture, (&mut extra, FRAME_ROUNDS))?,
-            None => {
+            Ok(allotment) => allotment,
+            Err(shared) if self.has_eye() => {
+                self.iterate_allotment(&gaze_shift, shared, from, posture, (&mut extra, FRAME_ROUNDS))?
+            }
+            Err(shared) => {
                 // Near the zenith, a head lacks only heading, and `extra` would accumulate it from frame to frame.
                 let mut made = Vec4::ZERO;
-                let allotment = self.iterate_allotment(&gaze_shift, from, posture, (&mut made, ROUNDS))?;
+                let allotment = self.iterate_allotment(&gaze_shift, shared, from, posture, (&mut made, ROUNDS))?;
                 // If nothing helps, keep the last value, so that the next frame does not take the plain path.
                 extra = if allotment.fit.within_reach || square(made) > 0.0 { made } else { extra };
                 allotment
@@ -472,7 +459,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.has_eye()
             && motion.arrived
             && sight.is_within()
-            && sight.eccentricity(self.glance.turn) < self.sharing.release
+            && sight.eccentricity(self.glance.turn) < self.sharing.release()
         {
             motion.memory.support = Support::Rests;
         }
@@ -481,7 +468,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
     /// Decides whether the regions take part. If they have rested so far, returns the eye's view of the goal.
     #[cfg_attr(not(aim_small), inline(always))]
     fn engage(&self, joints: &[Joint], motion: &mut Motion<'_, C>) -> Option<Option<SightAngles>> {
-        let (memory, delay) = (&mut *motion.memory, self.sharing.delay);
+        let (memory, delay) = (&mut *motion.memory, self.sharing.delay());
         if !self.has_eye() {
             memory.support = Support::Shares;
             return Some(None);
@@ -491,7 +478,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
             let now = self.sight_angles_at(joints, self.goal.aim_point)?;
             let engages = memory.support == Support::None
                 || !now.is_within()
-                || now.eccentricity(self.glance.turn) > self.sharing.engage;
+                || now.eccentricity(self.glance.turn) > self.sharing.engage();
             (memory.support, memory.wait_s) = (if engages { Support::Waits } else { Support::Rests }, delay);
             sight = Some(now);
         }
@@ -532,7 +519,7 @@ impl<'a, const C: usize> Gaze<'a, C> {
         if self.goal.movement == Movement::Aim {
             let sight = self.sight_angles_at(&found, self.goal.aim_point)?;
             after.support = Support::Rests;
-            if self.has_eye() && sight.is_within() && sight.eccentricity(self.glance.turn) <= self.sharing.engage {
+            if self.has_eye() && sight.is_within() && sight.eccentricity(self.glance.turn) <= self.sharing.engage() {
                 found[first] = at(&found[first], sight.clamped);
             } else {
                 let mut extra = Vec4::ZERO;

@@ -36,6 +36,13 @@ impl<'a> Range<'a> {
         several[1..].iter().fold([several[0].lo, several[0].hi], |[lo, hi], own| [lo + own.lo, hi + own.hi])
     }
 
+    /// Returns the shift of the middle of one or more joints' ranges by the pose; 0 if they are infinite.
+    pub(super) fn shift(several: &[Self]) -> Pair {
+        let [lo, hi] = Self::sums(several);
+        let middle = (lo + hi) * 0.5;
+        Vec4::select(middle.abs().cmplt(Vec4::INFINITY), middle, Vec4::ZERO)
+    }
+
     /// Returns the part of the range within `step` of either angle; if there is none, the reachable angle nearest to
     /// it.
     #[cfg_attr(not(aim_small), inline(always))]

@@ -41,9 +41,8 @@ pub(super) struct Region<'a> {
     pub(super) forward: Vec3A,
     /// The heading of `forward`, radians.
     ahead: f32,
-    /// The shifts of the limits by the pose: of the middle of the joints' ranges, if these are finite, and of the
-    /// budget.
-    pub(super) shifts: [Pair; 2],
+    /// The shift of the budget by the pose.
+    pub(super) budget_shift: Pair,
     /// The least turn: the sum of the joints' ranges, limited by the budget in this pose.
     pub(super) lo: Pair,
     /// The greatest turn: the sum of the joints' ranges, limited by the budget in this pose.
@@ -60,7 +59,7 @@ impl<'a> Region<'a> {
             own_forward: Vec3A::ZERO,
             forward: Vec3A::ZERO,
             ahead: 0.0,
-            shifts: [Vec4::ZERO; 2],
+            budget_shift: Vec4::ZERO,
             lo: Vec4::ZERO,
             hi: Vec4::ZERO,
         }
@@ -169,9 +168,7 @@ pub(super) fn find_regions<'a, const C: usize>(
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
         let own = &ranges[outer..inner + 1];
         let [lo, hi] = Range::sums(own);
-        let range_shift = (lo + hi) * 0.5;
-        let has_ends = range_shift.abs().cmplt(Vec4::INFINITY);
-        region.shifts = [Vec4::select(has_ends, range_shift, Vec4::ZERO), -turned];
+        region.budget_shift = -turned;
         let (lo, hi) = (lo.max((part.least - turned).min(Vec4::ZERO)), hi.min((part.most - turned).max(Vec4::ZERO)));
         let is_room = lo.cmple(hi);
         let middle = (lo + hi) * 0.5;

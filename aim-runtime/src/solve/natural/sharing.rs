@@ -15,28 +15,37 @@ pub(super) const EYE_PART: f32 = 0.98;
 const UNCUSTOMARY_PART: f32 = 0.35;
 
 /// The gaze-sharing parameters that apply to a call: declared or overridden, clamped, and scaled by the attention.
-pub(super) struct Sharing {
-    pub(super) eyes_only: f32,
-    pub(super) head_share: f32,
-    pub(super) engage: f32,
-    pub(super) release: f32,
-    pub(super) delay: f32,
+pub(super) struct Sharing<'a> {
+    parameters: &'a GazeSharing,
+    /// The factor on the shifts that the eyes make alone: 1 − attention.
+    left_to_eyes: f32,
+    head_share: f32,
 }
 
-impl Sharing {
-    pub(super) fn new(declared: &GazeSharing, settings: &Settings) -> Self {
+impl<'a> Sharing<'a> {
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn new(declared: &'a GazeSharing, settings: &'a Settings) -> Self {
         // The comparisons return the bound for NaN.
         let attention = settings.attention.at_least(0.0).at_most(1.0);
-        let sharing = settings.sharing.as_ref().unwrap_or(declared);
-        let share = sharing.head_share.at_least(0.0).at_most(1.0);
-        let left_to_eyes = 1.0 - attention;
-        Self {
-            eyes_only: sharing.eyes_only.at_least(0.0) * left_to_eyes,
-            head_share: share + (1.0 - share) * attention,
-            engage: sharing.engage.at_least(0.0) * left_to_eyes,
-            release: sharing.release.at_least(0.0) * left_to_eyes,
-            delay: sharing.delay.at_least(0.0),
-        }
+        let parameters = settings.sharing.as_ref().unwrap_or(declared);
+        let share = parameters.head_share.at_least(0.0).at_most(1.0);
+        Self { parameters, left_to_eyes: 1.0 - attention, head_share: share + (1.0 - share) * attention }
+    }
+
+    fn eyes_only(&self) -> f32 {
+        self.parameters.eyes_only.at_least(0.0) * self.left_to_eyes
+    }
+
+    pub(super) fn engage(&self) -> f32 {
+        self.parameters.engage.at_least(0.0) * self.left_to_eyes
+    }
+
+    pub(super) fn release(&self) -> f32 {
+        self.parameters.release.at_least(0.0) * self.left_to_eyes
+    }
+
+    pub(super) fn delay(&self) -> f32 {
+        self.parameters.delay.at_least(0.0)
     }
 
     /// Returns the least and the greatest turn of an eye while the regions have room: about its rest, a part of its
@@ -44,13 +53,13 @@ impl Sharing {
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn customary_range(&self, eye: &Range<'_>, glance: Pair) -> [Pair; 2] {
         let [lo, hi] = [eye.lo, eye.hi].map(|end| (end + glance) * EYE_PART);
-        let (part, alone) = (1.0 - UNCUSTOMARY_PART * self.head_share, Vec4::splat(self.eyes_only));
+        let (part, alone) = (1.0 - UNCUSTOMARY_PART * self.head_share, Vec4::splat(self.eyes_only()));
         [(lo * part).min(-alone).max(lo) - glance, (hi * part).max(alone).min(hi) - glance]
     }
 
     /// Returns the part of a gaze shift that the regions make: g·max(0, E − D)/E.
     pub(super) fn head_part(&self, shift: f32) -> f32 {
-        let beyond = shift - self.eyes_only;
+        let beyond = shift - self.eyes_only();
         if beyond > 0.0 { self.head_share * beyond / shift } else { 0.0 }
     }
 }

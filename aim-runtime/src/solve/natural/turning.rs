@@ -51,8 +51,8 @@ impl<const C: usize> Gaze<'_, C> {
         self.regions()[number].part.ends::<C>(number)
     }
 
-    /// Turns the joints from the root outward: with `motion`, by one frame's motion; without, to their final angles,
-    /// and without writing corrections. Returns the leading joint's view of its point.
+    /// Turns the joints from the root outward: with `motion`, by one frame's motion; without, all but the eye to their
+    /// final angles, and without writing corrections. Returns the leading joint's view of its point.
     pub(super) fn turn_joints(
         &self,
         aims: Aims<'_>,
@@ -119,11 +119,10 @@ impl<const C: usize> Gaze<'_, C> {
                     } else {
                         self.sight_angles(posture.joints, point, posture.aim_point)?
                     };
-                    let held = self.clamp_straight(&sight, &from[first], posture);
-                    posture.joints[first] = match &motion {
-                        Some(motion) => self.turn_eye(held, &from[first], motion),
-                        None => at(&from[first], held),
-                    };
+                    if let Some(motion) = &motion {
+                        let held = self.clamp_straight(&sight, &from[first], posture);
+                        posture.joints[first] = self.turn_eye(held, &from[first], motion);
+                    }
                 }
             }
             if motion.is_some() {
@@ -181,12 +180,13 @@ impl<const C: usize> Gaze<'_, C> {
                 posture.leading = turn;
                 break;
             }
+            let (place, undo) = (body.places[index], body.undoing(index, &turn));
             for direction in &mut step.directions[number + 1..self.count()] {
-                *direction = body.undo_turn(index, &turn, *direction);
+                *direction = undo(*direction);
             }
-            posture.aim_point = body.undo_turn_at(index, &turn, posture.aim_point);
+            posture.aim_point = place + undo(posture.aim_point - place);
             if !step.is_measured {
-                posture.measured_point = body.undo_turn_at(index, &turn, posture.measured_point);
+                posture.measured_point = place + undo(posture.measured_point - place);
             }
         }
         Some(())
@@ -319,7 +319,7 @@ impl<const C: usize> Gaze<'_, C> {
         let (region, is_head, dt, per_dt) =
             (&self.regions()[number], number + 1 == self.count(), motion.dt, motion.per_dt);
         let [outer, innermost] = self.ends(number);
-        let pace = region.part.pace * motion.head_goal.pace_factor();
+        let pace = region.part.pace * motion.memory.head_goal().pace_factor();
         let &BodyPart { rate, approach, acceleration, .. } = region.part;
         let mut bounds = Bounds { dt, per_dt, pace, rate, approach, acceleration };
         let (before, speed) = (sum(from, [outer, innermost]), pair(from[outer].velocity));
@@ -330,10 +330,9 @@ impl<const C: usize> Gaze<'_, C> {
             goal += goals[index];
         }
         let (mut begins, mut carries) = (Vec4::ZERO, Vec4::ZERO);
-        let mut head_goal = HeadGoal::default();
-        if is_head {
-            head_goal =
-                if motion.is_first { HeadGoal { angles: to_array(before), ..head_goal } } else { motion.head_goal };
+        let mut head_goal = if is_head { motion.memory.head_goal() } else { HeadGoal::default() };
+        if motion.is_first {
+            head_goal.angles = to_array(before);
         }
         if motion.stays {
             glide.speed = speed + pair(head_goal.feed_forward);
@@ -356,11 +355,12 @@ impl<const C: usize> Gaze<'_, C> {
             glide.offset = before - goal;
         }
         let inner = (outer < innermost).then_some(innermost);
-        let shifts = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
-        let limits = RegionLimits::new(RegionLimits::pack([region.lo, region.hi]), region.shifts, shifts, &bounds);
+        let own = &self.ranges[outer..innermost + 1];
+        let shifts = inner.map_or([Vec4::ZERO; 2], |_| [Range::shift(own), region.budget_shift]);
+        let shifts_before = inner.and_then(|inner| Some([from[inner].velocity, from[inner].destination()?]));
+        let limits = RegionLimits::new(RegionLimits::pack([region.lo, region.hi]), shifts, shifts_before, &bounds);
         let separate_limits = || {
-            let own = &self.ranges[outer..innermost + 1];
-            let budget = [region.part.least, region.part.most].map(|end| end + region.shifts[1]);
+            let budget = [region.part.least, region.part.most].map(|end| end + region.budget_shift);
             [RegionLimits::pack(Range::sums(own)), RegionLimits::pack(budget)]
         };
         let next = glide.after(&bounds, begins, carries);
@@ -394,11 +394,11 @@ impl<const C: usize> Gaze<'_, C> {
         joints[outer].velocity = to_array(next.speed);
         joints[outer].set_destination(Some(to_array(next.acceleration)));
         if let Some(inner) = inner {
-            joints[inner].velocity = to_array(region.shifts[0]);
-            joints[inner].set_destination(Some(to_array(region.shifts[1])));
+            joints[inner].velocity = to_array(shifts[0]);
+            joints[inner].set_destination(Some(to_array(shifts[1])));
         }
         if is_head {
-            motion.head_goal = head_goal;
+            motion.memory.set_head_goal(head_goal);
         }
     }
 
@@ -445,6 +445,14 @@ impl<const C: usize> Gaze<'_, C> {
         total - rest
     }
 
+    /// Turns the leading eye to its final angles for a view of its point.
+    pub(super) fn settle_eye(&self, sight: &SightAngles, from: &PerJoint<Joint, C>, posture: &mut Posture<'_, C>) {
+        if self.has_eye() {
+            let eye = &from[self.body.first()];
+            posture.joints[self.body.first()] = at(eye, self.clamp_straight(sight, eye, posture));
+        }
+    }
+
     /// Turns the eye by one frame towards its view of the point. Stores its goal and the velocity of the saccade.
     #[cfg_attr(not(aim_small), inline(always))]
     fn turn_eye(&self, held: Pair, joint: &Joint, motion: &Motion<'_, C>) -> Joint {
@@ -456,7 +464,7 @@ impl<const C: usize> Gaze<'_, C> {
         // Half of the rate is reserved for smooth movement of the goal; faster movement is made up for by a saccade.
         let step = 0.5 * rate * motion.dt;
         let change = if square(change) <= step * step { change } else { Vec4::ZERO };
-        let (offset, speed) = saccade(now + change - held, pair(joint.velocity), motion.dt, rate);
+        let (offset, speed) = saccade(now + change - held, pair(joint.velocity), [motion.dt, motion.per_dt], rate);
         let mut next = with_angles(motion.reaches[first].hold(held + offset));
         next.velocity = to_array(speed);
         next.set_destination(Some(to_array(held)));
