@@ -140,7 +140,7 @@ impl<const C: usize> Gaze<'_, C> {
         if square(unfit) > nothing * nothing {
             return Ok(self.out_of_reach(gaze_shift, directions, unfit));
         }
-        if !is_level || square(extra) != 0.0 || !self.body.deviation.is_rigid() {
+        if !is_level || square(extra) > 0.0 || !self.body.deviation.is_rigid() {
             return Err((directions, unfit));
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;
@@ -214,7 +214,7 @@ impl<const C: usize> Gaze<'_, C> {
         let own = &self.ranges[self.body.first()];
         let (mut before, mut step) = (Vec4::ZERO, Vec4::ZERO);
         let (mut directions, unfit) = shared;
-        if square(*extra) != 0.0 {
+        if square(*extra) > 0.0 {
             directions = self.share_again(gaze_shift, *extra).0;
         }
         for round in 0..rounds {
@@ -238,7 +238,7 @@ impl<const C: usize> Gaze<'_, C> {
                 square(off) < GAIN * GAIN * square(before)
             } else {
                 let ends = off.cmpeq(Vec4::ZERO) | (unfit * off.signum()).cmpgt(Vec4::splat(OUT_OF_REACH_RAD));
-                square(*extra) != 0.0 || ends.bitmask() & 3 != 3
+                square(*extra) > 0.0 || ends.bitmask() & 3 != 3
             };
             if !gains {
                 if SightAngles::is_negligible(left) {
