@@ -40,10 +40,15 @@ pub(crate) fn in_full() -> bool {
     std::env::var_os("AIM_TEST_SCALE").is_some_and(|scale| scale == "full")
 }
 
+/// Returns the factor on the number of cases.
+pub(crate) fn times() -> u64 {
+    setting("AIM_RANDOM_TIMES").unwrap_or(1)
+}
+
 /// Returns the number of cases to run.
 fn scaled(cases: u64) -> u64 {
     let part = if in_full() { cases } else { cases.div_ceil(16) };
-    part * setting("AIM_RANDOM_TIMES").unwrap_or(1)
+    part * times()
 }
 
 /// Result of a test on a recipe.
