@@ -4,7 +4,7 @@
 use crate::common::*;
 use crate::natural::{at, thug};
 use aim_runtime::glam::{Mat3A, Quat, Vec3};
-use aim_runtime::{Joint, Pose, Role, Status};
+use aim_runtime::{Budgets, Joint, Pose, Role, Status};
 
 /// Near the zenith a target's heading is ill-conditioned. The head looks up rather than aside, on whichever side the
 /// target passes, and small movements of the target turn it little.
@@ -140,6 +140,31 @@ fn an_eye_follows_over_the_head() {
             let angle = 60.0 + 3.0 * step as f32;
             let pitch = frame(&mut rig, angle);
             assert!(!(80.0..=125.0).contains(&angle) || pitch > 10.0, "{angle}°: the eye looks up by {pitch}°");
+        }
+    }
+}
+
+/// An animal with its head down, as for grazing, lifts it before it looks far to the side or back. It neither looks
+/// there from under its body nor rolls its head over.
+#[test]
+fn a_head_that_hangs_down_is_lifted_to_look_aside() {
+    for side in [-1.0, 1.0_f32] {
+        for down in [62.0, 70.0, 78.0_f32] {
+            let mut rig = person();
+            rig.budgets = Budgets::QUADRUPED;
+            for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Neck]) {
+                let wide = info.with_role(role).with_heading(-60.0 * DEG, 60.0 * DEG);
+                *info = wide.with_pitch(-14.0 * DEG, 110.0 * DEG).with_upright(1.0);
+            }
+            let mut pose = upright(&rig);
+            for joint in &mut pose {
+                joint.matrix3 = Mat3A::from_rotation_x(-down * DEG) * joint.matrix3;
+            }
+            let target = at(side * 105.0, 10.0);
+            rig.snap(&Pose::new(&pose).with_up(Vec3::Y), target);
+            let [heading, pitch] =
+                [Joint::heading, Joint::pitch].map(|of| rig.joints.iter().map(of).sum::<f32>() / DEG);
+            assert!(side * heading > 60.0 && pitch > 20.0, "{side}, {down}°: {heading}°, {pitch}°");
         }
     }
 }

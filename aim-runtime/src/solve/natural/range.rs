@@ -30,6 +30,11 @@ impl<'a> Range<'a> {
         }
     }
 
+    /// Returns the lower and the upper ends.
+    pub(super) fn ends(&self) -> [Pair; 2] {
+        [self.lo, self.hi]
+    }
+
     /// Returns the sums of the lower and of the upper ends of one or more joints' ranges.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn sums(several: &[Self]) -> [Pair; 2] {

@@ -102,14 +102,15 @@ impl<const C: usize> Gaze<'_, C> {
     #[cold]
     fn iterate_sight(&self, local: Vec3A, joints: &[Joint]) -> Option<Pair> {
         let (first, effector) = (self.body.first(), &self.body.effector);
+        let limits = self.ranges[first].ends();
         if effector.origin == Vec3A::ZERO {
-            return Some(turn_to(effector.direction, math::unit(local)?));
+            return Some(turn_to(effector.direction, math::unit(local)?, limits));
         }
         let from = angles(&joints[first]);
         let (mut held, mut wanted) = (from, from);
         for _ in 0..SIGHT_ROUNDS {
             let origin = Turn::new(held).of_frame(&Mat3A::IDENTITY) * effector.origin;
-            let next = turn_to(effector.direction, math::unit(local - origin)?);
+            let next = turn_to(effector.direction, math::unit(local - origin)?, limits);
             let change = SightAngles { unclamped: next, clamped: wanted }.excess();
             wanted = next;
             held = self.ranges[first].hold_from(from, wanted);
@@ -143,7 +144,8 @@ impl<const C: usize> Gaze<'_, C> {
         let turned = Turn::new(angles(&found[first])).of_frame(&frame);
         let rigid = Ray { origin: at + turned * body.effector.origin, direction: turned * body.effector.direction };
         let seen = chain.rigid_target(point, chain.gaze_of(self.rig, &found), rigid);
-        Some(turn_to(body.effector.direction, math::unit(frame.transpose() * (seen - rigid.origin))?))
+        let local = math::unit(frame.transpose() * (seen - rigid.origin))?;
+        Some(turn_to(body.effector.direction, local, self.ranges[first].ends()))
     }
 
     /// Returns the leading joint's place and frame, as carried by the joints inward of it.
@@ -158,8 +160,10 @@ impl<const C: usize> Gaze<'_, C> {
 }
 
 /// Returns the heading and pitch that turn `from` to `to`, unit vectors along a joint's forward, left and up. Pitch
-/// lifts `from` to the height of `to`, or as near as possible; then heading brings it there.
-pub(super) fn turn_to(from: Vec3A, to: Vec3A) -> Pair {
+/// lifts `from` to the height of `to`, or as near as possible; then heading brings it there. A direction that can be
+/// lifted either way is lifted the way that is within the limits `[lo, hi]` or less far beyond them; if that does not
+/// decide, the way that needs the smaller heading.
+pub(super) fn turn_to(from: Vec3A, to: Vec3A, [lo, hi]: [Pair; 2]) -> Pair {
     /// Forward component below which a direction is so nearly perpendicular to the bone's forward that it can be lifted
     /// either way.
     const ACROSS: f32 = 0.5;
@@ -175,7 +179,8 @@ pub(super) fn turn_to(from: Vec3A, to: Vec3A) -> Pair {
     let angles = turn(if ahead < -ACROSS { -level } else { level });
     if ahead.abs() <= ACROSS {
         let other = turn(-level);
-        if other.x.abs() < angles.x.abs() {
+        let [excess, other_excess] = [angles, other].map(|turn| square(turn - turn.max(lo).min(hi)));
+        if other_excess < excess || other_excess == excess && other.x.abs() < angles.x.abs() {
             return other;
         }
     }

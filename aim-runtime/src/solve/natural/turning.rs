@@ -256,7 +256,9 @@ impl<const C: usize> Gaze<'_, C> {
         let wanted = match (target.lead_point, target.own_angles) {
             (Some(true_point), _) => self.sight(posture.joints, true_point, point)?,
             (None, Some(angles)) => angles,
-            _ if body.is_tilted(outer) => turn_to(region.own_forward, body.rows[outer] * target.direction),
+            _ if body.is_tilted(outer) => {
+                turn_to(region.own_forward, body.rows[outer] * target.direction, self.ranges[outer].ends())
+            }
             _ => heading_and_pitch(body.rows[outer] * target.direction),
         };
         let within = (wanted + inner).max(region.lo).min(region.hi) - inner;
@@ -280,7 +282,7 @@ impl<const C: usize> Gaze<'_, C> {
         let part = region.part;
         let (mut point, mut inner) = (posture.aim_point, Vec4::ZERO);
         let local = body.rows[part.inner] * target.direction;
-        let mut whole = turn_to(region.forward, local);
+        let mut whole = turn_to(region.forward, local, [region.lo, region.hi]);
         // Above 45° a heading means less and less, and the outermost joint, which the others carry up, makes it with a
         // smaller angle.
         whole.x *= (2.0 * (local.x * local.x + local.y * local.y)).at_most(1.0);
