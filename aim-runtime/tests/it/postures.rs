@@ -4,7 +4,7 @@
 use crate::common::*;
 use crate::natural::{at, thug};
 use aim_runtime::glam::{Mat3A, Quat, Vec3};
-use aim_runtime::{Budgets, Joint, Pose, Role, Status};
+use aim_runtime::{Budgets, Joint, LimitsFrom, Pose, Role, Status};
 
 /// Near the zenith a target's heading is ill-conditioned. The head looks up rather than aside, on whichever side the
 /// target passes, and small movements of the target turn it little.
@@ -166,6 +166,35 @@ fn a_head_that_hangs_down_is_lifted_to_look_aside() {
                 [Joint::heading, Joint::pitch].map(|of| rig.joints.iter().map(of).sum::<f32>() / DEG);
             assert!(side * heading > 60.0 && pitch > 20.0, "{side}, {down}°: {heading}°, {pitch}°");
         }
+    }
+}
+
+/// Without a chest, the budget of the head counts from the bind pose, as ranges do: an animal that walks with its head
+/// low looks up as far as one that walks with its head high, and no further.
+#[test]
+fn a_head_without_a_chest_has_its_budget_from_the_bind_pose() {
+    let up_deg = Budgets::QUADRUPED.head.pitch[1] / DEG;
+    for lift in [-35.0, 0.0, 35.0_f32] {
+        let mut rig = person();
+        rig.budgets = Budgets::QUADRUPED;
+        for (info, role) in rig.infos.iter_mut().zip([Role::Head, Role::Neck, Role::Neck]) {
+            let wide = info.with_role(role).with_pitch(-50.0 * DEG, 50.0 * DEG);
+            *info = wide.with_upright(1.0).with_limits_from(LimitsFrom::BindPose);
+        }
+        let bind = upright(&rig);
+        let mut pose = bind.clone();
+        for joint in &mut pose {
+            joint.matrix3 = Mat3A::from_rotation_x(lift * DEG) * joint.matrix3;
+        }
+        let pose = Pose::new(pose).with_bind(bind).with_up(Vec3::Y);
+        let highest = |rig: &mut NumericRig, elevation_deg: f32| {
+            let outcome = rig.snap(&pose, at(0.0, elevation_deg));
+            (outcome.status, lift + rig.joints.iter().map(Joint::pitch).sum::<f32>() / DEG)
+        };
+        let (status, _) = highest(&mut rig, up_deg - 8.0);
+        assert_eq!(status, Status::Reached, "{lift}°");
+        let (_, elevation) = highest(&mut rig, 85.0);
+        assert!((up_deg - 5.0..up_deg + 0.1).contains(&elevation), "{lift}°: {elevation}°");
     }
 }
 

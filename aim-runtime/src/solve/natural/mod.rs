@@ -108,7 +108,7 @@ pub(super) fn aim<const C: usize>(
     let motions = motions.get(..rig.count())?;
     let ranges = rig.array_of(Range::REST, |index| Range::new(&motions[index], rig.has_fixed_ranges));
     let mut regions = rig.array(Region::of_part(parts.first()?));
-    find_regions(&body, parts, &ranges, &bearings, &mut regions);
+    find_regions(&body, pose.bind, parts, &ranges, &bearings, &mut regions);
     let count = parts.len();
     let [turns, _] = parts[count - 1].ends::<C>(count - 1);
     let direction = body.gaze.direction;

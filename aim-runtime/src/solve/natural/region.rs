@@ -2,7 +2,7 @@
 
 use core::f32::consts::PI;
 
-use glam::{Mat3A, Vec3A, Vec4, Vec4Swizzles};
+use glam::{Affine3A, Mat3A, Vec3A, Vec4, Vec4Swizzles};
 
 use super::body::Body;
 use super::glide::{Pair, pair};
@@ -121,10 +121,26 @@ impl<'a> Region<'a> {
     }
 }
 
+/// Returns heading and elevation of a joint's forward in the bind pose, which moves along with the bone that carries the
+/// chain; `None` without a bind pose.
+#[cold]
+#[inline(never)]
+fn bound_angles<const C: usize>(
+    body: &Body<'_, C>,
+    bind: &[Affine3A],
+    outer: usize,
+    bearings: &Bearings,
+) -> Option<Pair> {
+    let forward = bind.get(outer)?.matrix3 * Vec3A::from(body.infos()[outer].axes.forward);
+    let angles = bearings.angles(math::unit(forward)?);
+    angles.is_finite().then_some(angles)
+}
+
 /// Evaluates the regions of a body, one for each of its parts.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn find_regions<'a, const C: usize>(
     body: &Body<'_, C>,
+    bind: Option<&[Affine3A]>,
     parts: &'a [BodyPart],
     ranges: &[Range<'_>],
     bearings: &Bearings,
@@ -154,6 +170,10 @@ pub(super) fn find_regions<'a, const C: usize>(
         }
     }
     let mut inside = regions[0].animated;
+    if let (Some(bind), [head]) = (bind, parts) {
+        let [outer, _] = head.ends::<C>(0);
+        inside = bound_angles(body, bind, outer, bearings).unwrap_or(inside);
+    }
     for (number, region) in regions[..parts.len()].iter_mut().enumerate() {
         let part = region.part;
         let [outer, inner] = part.ends::<C>(number);
@@ -162,7 +182,8 @@ pub(super) fn find_regions<'a, const C: usize>(
         if is_steep {
             animated.x = region.facing(&body.frames[outer], bearings);
         }
-        // The budget also covers the animation's own turn of the region out of the one that carries it.
+        // The budget also covers the animation's own turn of the region out of the one that carries it, or, for a head
+        // without a chest, out of the bind pose.
         let turned = animated - inside;
         inside = animated;
         let turned = Vec4::new(math::wrap_pi(turned.x), turned.y, 0.0, 0.0);
