@@ -101,10 +101,10 @@ pub struct AimChain {
     up: Option<Up>,
 }
 
-/// Lean of the trunk, radians (45°), up to which the standing up direction is used: the character stands, walks or
-/// bends forward.
+/// Lean of the trunk or of the innermost joint, radians (45°), up to which the standing up direction is used: the
+/// character stands, walks, bends forward or sits.
 const STANDS_RAD: f32 = core::f32::consts::FRAC_PI_4;
-/// Lean of the trunk, radians (75°), from which the up direction is fixed to the trunk: the character lies or hangs.
+/// Lean of both, radians (75°), from which the up direction is fixed to the trunk: the character lies or hangs.
 const LIES_RAD: f32 = 5.0 * core::f32::consts::FRAC_PI_6 / 2.0;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -381,9 +381,10 @@ impl AimChain {
 
     /// Sets the up direction of a character that may lie down.
     ///
-    /// `up` is a unit vector in model space, and `trunk` the bone whose lean is measured, the hips. While the trunk
-    /// leans by less than 45° from the bind pose, the up direction is `up`. From 75° on, it is that direction fixed to
-    /// the trunk. In between it changes smoothly from one to the other.
+    /// `up` is a unit vector in model space, and `trunk` the bone whose lean is measured, the hips. While the trunk or
+    /// the innermost joint leans by less than 45° from the bind pose, the up direction is `up`: hips that lean below an
+    /// upright chest belong to a character that sits. If both lean by 75° or more, it is that direction fixed to the
+    /// trunk. In between it changes smoothly from one to the other.
     ///
     /// # Errors
     /// [`AimChainError::Trunk`] if the bone does not exist.
@@ -399,12 +400,18 @@ impl AimChain {
     #[must_use]
     pub fn up(&self, model: &[Affine3A]) -> Option<Vec3> {
         let Up { standing, trunk } = self.up?;
-        let own = trunk.and_then(|trunk| {
+        let up_of = |bone: usize| {
             let frame = |at: &Affine3A| nearest_orthogonal(at.matrix3);
-            Some(frame(model.get(trunk)?)? * (frame(&self.bind[trunk])?.transpose() * Vec3A::from(standing)))
-        });
-        let Some(own) = own else { return Some(standing) };
-        let lean = angle(shortest(standing, own.into()));
+            Some(frame(model.get(bone)?)? * (frame(&self.bind[bone])?.transpose() * Vec3A::from(standing)))
+        };
+        let Some(own) = trunk.and_then(up_of) else { return Some(standing) };
+        let lean_of = |up: Vec3A| angle(shortest(standing, up.into()));
+        let mut lean = lean_of(own);
+        if lean > STANDS_RAD
+            && let Some(carrier) = self.joints.last().and_then(|joint| up_of(*joint))
+        {
+            lean = lean.min(lean_of(carrier));
+        }
         let share = ((lean - STANDS_RAD) / (LIES_RAD - STANDS_RAD)).clamp(0.0, 1.0);
         // Smoothstep, so that the head's velocity does not jump at either threshold.
         let share = share * share * (3.0 - 2.0 * share);

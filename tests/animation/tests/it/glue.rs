@@ -173,6 +173,27 @@ fn who_lies_down_has_an_up_of_its_own() {
     }
 }
 
+/// Hips that lean below an upright chest belong to a character that sits, whose up direction is the model's.
+#[test]
+fn who_sits_does_not_lie() {
+    for (chest_lean_deg, sits) in [(0.0_f64, true), (40.0, true), (80.0, false)] {
+        let mut character = Character::new(Transform::IDENTITY, 0.0);
+        let hips = character.bone("hips");
+        let chain = AimChain::named(&character.skeleton, Hero::RIG).unwrap().with_standing_up(Vec3::Y, hips).unwrap();
+        let chest = *chain.joints().last().unwrap();
+        let at_rest = Quat::from_affine3(&character.model[chest].into());
+        character.local[hips].rotation = Quat::from_rotation_x(-80_f32.to_radians()) * character.local[hips].rotation;
+        character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+        let parent = character.skeleton.parents()[chest].unwrap();
+        let carried = Quat::from_affine3(&character.model[parent].into());
+        let lean = DQuat::from_rotation_x(-chest_lean_deg.to_radians()).as_quat();
+        character.local[chest].rotation = carried.inverse() * lean * at_rest;
+        character.skeleton.to_model(&character.local, &mut character.model).unwrap();
+        let up = chain.up(&character.model).unwrap();
+        assert_eq!(up.abs_diff_eq(Vec3::Y, 1e-6), sits, "{chest_lean_deg}°: {up}");
+    }
+}
+
 /// A given bind pose is equivalent to the same pose at rest.
 #[test]
 fn a_bind_pose_beside_the_rest_pose() {
