@@ -175,6 +175,17 @@ fn people_are_told_from_animals_by_their_trunk() {
     };
     let animal = Character::new(&changed(rotated)).bake(0.2, |_| DVec3::Z);
     assert!(!animal.is_humanoid);
+    // A bird may stand upright.
+    let winged = |json: &mut serde_json::Value| {
+        drop(json.as_object_mut().expect("an object").remove("animations"));
+        for node in json["nodes"].as_array_mut().expect("nodes") {
+            let name = node["name"].as_str().expect("a name").to_owned();
+            if let Some(part) = ["clavicle", "upper_arm", "forearm", "hand"].iter().find(|part| name.contains(**part)) {
+                node["name"] = name.replace(part, &format!("wing_{}", part.len())).into();
+            }
+        }
+    };
+    assert!(!Character::new(&changed(winged)).bake(0.2, |_| DVec3::Z).is_humanoid);
     assert_eq!(Criterion::LimbShift.must(animal.is_humanoid), None);
 }
 

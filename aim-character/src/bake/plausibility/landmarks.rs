@@ -7,6 +7,7 @@ use crate::bake::Plan;
 use crate::measure::arms::name_of;
 use crate::measure::limbs::limbs_on;
 use crate::measure::roles::Role;
+use crate::measure::stance::BodyKind;
 use aim_gltf::Skeleton;
 
 /// Node indices of the judged bones.
@@ -17,7 +18,8 @@ pub(super) struct Landmarks {
     pub(super) chest: Option<usize>,
     /// First bones and hands of the arms on the chest.
     pub(super) limbs: Vec<usize>,
-    /// `true` if the trunk below the head is upright in the bind pose; `false` if head or hips are unknown.
+    /// `true` if the trunk below the head is upright in the bind pose and the body is a human's by its limbs; `false` if
+    /// head or hips are unknown.
     pub(super) is_humanoid: bool,
 }
 
@@ -48,7 +50,8 @@ impl Landmarks {
             // If the hips carry the neck directly, use the direction to the head.
             at(if hips == chest { head } else { chest }) - at(hips)
         });
-        let is_humanoid = trunk.is_some_and(|trunk| trunk.normalize_or_zero().dot(measurement.up) > UPRIGHT);
+        let is_humanoid = measurement.kind == BodyKind::Human
+            && trunk.is_some_and(|trunk| trunk.normalize_or_zero().dot(measurement.up) > UPRIGHT);
         Self { head, chest, limbs, is_humanoid }
     }
 }

@@ -136,7 +136,8 @@ pub struct Appearance {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Plausibility {
-    /// `true` if the trunk below the head is upright in the bind pose. Humanoids have limits of their own.
+    /// `true` if the trunk below the head is upright in the bind pose and the limbs are neither wings nor forelegs.
+    /// Humanoids have limits of their own.
     pub is_humanoid: bool,
     /// Measured quantities of each frame.
     pub frames: Vec<Appearance>,
