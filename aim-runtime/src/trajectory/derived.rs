@@ -46,15 +46,15 @@ pub(super) fn term_gradient<S: crate::Scalar>(
         __v5,
         <S as crate::Scalar>::ZERO,
     );
-    let __v7 = __points[0][0] - __points[1][0];
-    let __v8 = __points[0][1] - __points[1][1];
-    let __v9 = __points[0][2] - __points[1][2];
-    let __v10 = __v6 * (__v0 * __v7 + __v1 * __v8 + __v2 * __v9);
+    let __v7 = __points[0][2] - __points[1][2];
+    let __v8 = __points[0][0] - __points[1][0];
+    let __v9 = __points[0][1] - __points[1][1];
+    let __v10 = __v6 * (__v7 * __v2 + __v8 * __v0 + __v9 * __v1);
     let __v11 = __others[0] - __v10;
     let __v12 = __v6 * __v10;
-    let __v13 = __v7 - __v0 * __v12;
-    let __v14 = __v8 - __v1 * __v12;
-    let __v15 = __v9 - __v2 * __v12;
+    let __v13 = __v8 - __v0 * __v12;
+    let __v14 = __v9 - __v1 * __v12;
+    let __v15 = __v7 - __v2 * __v12;
     let __v16 = __v13 * __v13 + __v14 * __v14 + __v15 * __v15;
     let __v17 = <S as crate::Scalar>::sqrt(__v16);
     let __v18 = __others[1] - __v17;
@@ -67,13 +67,13 @@ pub(super) fn term_gradient<S: crate::Scalar>(
         <S as crate::Scalar>::ZERO,
     );
     let __v22 = __v6 * (<S as crate::Scalar>::constant(2.0) * __v11 - __v10 * __v21);
-    let __v23 = __v7 * __v21 + __v0 * __v22;
+    let __v23 = __v8 * __v21 + __v0 * __v22;
     let __v24 = __v13 * __v22;
     let __v25 = __v23 + __v24;
-    let __v26 = __v8 * __v21 + __v1 * __v22;
+    let __v26 = __v9 * __v21 + __v1 * __v22;
     let __v27 = __v14 * __v22;
     let __v28 = __v26 + __v27;
-    let __v29 = __v9 * __v21 + __v2 * __v22;
+    let __v29 = __v7 * __v21 + __v2 * __v22;
     let __v30 = __v15 * __v22;
     let __v31 = __v29 + __v30;
     [__v19, -__v25, -__v28, -__v31, __v23, __v26, __v29, __v24, __v27, __v30]
