@@ -389,7 +389,7 @@ pub(crate) struct Bake {
     /// Only the natural solver uses it.
     #[arg(long, value_name = "A", default_value_t = 0.0, value_parser = share, allow_negative_numbers = true)]
     pub(crate) attention: f32,
-    /// Policy for targets behind.
+    /// For a target behind.
     ///
     /// What to do about a target behind the character; clip if not given.
     #[arg(long, value_name = "POLICY", value_parser = one_of(BEHINDS), default_value = "clip", hide_default_value = true)]
