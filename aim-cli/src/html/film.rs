@@ -37,16 +37,17 @@ pub(super) struct Strips {
 
 /// Returns the film strips, or `None` if the document lacks bones of the rig.
 pub(super) fn strips(subject: &BakePage<'_>, directions: &Directions) -> Option<Strips> {
-    let BakePage { report, baked, .. } = *subject;
+    let BakePage { spec, report, document, baked, .. } = *subject;
+    let chain = chain_nodes(spec, document.skeleton()).ok()?;
     let all = baked.frames.len().min(report.frames.len());
     let times: Vec<f64> = baked.frames[..all].iter().map(|frame| frame.t.into()).collect();
     let chosen: Vec<Moment> = spread(&progress(&times, directions)).into_iter().map(|frame| (frame, None)).collect();
     let events = events(subject, all);
     Some(Strips {
-        front: strip(subject, IN_FRONT, &chosen)?,
-        eyes: eye_strip(subject, &chosen),
-        side: strip(subject, BESIDE, &chosen)?,
-        events: if events.is_empty() { None } else { strip(subject, BESIDE, &events) },
+        front: strip(subject, &chain, IN_FRONT, &chosen),
+        eyes: eye_strip(subject, &chain, &chosen),
+        side: strip(subject, &chain, BESIDE, &chosen),
+        events: (!events.is_empty()).then(|| strip(subject, &chain, BESIDE, &events)),
     })
 }
 
@@ -117,11 +118,9 @@ fn events(subject: &BakePage<'_>, all: usize) -> Vec<Moment> {
     moments
 }
 
-fn scene<'a>(subject: &BakePage<'a>, view: GazeView, drawn: &[Moment]) -> Option<Scene<'a>> {
-    let BakePage { spec, document, baked, .. } = *subject;
-    let chain = chain_nodes(spec, document.skeleton()).ok()?;
-    let frames = drawn.iter().map(|(k, _)| &baked.frames[*k]);
-    Some(Scene::of_gaze(subject, &chain, eye(&chain, Effector::of(spec, 0)), view, frames))
+fn scene<'a>(subject: &BakePage<'a>, chain: &ChainNodes, view: GazeView, drawn: &[Moment]) -> Scene<'a> {
+    let frames = drawn.iter().map(|(k, _)| &subject.baked.frames[*k]);
+    Scene::of_gaze(subject, chain, eye(chain, Effector::of(subject.spec, 0)), view, frames)
 }
 
 fn eye(chain: &ChainNodes, Effector { joint, ray }: Effector) -> Eye {
@@ -129,8 +128,11 @@ fn eye(chain: &ChainNodes, Effector { joint, ray }: Effector) -> Eye {
 }
 
 /// Returns the strip of the eyes in the face; `None` if the surface has no eyeballs.
-fn eye_strip(subject: &BakePage<'_>, drawn: &[Moment]) -> Option<Markup> {
-    let scene = scene(subject, GazeView::Eyes, drawn).filter(Scene::has_eyeballs)?;
+fn eye_strip(subject: &BakePage<'_>, chain: &ChainNodes, drawn: &[Moment]) -> Option<Markup> {
+    let scene = scene(subject, chain, GazeView::Eyes, drawn);
+    if !scene.has_eyeballs() {
+        return None;
+    }
     Some(html! {
         ol.film {
             @for (k, _) in drawn {
@@ -148,11 +150,11 @@ fn eye_strip(subject: &BakePage<'_>, drawn: &[Moment]) -> Option<Markup> {
     })
 }
 
-fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Markup> {
-    let BakePage { spec, report, document, baked, .. } = *subject;
-    let effector = eye(&chain_nodes(spec, document.skeleton()).ok()?, report.aimed);
-    let scene = scene(subject, GazeView::Head(stand), drawn)?;
-    Some(html! {
+fn strip(subject: &BakePage<'_>, chain: &ChainNodes, stand: Stand, drawn: &[Moment]) -> Markup {
+    let BakePage { report, baked, .. } = *subject;
+    let effector = eye(chain, report.aimed);
+    let scene = scene(subject, chain, GazeView::Head(stand), drawn);
+    html! {
         ol.film {
             @for (k, what) in drawn {
                 @let told = &report.frames[*k];
@@ -170,7 +172,7 @@ fn strip(subject: &BakePage<'_>, stand: Stand, drawn: &[Moment]) -> Option<Marku
                 }
             }
         }
-    })
+    }
 }
 
 impl Scene<'_> {

@@ -37,7 +37,7 @@ pub(crate) enum Movement {
     Rest,
 }
 
-/// What is remembered of the last target.
+/// The part of the memory of the last target on which a goal depends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
     pub(crate) side: Side,
