@@ -80,6 +80,8 @@ const SMALL: usize = 100;
 const NEAR: usize = 2;
 /// Largest number of operations for which a program counts as near any rival.
 const MOST_PLAIN: usize = 300;
+/// The same after a first arrangement.
+const MOST_ARRANGED: usize = 150;
 
 /// Limit on the number of variants compared for each choice: rotations moved between sides of dot products, frames,
 /// variables.
@@ -396,7 +398,7 @@ impl Candidate<'_> {
             // The result must not depend on the trial.
             let mut trial = self.clone();
             trial.arrange(Effort::Polish);
-            if !trial.is_near(rival, SMALL) {
+            if !trial.is_near(rival, MOST_ARRANGED) {
                 return;
             }
         }

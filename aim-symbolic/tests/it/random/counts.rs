@@ -140,7 +140,7 @@ impl Comparison {
         let plain = Program::derive_without(&stated.pools.g, wanted, &self.off);
         let (without, with) = (operations(&plain), operations(program));
         self.change.borrow_mut().add(without, with);
-        if with > without { Err(format!("{with} operations instead of {without}")) } else { Ok(()) }
+        if with > without { Err(format!("{with} operations instead of {without} for {wanted:?}")) } else { Ok(()) }
     }
 
     pub(crate) fn print(&self) {

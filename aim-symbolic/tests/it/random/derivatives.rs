@@ -4,7 +4,7 @@
 use std::cell::Cell;
 
 use aim_symbolic::rules::{ARITHMETIC, Rule};
-use aim_symbolic::{Bindings, Graph, InputKind, Program, Variable, Want, print};
+use aim_symbolic::{Bindings, Graph, InputKind, Program, ScalarNode, Variable, Want, print};
 use fastrand::Rng;
 
 use super::bounded::Bounded;
@@ -21,10 +21,17 @@ use super::recipe::{BuiltStatement, Recipe};
 pub(crate) fn wanted(stated: &BuiltStatement, random: &mut Rng) -> Vec<Want> {
     let mut variables = stated.pools.variables.clone();
     random.shuffle(&mut variables);
-    // Most statements depend on angles.
-    if random.bool() {
-        variables.sort_by_key(|v| matches!(v, Variable::Input(_)));
+    let is_step = |v: &Variable| match v {
+        Variable::Input(s) => matches!(stated.pools.g.scalar_node(*s), ScalarNode::Step(_)),
+        _ => false,
+    };
+    // Most statements depend on angles or steps.
+    match random.u8(..4) {
+        0 => variables.sort_by_key(|v| !is_step(v)),
+        1 | 2 => variables.sort_by_key(|v| matches!(v, Variable::Input(_))),
+        _ => {}
     }
+    let by_steps = is_step(&variables[0]);
     variables.truncate(random.usize(1..=3));
     let mut wanted: Vec<Want> = stated.outputs.iter().map(|&s| Want::Value(s)).collect();
     for &s in &stated.outputs {
@@ -34,7 +41,8 @@ pub(crate) fn wanted(stated: &BuiltStatement, random: &mut Rng) -> Vec<Want> {
         wanted.extend(variables.iter().map(|&x| Want::Projected(x)));
         wanted.extend(variables.iter().map(|&y| Want::Normal(variables[0], y)));
     }
-    if random.u8(..3) == 0 {
+    // The order of two steps matters to second order.
+    if by_steps || random.u8(..3) == 0 {
         let s = stated.outputs[0];
         wanted.extend(variables.iter().map(|&y| Want::Second(s, variables[0], y)));
     }
