@@ -27,7 +27,7 @@ pub(crate) fn wrap(motion: &RangeOfMotion, joint: &mut Joint) {
 
 /// Evaluates every joint's ranges of motion in this pose. Ranges relative to the bind pose count as relative to the
 /// animation if the pose has no bind pose or if the joint's animated or bind transform contains no rotation.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn find_motions<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>) -> PerJoint<RangeOfMotion, C> {
     if rig.has_fixed_ranges && C <= LANE_JOINTS {
         // Fixed ranges do not depend on the pose.
@@ -44,7 +44,7 @@ pub(crate) fn range_in_pose(info: &JointInfo, pose: &PoseSlices<'_>, index: usiz
 
 /// Returns the ranges of motion of joint 0's mirror image, whose animated direction is parallel to joint 0's: the
 /// heading range is reflected. `own` are joint 0's ranges.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn mirrored<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,

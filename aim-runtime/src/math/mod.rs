@@ -103,7 +103,7 @@ pub(crate) fn direction(v: Vec3A) -> Option<Vec3A> {
 
 /// Returns the unit vector along a vector of solver space, whose square neither overflows nor underflows; otherwise
 /// `None`.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn unit(v: Vec3A) -> Option<Vec3A> {
     let square = v.dot(v);
     (square > 1e-30 && square < f32::INFINITY).then(|| v * (1.0 / sqrt(square)))
@@ -111,13 +111,13 @@ pub(crate) fn unit(v: Vec3A) -> Option<Vec3A> {
 
 /// Returns the cross product, with each product rounded separately. glam's own uses fused multiply-add on machines that
 /// have it, which gives other bits.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn cross(a: Vec3A, b: Vec3A) -> Vec3A {
     (a.zxy() * b - a * b.zxy()).zxy()
 }
 
 /// Returns `v` rotated by a unit quaternion. Bit-identical on every machine, like [`cross`].
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn turned(turn: Quat, v: Vec3A) -> Vec3A {
     let (axis, w) = (Vec3A::from_vec4(Vec4::from(turn)), turn.w);
     v * (w * w - axis.dot(axis)) + axis * (v.dot(axis) * 2.0) + cross(axis, v) * (w * 2.0)
@@ -163,7 +163,7 @@ pub(crate) fn angle_between(a: Vec3A, b: Vec3A) -> f32 {
 }
 
 /// Returns the angle between two unit vectors, 0…π, by tan θ/2 = |a − b|/|a + b|.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn angle_between_units(a: Vec3A, b: Vec3A) -> f32 {
     let [apart, along] = [a - b, a + b].map(|v| v.dot(v));
     if apart < along { trig::twice_atan(root(apart / along)) } else { PI - trig::twice_atan(root(along / apart)) }

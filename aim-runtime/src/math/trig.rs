@@ -36,7 +36,7 @@ const ATAN: [f32; 8] = [
 const SMALL: f32 = 1.0 / 4096.0;
 
 /// Returns sine and cosine of an angle within ±90°; their squares add up to 1 within 2e-7.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn within_quarter(x: f32) -> (f32, f32) {
     let xx = x * x;
     let sin = xx * (SIN[0] + xx * (SIN[1] + xx * (SIN[2] + xx * SIN[3])));
@@ -45,26 +45,26 @@ fn within_quarter(x: f32) -> (f32, f32) {
 }
 
 /// Returns sine and cosine of half an angle, radians. Beyond ±180° the angle is first wrapped by whole turns.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn half_sin_cos(angle_rad: f32) -> (f32, f32) {
     half_sin_cos_within(math::wrap_pi(angle_rad))
 }
 
 /// Returns sine and cosine of half an angle within ±180°, radians.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn half_sin_cos_within(angle_rad: f32) -> (f32, f32) {
     within_quarter(0.5 * angle_rad)
 }
 
 /// Returns sine and cosine of half an angle, given the tangent of that half.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn half_by_tangent(half_tangent: f32) -> (f32, f32) {
     let cos = 1.0 / <f32 as Scalar>::sqrt(1.0 + half_tangent * half_tangent);
     (half_tangent * cos, cos)
 }
 
 /// Returns sines and cosines of half of four angles within ±180°, radians. Bit-identical to four scalar calls.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn half_sin_cos_4(angles_rad: Vec4) -> (Vec4, Vec4) {
     let splat = Vec4::splat;
     let x = angles_rad * 0.5;
@@ -88,14 +88,14 @@ pub(crate) fn sin_cos(angle_rad: f32) -> (f32, f32) {
 }
 
 /// Returns the sines and the cosines of four angles within ±180°, radians.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn sin_cos_4(angles_rad: Vec4) -> [Vec4; 2] {
     let (sin, cos) = half_sin_cos_4(angles_rad);
     [sin * cos * 2.0, Vec4::ONE - sin * sin * 2.0]
 }
 
 /// Returns sines and cosines of half a pitch and half a heading, radians.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
     let (sin, cos) = half_sin_cos_4(Vec4::new(math::wrap_pi(pitch_rad), math::wrap_pi(heading_rad), 0.0, 0.0));
     Vec4::new(sin.x, cos.x, sin.y, cos.y)
@@ -103,7 +103,7 @@ pub(crate) fn halves(pitch_rad: f32, heading_rad: f32) -> Halves {
 
 /// Returns sines and cosines of half a pitch and half a heading, radians, which are given as heading and pitch in the
 /// first two lanes.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
     let angles = angles_rad.yyxx();
     if !angles.abs().cmple(Vec4::splat(PI)).all() {
@@ -125,7 +125,7 @@ pub(crate) fn halves_of(angles_rad: Vec4) -> Halves {
 }
 
 /// Returns sines and cosines of the halves of two pairs of heading and pitch, radians, given one pair after the other.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn halves_of_both(angles_rad: Vec4) -> [Halves; 2] {
     if !angles_rad.abs().cmple(Vec4::splat(PI)).all() {
         return [halves_beyond(angles_rad.y, angles_rad.x), halves_beyond(angles_rad.w, angles_rad.z)];
@@ -141,7 +141,7 @@ fn halves_beyond(pitch_rad: f32, heading_rad: f32) -> Halves {
 }
 
 /// Returns sin p, cos p, sin h, cos h, as kernels take them, from the sines and cosines of the halves.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn doubled(halves: Halves) -> Vec4 {
     halves.xxzz() * halves.yxwz() * Vec4::new(2.0, -2.0, 2.0, -2.0) + Vec4::new(0.0, 1.0, 0.0, 1.0)
 }
@@ -156,7 +156,7 @@ pub(crate) fn atan2(y: f32, x: f32) -> f32 {
 
 /// Returns the angles of four points (x, y), radians. For coordinates that are normal numbers or 0, bit-identical to
 /// four scalar calls.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
     let (across, along) = (y.abs(), x.abs());
     // The lower bound gives 0 for the origin.
@@ -169,7 +169,7 @@ pub(crate) fn atan2_of_4(y: Vec4, x: Vec4) -> Vec4 {
 }
 
 /// Returns the angle of a point other than the origin whose coordinates are not negative.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn within_right_angle(across: f32, along: f32) -> f32 {
     let (small, large) = if across > along { (along, across) } else { (across, along) };
     let t = small / large;
@@ -178,7 +178,7 @@ fn within_right_angle(across: f32, along: f32) -> f32 {
 }
 
 /// Returns the angle of the point (x, y), y ≥ 0, which is usually near the positive x axis. Bit-identical to [`atan2`].
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn small_atan2(y: f32, x: f32) -> f32 {
     match y / x {
         t if x > y && t < SMALL => t,
@@ -188,19 +188,19 @@ pub(crate) fn small_atan2(y: f32, x: f32) -> f32 {
 }
 
 /// Returns the angle, radians, whose half has this tangent: twice the arctangent of a number within ±1.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn twice_atan(half_tangent: f32) -> f32 {
     2.0 * atan_within(half_tangent)
 }
 
 /// Returns twice the arctangents of two numbers within ±1. Bit-identical to two scalar calls.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 pub(crate) fn twice_atan_of_both(half_tangents: [f32; 2]) -> [f32; 2] {
     atans_within(half_tangents).map(|turn| 2.0 * turn)
 }
 
 /// Returns the arctangents of two numbers within ±1.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn atans_within([a, b]: [f32; 2]) -> [f32; 2] {
     let t = Vec4::new(a, b, a, b);
     let tt = t * t;
@@ -209,14 +209,14 @@ fn atans_within([a, b]: [f32; 2]) -> [f32; 2] {
 }
 
 /// Returns the sums of the arctangent's series at four squares.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn series_of_4(squares: Vec4) -> Vec4 {
     let [rest @ .., last] = ATAN.map(Vec4::splat);
     rest.iter().rev().fold(last, |sum, &next| sum * squares + next)
 }
 
 /// Returns the arctangent of a number within ±1.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn atan_within(t: f32) -> f32 {
     let tt = t * t;
     let [rest @ .., last] = ATAN;

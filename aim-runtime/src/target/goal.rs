@@ -46,7 +46,7 @@ pub(crate) struct Seen {
 
 impl Seen {
     /// Returns what a call considers. A snap keeps only the side: it should depend on the past as little as possible.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn of(memory: &Memory, is_frame: bool) -> Self {
         Self { side: memory.side, behind: memory.behind && is_frame }
     }
@@ -86,7 +86,7 @@ impl Goal {
     /// Creates the goal for a target in the pose's space. `before` is what is remembered of the last target. The weight
     /// scales the way from the animated gaze to the target; at weight 0 the goal is the animation, whatever the target.
     /// `None` if the target is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn new(scene: &Scene<'_>, target_ps: Vec3A, settings: &Settings, before: Seen) -> Option<Self> {
         let weight = settings.effective_weight();
         let mut goal = if weight == 0.0 {
@@ -100,7 +100,7 @@ impl Goal {
         Some(goal)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn for_target(scene: &Scene<'_>, target: Vec3A, settings: &Settings, before: Seen) -> Self {
         let &Scene { gaze, ref front, bearings, .. } = scene;
         let side = front.side(target, before.side);
@@ -134,7 +134,7 @@ impl Goal {
     }
 
     /// Returns the goal for weight 0: the animated gaze itself.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn animation(gaze: Ray, side: Side) -> Self {
         // Far enough away that no correction brings the effector near it.
         let ahead = gaze.origin + math::direction(gaze.direction).unwrap_or(Vec3A::X) * 1e3;
@@ -143,7 +143,7 @@ impl Goal {
 
     /// Moves the goal's points away from the effector by the reciprocal of the weight, so that two eyes converge
     /// proportionally less.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn receding(self, gaze: Ray, weight: f32) -> Self {
         let origin = gaze.origin;
         let further = 1.0 / weight.max(1e-3);
