@@ -131,6 +131,11 @@ impl Graph {
         Vector(self.vectors.intern(node))
     }
 
+    /// Looks up an existing difference v − w.
+    pub(crate) fn known_difference(&self, v: Vector, w: Vector) -> Option<Vector> {
+        self.vectors.index.get(&VectorNode::Sub(v, w)).map(|&place| Vector(place))
+    }
+
     /// Looks up an existing cross product of the two vectors in either order. The flag is `true` if the order is w × v.
     pub(crate) fn known_cross(&self, v: Vector, w: Vector) -> Option<(Vector, bool)> {
         let known = |v, w| self.vectors.index.get(&VectorNode::Cross(v, w)).map(|&place| Vector(place));

@@ -1,6 +1,7 @@
 //! Rewriting rules, which move rotations to where they cancel or cost least, and their driver.
 
 pub(crate) mod bases;
+mod cases;
 pub(crate) mod directions;
 mod frames;
 mod gathered;

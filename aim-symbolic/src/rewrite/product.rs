@@ -37,11 +37,68 @@ impl Graph {
         self.is_length(s) && terms(self, s).into_iter().any(is_exponential)
     }
 
+    /// Returns `true` if the number is recognisably not negative, and not a sum with a positive constant.
+    pub(super) fn may_be_of_length_zero(&self, s: Scalar) -> bool {
+        let is_positive = |s: Scalar| self.constant_of(s).is_some_and(|c| c > 0.0);
+        self.is_length(s) && !self.is_never_zero(s) && !terms(self, s).into_iter().any(is_positive)
+    }
+
     /// (1 − a)(1 + a) = 1 − a², without loss of digits near |a| = 1.
     pub(crate) fn around_one(&mut self, a: Scalar) -> Scalar {
         let one = self.constant(1.0);
         let (below, above) = (self.sub(one, a), self.add(one, a));
         self.mul(below, above)
+    }
+
+    /// Returns one vector for all that have the same length as `v` by their components: w − v for v − w, and the
+    /// components in one order, without their signs.
+    fn of_same_length(&mut self, v: Vector) -> Vector {
+        match self.vector_node(v) {
+            VectorNode::Sub(a, b) => self.known_difference(b, a).map_or(v, |opposite| opposite.min(v)),
+            VectorNode::Components(c) => self.sorted(c),
+            // A part is left out along an axis.
+            VectorNode::Cross(a, b) => {
+                let axis = |of: &Self, v| {
+                    let c = of.constant_vector_of(v)?;
+                    let is_axis = c.iter().filter(|c| **c == 0.0).count() == 2;
+                    c.iter().position(|c| c.abs() == 1.0).filter(|_| is_axis)
+                };
+                let Some((axis, other)) = axis(self, b).map(|k| (k, a)).or_else(|| Some((axis(self, a)?, b))) else {
+                    return v;
+                };
+                let VectorNode::Components(mut c) = self.vector_node(other) else { return v };
+                c[axis] = self.constant(0.0);
+                self.sorted(c)
+            }
+            _ => v,
+        }
+    }
+
+    /// Returns the vector of these components, without their signs, in the order of their first use, zeros last.
+    fn sorted(&mut self, components: [Scalar; 3]) -> Vector {
+        let mut components = components.map(|c| match self.scalar_node(c) {
+            ScalarNode::Op(Op::Neg(a)) => a,
+            _ => c,
+        });
+        components.sort_by_key(|&c| (self.constant_of(c) == Some(0.0), c));
+        self.components(components)
+    }
+
+    /// Returns the vector of which `s` is the square, if `s` is a sum of two or three squares of numbers.
+    fn as_square(&mut self, s: Scalar) -> Option<Vector> {
+        let (mut components, mut open) = (Vec::new(), vec![s]);
+        while let Some(s) = open.pop().filter(|_| components.len() < 3) {
+            match self.scalar_node(s) {
+                ScalarNode::Op(Op::Add(a, b)) => open.extend([a, b]),
+                ScalarNode::Op(Op::Mul(a, b)) if a == b => components.push(a),
+                _ => return None,
+            }
+        }
+        if !open.is_empty() || components.len() < 2 {
+            return None;
+        }
+        components.resize(3, self.constant(0.0));
+        Some(self.components([components[0], components[1], components[2]]))
     }
 
     /// Returns (1 − a)(1 + a) if `s` is 1 − a².
@@ -147,14 +204,15 @@ impl Product {
             }
             // A guarded reciprocal of a negative number is 0, so this holds only for lengths.
             ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
-            ScalarNode::Op(Op::Sqrt(a)) => {
-                let a = g.one_minus_square(a).unwrap_or(a);
-                self.power(a, halves / 2);
-            }
-            ScalarNode::Norm(v) => {
-                let square = g.dot(v, v);
-                self.power(square, halves / 2);
-            }
+            ScalarNode::Op(Op::Sqrt(a)) => match g.as_square(a) {
+                Some(v) => self.times_square(g, v, halves / 2, whole)?,
+                None => {
+                    let a = g.one_minus_square(a).unwrap_or(a);
+                    self.power(a, halves / 2);
+                }
+            },
+            ScalarNode::Norm(v) => self.times_square(g, v, halves / 2, whole)?,
+            ScalarNode::Dot(v, w) if v == w => self.times_square(g, v, halves, whole)?,
             ScalarNode::Dot(v, w) if v != w && halves == 2 => {
                 let (v, w) = (self.times_vector(g, v, whole)?, self.times_vector(g, w, whole)?);
                 let dot = g.dot(v, w);
@@ -162,12 +220,42 @@ impl Product {
             }
             ScalarNode::Component(v, axis) if halves == 2 => {
                 let v = self.times_vector(g, v, whole)?;
-                let component = g.component(v, axis);
-                self.power(component, halves);
+                match g.vector_node(v) {
+                    VectorNode::Components(c) => self.times(g, c[usize::from(axis)], halves, whole)?,
+                    _ => {
+                        let component = g.component(v, axis);
+                        self.power(component, halves);
+                    }
+                }
             }
             _ => {
                 let s = g.one_minus_square(s).unwrap_or(s);
                 self.power(s, halves);
+            }
+        }
+        Some(())
+    }
+
+    /// Multiplies by a power of v · v, in halves. Vectors that obviously have the same length have the same square.
+    fn times_square(&mut self, g: &mut Graph, v: Vector, halves: i32, whole: &[Scalar]) -> Option<()> {
+        match g.vector_node(v) {
+            VectorNode::Neg(inner) | VectorNode::Rotate(_, inner) => self.times_square(g, inner, halves, whole)?,
+            VectorNode::Scale(k, inner) => {
+                if let Some(k) = g.constant_of(k) {
+                    self.coefficient *= k.abs().powi(halves);
+                } else if halves % 2 == 0 || g.is_length(k) {
+                    self.times(g, k, 2 * halves, whole)?;
+                } else {
+                    let (zero, opposite) = (g.constant(0.0), g.neg(k));
+                    let size = g.select_less(k, zero, opposite, k);
+                    self.power(size, 2 * halves);
+                }
+                self.times_square(g, inner, halves, whole)?;
+            }
+            _ => {
+                let v = g.of_same_length(v);
+                let square = g.dot(v, v);
+                self.power(square, halves);
             }
         }
         Some(())
@@ -189,8 +277,7 @@ impl Product {
                 self.times_vector(g, inner, whole)?
             }
             VectorNode::Normalize(inner) => {
-                let square = g.dot(inner, inner);
-                self.power(square, -1);
+                self.times_square(g, inner, -1, whole)?;
                 self.times_vector(g, inner, whole)?
             }
             VectorNode::Cross(a, b) => {

@@ -3,6 +3,7 @@
 
 use rustc_hash::FxHashMap;
 
+use super::vanishing::Length;
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
@@ -213,38 +214,80 @@ impl Series {
     }
 }
 
-/// Computes series of expressions in u = `number`, with u² = `square`.
-pub(super) struct Expansion {
-    number: Scalar,
-    square: Option<Scalar>,
-    known: FxHashMap<Scalar, Option<Series>>,
+/// A series near 0, divided by its lowest power.
+pub(super) struct NearZero {
+    pub(super) coefficients: Vec<f64>,
+    /// The radius within which the coefficients suffice for full f64 precision.
+    pub(super) radius: f64,
+    /// Other factors of the number and their powers in halves, by which the series is multiplied.
+    pub(super) degrees: Vec<(Scalar, i32)>,
+}
+
+/// A series times powers of the number's other factors, in halves.
+#[derive(Clone, Debug)]
+struct Term {
+    series: Series,
+    degrees: Vec<i32>,
+}
+
+impl Term {
+    /// Returns the series of a term of degree 0 in all factors.
+    fn plain(&self) -> Option<&Series> {
+        self.degrees.iter().all(|&degree| degree == 0).then_some(&self.series)
+    }
+
+    fn plus(&self, other: &Self, sign: f64) -> Option<Self> {
+        let series = self.series.plus(&other.series.scaled(sign));
+        match (self.series.order(), other.series.order()) {
+            (None, _) => Some(Self { series, degrees: other.degrees.clone() }),
+            (_, None) => Some(Self { series, degrees: self.degrees.clone() }),
+            _ => (self.degrees == other.degrees).then(|| Self { series, degrees: self.degrees.clone() }),
+        }
+    }
+
+    /// Returns the product with a power of the other term.
+    fn times(&self, other: &Self, power: i32) -> Option<Self> {
+        let series = if power < 0 { self.series.over(&other.series)? } else { self.series.times(&other.series) };
+        let degrees = self.degrees.iter().zip(&other.degrees).map(|(a, b)| a + power * b).collect();
+        Some(Self { series, degrees })
+    }
+}
+
+/// Computes series of expressions in a number u, a multiple c of a length r times powers of other factors fᵢ. They are
+/// variables, too, so an expression has a series only if it is homogeneous: with r = u/(c Π fᵢᵖ), a product of powers of
+/// the fᵢ and a function of u alone. `a (a + r)` is a² (1 + u) for u = r/a.
+pub(super) struct Expansion<'a> {
+    number: &'a Length,
+    known: FxHashMap<Scalar, Option<Term>>,
     /// Bound on u up to which every select so far takes the same branch as at 0.
     reach: f64,
 }
 
-impl Expansion {
-    pub(super) fn new(number: Scalar, square: Option<Scalar>) -> Self {
-        Self { number, square, known: FxHashMap::default(), reach: f64::INFINITY }
+impl<'a> Expansion<'a> {
+    pub(super) fn new(number: &'a Length) -> Self {
+        Self { number, known: FxHashMap::default(), reach: f64::INFINITY }
     }
 
-    /// Returns the lowest power of the series of `s`, its coefficients from that power on, and the radius within which
-    /// they suffice for full f64 precision. `None` if the series is 0, if `s` depends on another variable, or if it has
-    /// no series.
-    pub(super) fn near_zero(&mut self, g: &Graph, s: Scalar) -> Option<(usize, Vec<f64>, f64)> {
-        let series = self.of(g, s)?;
+    /// Returns the lowest power of the series of `s`, and the series from that power on. `None` if the series is 0, if
+    /// `s` depends on another variable, or if it has no series.
+    pub(super) fn near_zero(mut self, g: &Graph, s: Scalar) -> Option<(usize, NearZero)> {
+        let Term { series, degrees } = self.of(g, s)?;
         let (coefficients, radius) = series.near_zero();
-        Some((series.order()?, coefficients, radius.min(self.reach)))
+        let degrees = self.number.others.iter().zip(degrees).map(|(&(factor, _), degree)| (factor, degree));
+        let near = NearZero { coefficients, radius: radius.min(self.reach), degrees: degrees.collect() };
+        Some((series.order()?, near))
     }
 
     /// Returns the series of `s`; `None` if `s` depends on another variable or has no series.
-    fn of(&mut self, g: &Graph, s: Scalar) -> Option<Series> {
+    fn of(&mut self, g: &Graph, s: Scalar) -> Option<Term> {
         let mut open = vec![(s, false)];
         while let Some((s, has_parts)) = open.pop() {
             if self.known.contains_key(&s) {
                 continue;
             }
-            if has_parts || s == self.number || Some(s) == self.square {
-                let found = self.find(g, s);
+            let given = self.given(g, s);
+            if has_parts || given.is_some() {
+                let found = given.or_else(|| self.find(g, s));
                 if let ScalarNode::Op(Op::SelectLess(a, b, ..)) = g.scalar_node(s) {
                     self.reach = self.reach.min(self.reach_of_branch(a, b));
                 }
@@ -261,14 +304,14 @@ impl Expansion {
                 _ => {}
             }
         }
-        self.known_of(s).copied()
+        self.known_of(s).cloned()
     }
 
     /// Returns a bound on u up to which a < b has the same result as at 0: the variable part of a − b is at most half
     /// of its constant part.
     fn reach_of_branch(&self, a: Scalar, b: Scalar) -> f64 {
         let (Some(a), Some(b)) = (self.known_of(a), self.known_of(b)) else { return f64::INFINITY };
-        let margin = a.plus(&b.scaled(-1.0));
+        let margin = a.series.plus(&b.series.scaled(-1.0));
         let (coefficients, mut reach) = margin.near_zero();
         let varies = |u: f64| coefficients.iter().skip(1).rfold(0.0, |sum, c| u * (sum + c.abs()));
         while margin.at_zero() != 0.0 && varies(reach) > 0.5 * margin.at_zero().abs() {
@@ -277,41 +320,61 @@ impl Expansion {
         reach
     }
 
-    fn known_of(&self, s: Scalar) -> Option<&Series> {
+    fn known_of(&self, s: Scalar) -> Option<&Term> {
         self.known.get(&s)?.as_ref()
     }
 
+    /// Returns the length, its square or one of the other factors; `None` for other expressions.
+    fn given(&self, g: &Graph, s: Scalar) -> Option<Term> {
+        // The power of a factor that `s` is, in halves.
+        let power_of = |factor: Scalar| match g.scalar_node(s) {
+            _ if s == factor => Some(2),
+            ScalarNode::Norm(v) if g.scalar_node(factor) == ScalarNode::Dot(v, v) => Some(1),
+            ScalarNode::Op(Op::Sqrt(a)) if a == factor => Some(1),
+            _ => None,
+        };
+        let Length { coefficient, others, base, halves } = self.number;
+        if let Some(power) = power_of(*base) {
+            let exponent = power / halves;
+            let series = Series::power(usize::try_from(exponent).ok()?).scaled(coefficient.powi(-exponent));
+            let degrees = others.iter().map(|(_, power)| -power * exponent).collect();
+            return (power % halves == 0).then_some(Term { series, degrees });
+        }
+        let (place, power) = (0..).zip(others).find_map(|(place, &(factor, _))| Some((place, power_of(factor)?)))?;
+        let degrees = (0..others.len()).map(|other| if other == place { power } else { 0 }).collect();
+        Some(Term { series: Series::constant(1.0), degrees })
+    }
+
     /// Computes the series of `s` from those of its operands.
-    fn find(&self, g: &Graph, s: Scalar) -> Option<Series> {
-        if s == self.number {
-            return Some(Series::power(1));
-        }
-        if Some(s) == self.square {
-            return Some(Series::power(2));
-        }
+    fn find(&self, g: &Graph, s: Scalar) -> Option<Term> {
         let of = |s: Scalar| self.known_of(s);
-        match g.scalar_node(s) {
-            ScalarNode::Op(Op::Constant(c)) => Some(Series::constant(c.value())),
-            ScalarNode::Op(Op::Add(a, b)) => Some(of(a)?.plus(of(b)?)),
-            ScalarNode::Op(Op::Sub(a, b)) => Some(of(a)?.plus(&of(b)?.scaled(-1.0))),
-            ScalarNode::Op(Op::Neg(a)) => Some(of(a)?.scaled(-1.0)),
-            ScalarNode::Op(Op::Mul(a, b)) => Some(of(a)?.times(of(b)?)),
-            ScalarNode::Op(Op::Div(a, b)) => of(a)?.over(of(b)?),
-            ScalarNode::Op(Op::Sqrt(a)) => of(a)?.raised(0.5),
-            ScalarNode::Op(Op::Call(function, a)) => of(a)?.call(function),
-            ScalarNode::Op(Op::Atan2(y, x)) => of(y)?.atan2(of(x)?),
-            ScalarNode::Op(Op::Pow(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
-                (_, Some(b)) => of(a)?.raised(b),
-                (Some(a), _) if a > 0.0 => of(b)?.scaled(a.ln()).exp(),
-                _ => None,
-            },
+        let plain = |s: Scalar| of(s)?.plain();
+        let series = match g.scalar_node(s) {
+            ScalarNode::Op(Op::Add(a, b)) => return of(a)?.plus(of(b)?, 1.0),
+            ScalarNode::Op(Op::Sub(a, b)) => return of(a)?.plus(of(b)?, -1.0),
+            ScalarNode::Op(Op::Mul(a, b)) => return of(a)?.times(of(b)?, 1),
+            ScalarNode::Op(Op::Div(a, b)) => return of(a)?.times(of(b)?, -1),
+            ScalarNode::Op(Op::Neg(a)) => {
+                let Term { series, degrees } = of(a)?.clone();
+                return Some(Term { series: series.scaled(-1.0), degrees });
+            }
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
                 // The branch that is taken near 0.
-                let [a, b] = [of(a)?.at_zero(), of(b)?.at_zero()];
-                (a != b).then(|| of(if a < b { then } else { otherwise }))?.copied()
+                let [a, b] = [plain(a)?.at_zero(), plain(b)?.at_zero()];
+                return (a != b).then(|| of(if a < b { then } else { otherwise }))?.cloned();
             }
-            ScalarNode::Stumpff(function, a) => of(a)?.stumpff(function),
-            _ => None,
-        }
+            ScalarNode::Op(Op::Constant(c)) => Series::constant(c.value()),
+            ScalarNode::Op(Op::Sqrt(a)) => plain(a)?.raised(0.5)?,
+            ScalarNode::Op(Op::Call(function, a)) => plain(a)?.call(function)?,
+            ScalarNode::Op(Op::Atan2(y, x)) => plain(y)?.atan2(plain(x)?)?,
+            ScalarNode::Op(Op::Pow(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
+                (_, Some(b)) => plain(a)?.raised(b)?,
+                (Some(a), _) if a > 0.0 => plain(b)?.scaled(a.ln()).exp()?,
+                _ => return None,
+            },
+            ScalarNode::Stumpff(function, a) => plain(a)?.stumpff(function)?,
+            _ => return None,
+        };
+        Some(Term { series, degrees: vec![0; self.number.others.len()] })
     }
 }

@@ -3,8 +3,9 @@
 
 use rustc_hash::FxHashSet;
 
+use super::cases::{comparisons, distinguished};
 use super::product::{Product, parts, terms};
-use super::series::Expansion;
+use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
@@ -14,17 +15,23 @@ const MOST_SUMS: usize = 64;
 /// Limit on the number of subexpressions that are searched for a base.
 const MOST_PARTS: usize = 100;
 
+/// Limit on the number of products in which a series is tried.
+const MOST_NUMBERS: usize = 4;
+
+/// Limit on the number of comparisons by which cases are distinguished, one at a time.
+const MOST_CASES: usize = 4;
+
 /// The order of 0, which vanishes to any order.
 const ORDER_OF_ZERO: i32 = 1 << 20;
 
 /// A product of factors and a length. The length is a norm, a root, or a number of any sign.
-struct Length {
-    coefficient: f64,
+pub(super) struct Length {
+    pub(super) coefficient: f64,
     /// Other factors and their powers in halves.
-    others: Vec<(Scalar, i32)>,
-    base: Scalar,
+    pub(super) others: Vec<(Scalar, i32)>,
+    pub(super) base: Scalar,
     /// 1 if the length is the root of the base, 2 if it is the base itself.
-    halves: i32,
+    pub(super) halves: i32,
 }
 
 impl Length {
@@ -87,6 +94,8 @@ pub(super) struct Vanishing {
     order: i32,
     negative: bool,
     rest: Rest,
+    /// The length may itself be a function that vanishes, as in sin(atan2(r, w)).
+    inside: Option<Box<Vanishing>>,
 }
 
 enum Rest {
@@ -98,11 +107,11 @@ enum Rest {
     Tangent(Stumpff),
     /// atan2(r, w)/r
     Arc(Scalar),
-    /// A sum, each term of which is divided by the power.
-    Sum,
-    /// Common factors with their powers in halves, times a function `of` a `number`, the length; within the radius its
-    /// quotient by the power is the series with these coefficients.
-    Series { common: Vec<(Scalar, i32)>, of: Scalar, number: Scalar, coefficients: Vec<f64>, radius: f64 },
+    /// A sum, each term of which is divided by the power. Selects in it may be stated as one.
+    Sum { stated: Option<Scalar> },
+    /// Common factors with their powers in halves, times a function `of` a `number`, the length; near 0 its quotient by
+    /// the power is the series.
+    Series { common: Vec<(Scalar, i32)>, of: Scalar, number: Scalar, series: NearZero },
 }
 
 fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
@@ -114,22 +123,27 @@ impl Vanishing {
     /// Finds how `s` vanishes: a known function by its argument, or a sum in which every term has a power of a divisor,
     /// by each such divisor.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        Self::of_function(g, s, divisors).map_or_else(|| Self::of_sum(g, s, divisors), |found| vec![found])
+        let found = Self::of_functions(g, s, divisors);
+        if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
     /// Finds how `s` vanishes like [`of`](Self::of), and also by power series in one of the divisors.
     pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let function = Self::of_function(g, s, divisors);
-        // A nested function vanishes with the base of the inner function, too.
-        let is_new = |series: &Self| function.as_ref().is_none_or(|function| function.base() != series.base());
-        let series = Self::of_series(g, s, divisors).filter(is_new);
-        let found: Vec<Self> = function.into_iter().chain(series).collect();
+        let mut found = Self::of_functions(g, s, divisors);
+        let series = Self::of_series(g, s, divisors);
+        found.extend(series.filter(|series| found.iter().all(|function| function.base() != series.base())));
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
     /// A sum in which each term has this power of the base, in halves.
     fn sum(base: Scalar, halves: i32) -> Self {
-        Self { length: Length::plain(base, 1), order: halves, negative: false, rest: Rest::Sum }
+        Self {
+            length: Length::plain(base, 1),
+            order: halves,
+            negative: false,
+            rest: Rest::Sum { stated: None },
+            inside: None,
+        }
     }
 
     /// Returns the base with which a function vanishes.
@@ -141,7 +155,24 @@ impl Vanishing {
         if parts(g, s).is_none() {
             return Vec::new();
         }
-        let orders = orders(g, s, divisors, &mut { MOST_SUMS }).unwrap_or_default();
+        let found = Self::of_terms(g, s, divisors);
+        if !found.is_empty() || !divisors.iter().any(|&base| g.may_be_of_length_zero(base)) {
+            return found;
+        }
+        // In some cases it may vanish.
+        let comparisons = comparisons(g, s);
+        let of_cases = |comparison| {
+            let stated = distinguished(g, s, comparison);
+            let mut found = Self::of_terms(g, stated, divisors);
+            found.retain(|found| found.order > 0);
+            found.iter_mut().for_each(|found| found.rest = Rest::Sum { stated: Some(stated) });
+            (!found.is_empty()).then_some(found)
+        };
+        comparisons.into_iter().take(MOST_CASES).find_map(of_cases).unwrap_or_default()
+    }
+
+    fn of_terms(g: &mut Graph, sum: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+        let orders = orders(g, sum, divisors, &mut { MOST_SUMS }).unwrap_or_default();
         // A negative power of a plain input stays as stated.
         let is_plain = |g: &Graph, base| matches!(g.scalar_node(base), ScalarNode::Op(Op::Input(_)));
         let by = |(&base, order): (&Scalar, i32)| {
@@ -156,23 +187,51 @@ impl Vanishing {
         if bases.is_empty() {
             return None;
         }
-        let (s, common) = common_factors(g, s, divisors);
         bases.into_iter().find_map(|base| {
-            let numbers =
-                [Some((base, None)), Some((root(g, base), Some(base))), argument(g, s, base).map(|m| (m, None))];
-            numbers.into_iter().flatten().find_map(|(number, square)| {
-                let (order, coefficients, radius) = Expansion::new(number, square).near_zero(g, s)?;
-                let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
-                let rest = Rest::Series { common: common.clone(), of: s, number, coefficients, radius };
+            let numbers = [base, root(g, base)].into_iter().chain(multiples(g, s, base));
+            numbers.into_iter().find_map(|number| {
                 let length = Length::of(g, number, &[base]).filter(|length| length.base == base)?;
-                Some(Self { length, order, negative: false, rest })
+                let others = length.others.iter().map(|&(factor, _)| factor);
+                let kept: Vec<Scalar> = divisors.iter().copied().chain(others).collect();
+                let (s, common) = common_factors(g, s, &kept);
+                let (order, series) = Expansion::new(&length).near_zero(g, s)?;
+                let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
+                Some(Self {
+                    length,
+                    order,
+                    negative: false,
+                    rest: Rest::Series { common, of: s, number, series },
+                    inside: None,
+                })
             })
         })
     }
 
+    /// Finds how a function vanishes: by its argument, and by what the argument vanishes with.
+    fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+        let Some(outer) = Self::of_function(g, s, divisors) else { return Vec::new() };
+        let mut found: Vec<Self> = Vec::new();
+        if outer.length.halves == 2 {
+            let mut insides = Self::of(g, outer.length.base, divisors);
+            if insides.is_empty() {
+                insides = Self::of_terms(g, outer.length.base, divisors);
+            }
+            for inside in insides {
+                let base = inside.base();
+                let is_new = base != outer.length.base && found.iter().all(|found| found.base() != base);
+                if is_new && inside.halves() > 0 && divisors.contains(&base) {
+                    let outer = Self::of_function(g, s, divisors);
+                    found.extend(outer.map(|outer| Self { inside: Some(Box::new(inside)), ..outer }));
+                }
+            }
+        }
+        found.push(outer);
+        found
+    }
+
     fn of_function(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
         let [circular, hyperbolic] = [false, true].map(|hyperbolic| Stumpff { hyperbolic, order: 1 });
-        let one = |length, rest| Some(Self { length, order: 1, negative: false, rest });
+        let one = |length, rest| Some(Self { length, order: 1, negative: false, rest, inside: None });
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Call(function, a)) => match function {
                 Function::Sin => one(Length::of(g, a, divisors)?, Rest::Stumpff(circular)),
@@ -202,7 +261,13 @@ impl Vanishing {
                     .map(|(length, function)| (length, false, function))
                     .or_else(|| Self::difference(g, b, a).map(|(length, function)| (length, true, function)))?;
                 let length = Length::of(g, length, divisors)?;
-                Some(Self { length, order: function.order.into(), negative, rest: Rest::Stumpff(function) })
+                Some(Self {
+                    length,
+                    order: function.order.into(),
+                    negative,
+                    rest: Rest::Stumpff(function),
+                    inside: None,
+                })
             }
             _ => None,
         }
@@ -240,12 +305,13 @@ impl Vanishing {
             order: 1,
             negative: negative != function.hyperbolic,
             rest,
+            inside: None,
         })
     }
 
-    /// Returns the power of the length's base, in halves.
+    /// Returns the power of the base, in halves.
     pub(super) fn halves(&self) -> i32 {
-        self.order * self.length.halves
+        self.order * self.length.halves * self.inside.as_ref().map_or(2, |inside| inside.halves()) / 2
     }
 
     /// Returns `true` if the power of the length can be taken out of the function in `product`. If the product has an
@@ -255,7 +321,7 @@ impl Vanishing {
             return true;
         }
         let base = self.length.base;
-        let is_root = self.length.halves == 1 && !matches!(self.rest, Rest::Sum);
+        let is_root = self.length.halves == 1 && !matches!(self.rest, Rest::Sum { .. });
         let common = if let Rest::Series { common, .. } = &self.rest { &common[..] } else { &[] };
         let mut others = self.length.others.iter().chain(common);
         self.coefficient() > 0.0
@@ -269,9 +335,9 @@ impl Vanishing {
         sign * self.length.coefficient.powi(self.order)
     }
 
-    /// Returns the base of the length.
+    /// Returns the base of the innermost length.
     pub(super) fn base(&self) -> Scalar {
-        self.length.base
+        self.inside.as_ref().map_or(self.length.base, |inside| inside.base())
     }
 
     /// Takes the power of the length out of the function `s` in `product`; `None` if the product becomes too long.
@@ -281,7 +347,7 @@ impl Vanishing {
         if halves % 2 != 0 {
             product.coefficient *= self.coefficient().sqrt().powi(halves % 2);
         }
-        product.power(self.length.base, self.halves() * halves / 2);
+        product.power(self.length.base, self.order * self.length.halves * halves / 2);
         for &(factor, power) in &self.length.others {
             product.power(factor, power * self.order * halves / 2);
         }
@@ -298,17 +364,20 @@ impl Vanishing {
                 product.power(g.stumpff(function.of_order(0), square), -halves);
             }
             &Rest::Arc(w) => product.power(g.arc(square, w), halves),
-            Rest::Sum => {
-                let rest = over(g, s, self.length.base, self.order, &mut { MOST_SUMS })?;
+            Rest::Sum { stated } => {
+                let rest = over(g, stated.unwrap_or(s), self.length.base, self.order, &mut { MOST_SUMS })?;
                 product.power(rest, halves);
             }
-            Rest::Series { common, of, number, coefficients, radius } => {
+            Rest::Series { common, of, number, series } => {
                 common.iter().for_each(|&(factor, power)| product.power(factor, power * halves / 2));
-                let quotient = self.quotient(g, *of, *number, coefficients, *radius);
+                let quotient = self.quotient(g, *of, *number, series);
                 product.power(quotient, halves);
             }
         }
-        Some(())
+        match &self.inside {
+            Some(inside) => inside.take_out(g, product, self.length.base),
+            None => Some(()),
+        }
     }
 
     /// Returns tanh r / r of r²: c₁/c₀, and from r = 20 on, long before cosh r overflows, the quotient itself.
@@ -335,7 +404,8 @@ impl Vanishing {
     }
 
     /// Returns `s` divided by the power of the length, as a series within the radius.
-    fn quotient(&self, g: &mut Graph, s: Scalar, number: Scalar, coefficients: &[f64], radius: f64) -> Scalar {
+    fn quotient(&self, g: &mut Graph, s: Scalar, number: Scalar, near: &NearZero) -> Scalar {
+        let NearZero { coefficients, radius, degrees } = near;
         let square = self.length.square(g);
         let is_even = coefficients.iter().skip(1).step_by(2).all(|&c| c == 0.0);
         let (step, x) = if is_even { (2, square) } else { (1, number) };
@@ -344,13 +414,19 @@ impl Vanishing {
             let (product, c) = (g.mul(sum, x), g.constant(c));
             g.add(product, c)
         });
+        let mut homogeneous = Product::new();
+        degrees.iter().for_each(|&(factor, degree)| homogeneous.power(factor, degree));
+        let series = match homogeneous.stated(g) {
+            Some(factor) => g.mul(factor, series),
+            None => series,
+        };
         // Avoids a division by 0 where the series is taken.
         let one = g.constant(1.0);
         let power = (0..self.order / 2).fold(one, |power, _| g.mul(power, square));
         let power = if self.order % 2 == 0 { power } else { g.mul(power, number) };
-        let divisor = Self::where_above(g, square, radius * radius, power, one);
+        let divisor = Self::where_above(g, square, radius.powi(2), power, one);
         let closed = g.div(s, divisor);
-        Self::where_above(g, square, radius * radius, closed, series)
+        Self::where_above(g, square, radius.powi(2), closed, series)
     }
 }
 
@@ -394,20 +470,26 @@ fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
     false
 }
 
-/// Returns the argument of a function in `s` that is a product with this factor.
-fn argument(g: &mut Graph, s: Scalar, factor: Scalar) -> Option<Scalar> {
-    let mut open = vec![s];
-    for _ in 0..MOST_SUMS {
-        let ScalarNode::Op(op) = g.scalar_node(open.pop()?) else { continue };
-        if let Op::Call(_, argument) = op
-            && Length::of(g, argument, &[factor])
-                .is_some_and(|length| length.base == factor && !length.others.is_empty())
-        {
-            return Some(argument);
+/// Returns the products in `s` of this factor with others, those with fewest others first.
+fn multiples(g: &mut Graph, s: Scalar, factor: Scalar) -> Vec<Scalar> {
+    let mut found: Vec<(usize, Scalar)> = Vec::new();
+    let (mut known, mut open) = (FxHashSet::default(), vec![s]);
+    while let Some(s) = open.pop().filter(|_| known.len() < MOST_PARTS) {
+        let ScalarNode::Op(op) = g.scalar_node(s) else { continue };
+        if !known.insert(s) {
+            continue;
         }
         open.extend(op.operands());
+        if matches!(op, Op::Mul(..) | Op::Div(..) | Op::Neg(..))
+            && let Some(length) = Length::of(g, s, &[factor])
+            && length.base == factor
+            && !length.others.is_empty()
+        {
+            found.push((length.others.len(), s));
+        }
     }
-    None
+    found.sort_by_key(|&(others, _)| others);
+    found.into_iter().map(|(_, s)| s).take(MOST_NUMBERS).collect()
 }
 
 fn root(g: &mut Graph, square: Scalar) -> Scalar {
@@ -427,31 +509,46 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     if let Some((a, b)) = parts(g, s) {
         *left = left.checked_sub(1)?;
         let (a, b) = (orders(g, a, bases, left)?, orders(g, b, bases, left)?);
-        // A base that only one branch divides by may be invalid where the other branch is taken.
         let is_choice = matches!(g.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
-        let least = |(a, b): (i32, i32)| if is_choice && a.min(b) < 0 && a.max(b) >= 0 { 0 } else { a.min(b) };
-        return Some(a.into_iter().zip(b).map(least).collect());
-    }
-    if g.constant_of(s) == Some(0.0) {
-        return Some(vec![ORDER_OF_ZERO; bases.len()]);
+        let of_both = |((a, b), &base): ((i32, i32), &Scalar)| match (a.min(b), a.max(b)) {
+            (least, most) if is_choice && g.may_be_of_length_zero(base) => match (least, most) {
+                (..0, 0..ORDER_OF_ZERO) => 0,
+                // The other branch is divided by the length, too, by the convention for a length of 0.
+                (0, 1..ORDER_OF_ZERO) => most,
+                _ => least,
+            },
+            // A base that only one branch divides by may be invalid where the other branch is taken.
+            (..0, 0..) if is_choice => 0,
+            (least, _) => least,
+        };
+        return Some(a.into_iter().zip(b).zip(bases).map(of_both).collect());
     }
     let product = Product::of(g, s)?;
+    if product.coefficient == 0.0 {
+        return Some(vec![ORDER_OF_ZERO; bases.len()]);
+    }
     let mut all: Vec<i32> = bases.iter().map(|&base| product.power_of(base)).collect();
     for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
         if parts(g, factor).is_some() {
             let of_sum = orders(g, factor, bases, left)?;
+            if of_sum.contains(&ORDER_OF_ZERO) && power > 0 {
+                return Some(of_sum);
+            }
             for ((all, order), &base) in all.iter_mut().zip(of_sum).zip(bases) {
                 let is_free = || Vanishing::sum(base, order).is_free_in(g, &product, factor);
                 if is_order(order) && order * power % 2 == 0 && is_free() {
                     *all += order * power / 2;
                 }
             }
-        } else if let Some(found) = Vanishing::of_function(g, factor, bases)
-            && let Some(place) = bases.iter().position(|&base| base == found.base())
-            && found.halves() * power % 2 == 0
-            && found.is_free_in(g, &product, factor)
-        {
-            all[place] += found.halves() * power / 2;
+        } else {
+            for found in Vanishing::of_functions(g, factor, bases) {
+                if let Some(place) = bases.iter().position(|&base| base == found.base())
+                    && found.halves() * power % 2 == 0
+                    && found.is_free_in(g, &product, factor)
+                {
+                    all[place] += found.halves() * power / 2;
+                }
+            }
         }
     }
     Some(all)
@@ -468,17 +565,17 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
             _ => g.sub(a, b),
         });
     }
-    if g.constant_of(s) == Some(0.0) {
-        return Some(s);
-    }
     let mut product = Product::of(g, s)?;
+    if product.coefficient == 0.0 {
+        return Some(g.constant(0.0));
+    }
     for (factor, power) in product.powers.clone() {
         let found = if factor == base {
             None
         } else if parts(g, factor).is_some() {
             Some(Vanishing::sum(base, orders(g, factor, &[base], left)?[0]))
         } else {
-            Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
+            Vanishing::of_functions(g, factor, &[base]).into_iter().find(|found| found.base() == base)
         };
         let is_free = |found: &Vanishing| found.halves() * power % 2 == 0 && found.is_free_in(g, &product, factor);
         if let Some(found) = found.filter(|found| is_order(found.halves()) && is_free(found)) {
@@ -486,5 +583,13 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         }
     }
     product.power(base, -halves);
-    Some(product.stated(g).unwrap_or_else(|| g.constant(1.0)))
+    let missing = -product.power_of(base);
+    if missing <= 0 || !g.is_length(base) {
+        return Some(product.stated(g).unwrap_or_else(|| g.constant(1.0)));
+    }
+    product.remove(base);
+    let stated = product.stated(g).unwrap_or_else(|| g.constant(1.0));
+    let length = root(g, base);
+    let reciprocal = g.reciprocal(length);
+    Some((0..missing).fold(stated, |quotient, _| g.mul(quotient, reciprocal)))
 }
