@@ -142,16 +142,16 @@ pub(super) fn aim<const C: usize>(
         corrections,
         aim_point: goal.measured_point,
         measured_point: goal.measured_point,
-        leading: Turn::NONE,
     };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
         None => gaze.snap(&before, memory, &mut posture)?,
     };
-    for joint in 0..first {
-        posture.correct(&body, joint);
+    let mut leading = Turn::NONE;
+    for joint in 0..first + 1 {
+        leading = posture.correct(&body, joint);
     }
-    let Posture { joints, corrections, measured_point, leading, .. } = posture;
+    let Posture { joints, corrections, measured_point, .. } = posture;
     let margins = ranges.iter().zip(joints.iter()).map(|(range, joint)| range.margins(angles(joint)));
     let least = margins.fold(Vec4::INFINITY, Vec4::min);
     let well_within = least.cmpgt(Vec4::splat(AT_LIMIT_RAD)).bitmask() & 3 == 3;
@@ -208,7 +208,7 @@ fn fade_of(settings: &Settings) -> u8 {
     bits.wrapping_mul(0x9e37_79b1).to_be_bytes()[0]
 }
 
-/// The joints' turns in a call, assigned from the root outward.
+/// The joints' turns in a call, assigned from the root outward. The leading joint is corrected last, by [`aim`].
 struct Posture<'a, const C: usize> {
     joints: &'a mut PerJoint<Joint, C>,
     /// The correction of each joint, in its bone.
@@ -217,8 +217,6 @@ struct Posture<'a, const C: usize> {
     aim_point: Vec3A,
     /// The point that the outcome is measured against, with the turns of the joints assigned so far undone.
     measured_point: Vec3A,
-    /// The turn of the leading joint.
-    leading: Turn,
 }
 
 impl<const C: usize> Posture<'_, C> {
@@ -552,11 +550,9 @@ impl<'a, const C: usize> Gaze<'a, C> {
         let first = self.body.first();
         posture.joints[first..].copy_from_slice(&joints[first..]);
         posture.measured_point = self.goal.measured_point;
-        for joint in (first..self.body.count()).rev() {
-            posture.leading = posture.correct(self.body, joint);
-            if joint > first {
-                posture.measured_point = self.body.undo_turn_at(joint, &posture.leading, posture.measured_point);
-            }
+        for joint in (first + 1..self.body.count()).rev() {
+            let turn = posture.correct(self.body, joint);
+            posture.measured_point = self.body.undo_turn_at(joint, &turn, posture.measured_point);
         }
     }
 }

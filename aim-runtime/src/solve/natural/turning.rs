@@ -60,7 +60,7 @@ impl<const C: usize> Gaze<'_, C> {
         mut motion: Option<&mut Motion<'_, C>>,
         posture: &mut Posture<'_, C>,
     ) -> Option<SightAngles> {
-        let (body, first, measured_point) = (self.body, self.body.first(), self.goal.measured_point);
+        let (first, measured_point) = (self.body.first(), self.goal.measured_point);
         let goals = self.rig.array(Vec4::ZERO);
         let mut directions = self.rig.array(Vec3A::ZERO);
         posture.joints[first] = from[first];
@@ -125,9 +125,6 @@ impl<const C: usize> Gaze<'_, C> {
                     }
                 }
             }
-            if motion.is_some() {
-                posture.leading = posture.correct(body, first);
-            }
         }
         Some(sight)
     }
@@ -170,16 +167,13 @@ impl<const C: usize> Gaze<'_, C> {
             self.glide(number, &step.goals, from, posture.joints, motion);
         }
         for index in (outer..inner + 1).rev() {
-            let turn = if motion.is_some() {
-                posture.correct(body, index)
-            } else {
+            if motion.is_none() {
                 posture.joints[index] = at(&from[index], step.goals[index]);
-                Turn::new(step.goals[index])
-            };
+            }
             if index == body.first() {
-                posture.leading = turn;
                 break;
             }
+            let turn = if motion.is_some() { posture.correct(body, index) } else { Turn::new(step.goals[index]) };
             let (place, undo) = (body.places[index], body.undoing(index, &turn));
             for direction in &mut step.directions[number + 1..self.count()] {
                 *direction = undo(*direction);
