@@ -37,6 +37,8 @@ pub(crate) struct Span {
 
 impl Span {
     /// Returns the sum of the joints' ranges.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn of_ranges(motions: &[RangeOfMotion]) -> Self {
         let sum = |ends: fn(&RangeOfMotion) -> [f32; 2]| {
             motions.iter().map(ends).fold([0.0; 2], |[lo, hi], own| [lo + own[0], hi + own[1]])
@@ -45,6 +47,8 @@ impl Span {
     }
 
     /// Returns the sum of the joints' ranges, limited by the budgets of the body parts. Has no pitch.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn of_budgets(rig: &Description<'_>, infos: &[JointInfo], motions: &[RangeOfMotion]) -> Self {
         let mut heading = [0.0; 2];
         for roles in [&[Role::Head, Role::Neck][..], &[Role::Chest], &[Role::Eye, Role::None]] {

@@ -72,8 +72,8 @@ pub(crate) struct Scene<'a> {
 
 impl Scene<'_> {
     /// Returns the total turn that the joints from `first` inward allow.
-    #[cold]
-    fn span(self) -> Span {
+    #[inline(always)]
+    fn span(&self) -> Span {
         let motions = &self.motions[self.first..];
         match self.bearings {
             Some(_) => Span::of_budgets(self.rig, &self.rig.joints[self.first..], motions),
