@@ -561,7 +561,7 @@ fn effector_axes<const C: usize>(rig: &ChainRig<'_, C>, first: usize) -> Mat3A {
 /// Returns `true` if an eye midway between two can lead: the effector is joint 0's own forward from its own origin, and
 /// joint 0's heading is not upright.
 pub(crate) fn can_lead(rig: &Description<'_>) -> bool {
-    rig.joints.first().is_some_and(|info| rig.aims_joint_0() && info.effective_upright() == 0.0)
+    rig.joints.first().is_some_and(|info| rig.aims_joint_0() && !info.is_upright())
 }
 
 /// Returns the leading joint's transform in the pose's space: joint 0, or joint 0 moved to the midpoint between the

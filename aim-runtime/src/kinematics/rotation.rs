@@ -2,7 +2,7 @@
 
 use glam::{Mat3A, Quat, Vec3A, Vec4, Vec4Swizzles};
 
-use crate::math::trig;
+use crate::math::trig::{self, Halves};
 use crate::{Axes, Joint, JointInfo, math};
 
 /// Rotation axes of heading and pitch, padded to vectors of four.
@@ -97,12 +97,18 @@ pub(crate) fn turn(axes: &Axes, planes: &Planes, halves: [f32; 4]) -> Quat {
     if !planes.square {
         return turn_by_planes(axes, halves);
     }
-    let halves = Vec4::from_array(halves);
-    // sin h cos p, cos h sin p, sin h sin p, cos h cos p.
-    let products = halves.zwzw() * halves.yxxy();
+    let products = half_products(Vec4::from_array(halves));
     let [by_heading, by_pitch, by_both, _] = products.to_array();
     let axis = planes.by_heading * by_heading + planes.by_pitch * by_pitch + planes.by_both * by_both;
     Quat::from_vec4(axis + Vec4::W * products)
+}
+
+/// Returns sin h cos p, cos h sin p, sin h sin p, cos h cos p of half a heading h and half a pitch p. The rotation of a
+/// frame (f, l, u), if it is not mirrored, is the quaternion with the vector part u·sin h cos p − l·cos h sin p +
+/// f·sin h sin p and w = cos h cos p.
+#[cfg_attr(not(aim_small), inline(always))]
+pub(crate) fn half_products(halves: Halves) -> Vec4 {
+    halves.zwzw() * halves.yxxy()
 }
 
 /// [`turn`] for axes that are not orthonormal: each angle turns in its own plane, or not at all if the plane is

@@ -42,20 +42,17 @@ pub(crate) fn range_in_pose(info: &JointInfo, pose: &PoseSlices<'_>, index: usiz
     ranges(info, animated)
 }
 
-/// Returns the ranges of motion of joint 0's mirror image, whose animated direction is parallel to joint 0's: the
-/// heading range is reflected. `own` are joint 0's ranges.
+/// Changes joint 0's ranges of motion to those of its mirror image, whose animated direction is parallel to joint 0's:
+/// the heading range is reflected.
 #[cfg_attr(not(aim_small), inline(always))]
-pub(crate) fn mirrored<const C: usize>(
-    rig: &ChainRig<'_, C>,
-    pose: &PoseSlices<'_>,
-    own: &RangeOfMotion,
-) -> RangeOfMotion {
+pub(crate) fn mirror<const C: usize>(rig: &ChainRig<'_, C>, pose: &PoseSlices<'_>, motion: &mut RangeOfMotion) {
     if rig.has_fixed_ranges {
-        return RangeOfMotion { heading: Interval::ordered(-own.heading.hi(), -own.heading.lo()), ..*own };
+        motion.heading = Interval::ordered(-motion.heading.hi(), -motion.heading.lo());
+        return;
     }
     let mut info = rig.joints[0];
     info.heading = info.heading.map(|[lo, hi]| [-hi, -lo]);
-    range_in_pose(&info, pose, 0)
+    *motion = range_in_pose(&info, pose, 0);
 }
 
 /// Returns the heading and pitch by which the animation turns a joint's forward out of the bind pose:

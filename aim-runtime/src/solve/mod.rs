@@ -24,13 +24,13 @@ pub(crate) use self::call::{Call, LONGEST_FRAME_S};
 use self::exact::settle::{settle, settle_from_rest};
 
 use self::exact::{following, single};
-use self::eyes::Eyes;
+use self::eyes::{Eyes, other_eye_correction};
 use self::frame::Frame;
 use self::judge::degenerate;
 use self::task::{SolveOutput, Task};
 use crate::kinematics::chain::{Chain, corrections_of, tilts};
 use crate::limits::RangeOfMotion;
-use crate::limits::motion::find_motions;
+use crate::limits::motion::{find_motions, mirror};
 use crate::limits::reach::Reach;
 use crate::rig::{ChainRig, HeadGoal, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
@@ -82,12 +82,12 @@ pub(crate) fn solve<const C: usize>(
     let mut motions = find_motions(rig, pose);
     let mut joints = rig.array_from(state.joints, Joint::REST);
     let before = *state.memory;
-    let output = SolveOutput { joints: &mut joints, memory: state.memory, corrections, solution: None };
+    let output = SolveOutput { joints: &mut joints, memory: state.memory, corrections, eyes: None };
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),
         None => {
             output.memory.set_eyes(None);
-            solve_chain(rig, pose, &motions, call, output)
+            solve_chain(rig, pose, &mut motions, call, output)
         }
     };
     if outcome.is_some() && call.dt != Some(0.0) {
@@ -98,12 +98,11 @@ pub(crate) fn solve<const C: usize>(
     match outcome {
         Some(outcome) => outcome,
         None => {
-            let about = upright_axis(pose, solver(rig, call.settings));
-            let eyes = pose.other_eye.and_then(|other_eye| Eyes::new(rig, pose, other_eye, &motions, about));
-            let held = eyes.and_then(|eyes| Some(eyes.correction(&state.memory.other_eye()?)));
-            corrections.copy_from_slice(&tilts(rig, pose.joints, about));
+            corrections.copy_from_slice(&tilts(rig, pose.joints, upright_axis(pose, solver(rig, call.settings))));
+            let other_eye = state.memory.other_eye();
+            let held = other_eye.and_then(|angles| other_eye_correction(rig, pose, angles, *corrections.first()?));
             corrections_of(rig, state.joints, corrections);
-            Outcome { other_eye_correction: held, ..degenerate(rig, &motions, state.joints) }
+            Outcome { other_eye_correction: held, ..degenerate(rig, &find_motions(rig, pose), state.joints) }
         }
     }
 }
@@ -118,8 +117,19 @@ fn aim_eyes<const C: usize>(
     call: &Call<'_>,
     output: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
-    let eyes = Eyes::new(rig, pose, other_eye, motions, upright_axis(pose, solver(rig, call.settings)))?;
-    eyes.aim(call, motions, output, |pose, motions, output| solve_chain(rig, pose, motions, call, output))
+    let mut eye_motions = [motions[0]; 2];
+    mirror(rig, pose, &mut eye_motions[1]);
+    let own = output.joints[0].angles();
+    let [other, leading] = output.memory.eyes().unwrap_or([[0.0; 2], own]);
+    let eyes = Eyes::new(rig, pose, other_eye, &eye_motions, call, [own, other]);
+    let joints = eyes.lead(&mut output.joints[0], leading);
+    let pose = PoseSlices { joints: &joints, ..*pose };
+    let output = SolveOutput { eyes: Some(&eyes), ..output };
+    if call.dt.is_some() {
+        solve_chain(rig, &pose, motions, call, output)
+    } else {
+        eyes.snap(motions, output, |motions, output| solve_chain(rig, &pose, motions, call, output))
+    }
 }
 
 /// Moves a chain by the selected solver.
@@ -127,26 +137,19 @@ fn aim_eyes<const C: usize>(
 fn solve_chain<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
-    motions: &[RangeOfMotion],
+    motions: &mut [RangeOfMotion],
     call: &Call<'_>,
     output: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
-    let SolveOutput { joints, memory, corrections, mut solution } = output;
+    let SolveOutput { joints, memory, corrections, eyes } = output;
     if moves_by_regions(rig, call.settings) {
         let about = upright_axis(pose, Solver::Natural);
         if call.dt.is_some() {
-            return natural::aim(
-                rig,
-                pose,
-                motions,
-                call,
-                about,
-                SolveOutput { joints, memory, corrections, solution },
-            );
+            return natural::aim(rig, pose, motions, call, about, SolveOutput { joints, memory, corrections, eyes });
         }
         // A snap that is undefined from rest may be defined from another start, which the search below may find.
         let before = *joints;
-        let output = SolveOutput { joints, memory, corrections, solution: solution.as_deref_mut() };
+        let output = SolveOutput { joints, memory, corrections, eyes };
         let outcome = natural::aim(rig, pose, motions, call, about, output);
         if outcome.is_some() {
             return outcome;
@@ -156,9 +159,14 @@ fn solve_chain<const C: usize>(
     if cfg!(aim_natural) {
         return None;
     }
-    let output = SolveOutput { joints, memory, corrections, solution };
+    let output = SolveOutput { joints, memory, corrections, eyes };
     match call.dt {
-        Some(dt) => aim_joints(rig, pose, motions, call, dt, output),
+        Some(dt) => {
+            if let Some(eyes) = eyes {
+                eyes.converge(motions, || eyes.distance(output.joints));
+            }
+            aim_joints(rig, pose, motions, call, dt, output)
+        }
         None => snap_joints(rig, pose, motions, call, output),
     }
 }
@@ -203,7 +211,7 @@ fn aim_joints<const C: usize>(
     motions: &[RangeOfMotion],
     call: &Call<'_>,
     dt: f32,
-    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
+    SolveOutput { joints, memory, corrections, eyes }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -234,7 +242,7 @@ fn aim_joints<const C: usize>(
         joints.iter_mut().for_each(|joint| joint.velocity = [0.0; 2]);
     }
     let task = Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach, well_within: false };
-    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, solution })
+    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, eyes })
 }
 
 /// Puts `joints` on the target regardless of rates; `None` if there is nothing to aim.
@@ -243,7 +251,7 @@ fn snap_joints<const C: usize>(
     pose: &PoseSlices<'_>,
     motions: &[RangeOfMotion],
     call: &Call<'_>,
-    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
+    SolveOutput { joints, memory, corrections, eyes }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let solver = solver(rig, settings);
@@ -282,7 +290,7 @@ fn snap_joints<const C: usize>(
     }
     let task =
         Task { rig, motions, goal: &goal, space: chain.space(), settings, within_reach: false, well_within: false };
-    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, solution })
+    task.finish_chain(&chain, SolveOutput { joints, memory, corrections, eyes })
 }
 
 /// Determines the goal of a chain.

@@ -1,7 +1,8 @@
 //! [`Task`]: the task of the joints in a call, and judging its result.
 
-use glam::{Quat, Vec3A};
+use glam::Quat;
 
+use super::eyes::{ChainResult, Eyes};
 use super::judge::{Measured, Verdict, limits_met};
 use crate::kinematics::chain::{Chain, Space};
 use crate::limits::RangeOfMotion;
@@ -10,26 +11,17 @@ use crate::rig::{ChainRig, Memory, PerJoint};
 use crate::target::goal::Goal;
 use crate::{Joint, JointSet, Outcome, Settings};
 
-/// The results of a chain's solve that its eyes need.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ChainSolution {
-    pub(crate) goal: Goal,
-    pub(crate) space: Space,
-    /// The point that the outcome is measured against, with the turns of the joints inside the leading one undone,
-    /// in solver space; `None` if the solver did not compute it.
-    pub(crate) measured_point: Option<Vec3A>,
-}
-
 /// The state that a solve changes and the corrections that it writes, one for each joint.
 pub(crate) struct SolveOutput<'a, const C: usize> {
     pub(crate) joints: &'a mut PerJoint<Joint, C>,
     pub(crate) memory: &'a mut Memory,
     pub(crate) corrections: &'a mut [Quat],
-    /// Receives the results for the eyes, if requested.
-    pub(crate) solution: Option<&'a mut Option<ChainSolution>>,
+    /// The eyes that replace joint 0 at the end, if there are two.
+    pub(crate) eyes: Option<&'a Eyes<'a, C>>,
 }
 
 /// The task of the joints, and the inputs to judge its result.
+#[derive(Clone, Copy)]
 pub(crate) struct Task<'a, const C: usize> {
     pub(crate) rig: &'a ChainRig<'a, C>,
     pub(crate) motions: &'a [RangeOfMotion],
@@ -43,48 +35,49 @@ pub(crate) struct Task<'a, const C: usize> {
 }
 
 impl<const C: usize> Task<'_, C> {
-    /// Calls [`finish`](Self::finish) with the forward kinematics of a chain, and writes the joints' corrections.
+    /// Judges the joints' present angles by the forward kinematics of a chain, and writes the joints' corrections.
+    /// Replaces the leading eye by both eyes, if there are two.
     #[inline(always)]
     pub(crate) fn finish_chain(
         &self,
         chain: &Chain<C>,
-        SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
+        SolveOutput { joints, memory, corrections, eyes }: SolveOutput<'_, C>,
     ) -> Option<Outcome> {
-        if let Some(solution) = solution {
-            *solution = Some(ChainSolution { goal: *self.goal, space: self.space, measured_point: None });
+        self.remember(joints, memory);
+        let (gaze, turns) = chain.gaze_and_corrections(self.rig, joints);
+        corrections.copy_from_slice(&turns);
+        let outcome = self.judge(joints, Measured::of_angle(gaze.angle_to(self.goal.measured_point)?));
+        match eyes {
+            Some(eyes) => {
+                let chain = ChainResult { outcome, goal: self.goal, space: self.space };
+                eyes.replace_leading(&chain, joints, memory, corrections)
+            }
+            None => Some(outcome),
         }
-        self.finish(joints, memory, |joints| {
-            let (gaze, turns) = chain.gaze_and_corrections(self.rig, joints);
-            corrections.copy_from_slice(&turns);
-            gaze.angle_to(self.goal.measured_point).map(Measured::of_angle)
-        })
     }
 
-    /// Updates the memory and judges the joints' present angles by the remaining angle that `measure` measures with
-    /// forward kinematics.
+    /// Wraps free angles and remembers the goal.
     #[inline(always)]
-    pub(crate) fn finish(
-        &self,
-        joints: &mut [Joint],
-        memory: &mut Memory,
-        measure: impl FnOnce(&[Joint]) -> Option<Measured>,
-    ) -> Option<Outcome> {
-        let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
-        if !rig.has_fixed_ranges {
-            for (joint, motion) in joints.iter_mut().zip(motions) {
+    pub(crate) fn remember(&self, joints: &mut [Joint], memory: &mut Memory) {
+        if !self.rig.has_fixed_ranges {
+            for (joint, motion) in joints.iter_mut().zip(self.motions) {
                 wrap(motion, joint);
             }
         }
-        (memory.side, memory.behind) = (goal.side, goal.behind);
-        let measured = measure(joints)?;
+        (memory.side, memory.behind) = (self.goal.side, self.goal.behind);
+    }
+
+    /// Judges the joints' present angles by the remaining angle that forward kinematics measured.
+    #[inline(always)]
+    pub(crate) fn judge(&self, joints: &[Joint], measured: Measured) -> Outcome {
+        let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
         let tolerance = settings.effective_tolerance();
         let verdict = Verdict { remaining: measured.remaining, tolerance, behind: goal.behind, within_reach };
-        let outcome = if well_within {
+        if well_within {
             verdict.outcome_by(measured.aim, JointSet::EMPTY, JointSet::EMPTY)
         } else {
             let (at_limit, recovering) = limits_met(rig.joints, motions, joints);
             verdict.outcome_by(measured.aim, at_limit, recovering)
-        };
-        Some(outcome)
+        }
     }
 }

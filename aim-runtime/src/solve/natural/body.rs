@@ -14,16 +14,16 @@
 //! [undone](Body::undo_turn) on the point that is looked at: x + F·Rᵀ·Fᵀ·(point − x). This is equivalent, and
 //! each joint is turned in its animated frame.
 
-use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4};
+use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec3Swizzles, Vec4};
 
 use super::glide::Pair;
-use crate::JointInfo;
 use crate::kinematics::bearing::Bearings;
 use crate::kinematics::chain::{Deviation, Ray, Space, TOO_NEAR, Upright, effector, orthogonal_frames, upright};
 use crate::math::trig::{self, Halves};
 use crate::math::{self, Bounded};
 use crate::rig::{ChainRig, EXACT_JOINTS, PerJoint};
 use crate::solve::judge::Measured;
+use crate::{Joint, JointInfo};
 
 /// An animated pose.
 pub(super) struct Body<'a, const C: usize> {
@@ -175,12 +175,11 @@ impl<'a, const C: usize> Body<'a, C> {
         Some(())
     }
 
-    /// Returns the angle between the effector, with the leading joint turned by `turn`, and the direction to a point,
-    /// from which the turns of the joints inward are undone; `None` if it is undefined.
+    /// Returns the angle between the effector, with the leading joint turned by `turn`, and its view of a point; `None`
+    /// if it is undefined.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn measure(&self, point: Vec3A, turn: &Turn) -> Option<Measured> {
-        let first = self.first();
-        let seen = turn.undo(self.rows[first] * (point - self.places[first]));
+    pub(super) fn measure(&self, view: Vec3A, turn: &Turn) -> Option<Measured> {
+        let seen = turn.undo(view);
         if !self.is_plain {
             return self.effector.angle_to(seen).map(Measured::of_angle);
         }
@@ -216,6 +215,30 @@ impl<'a, const C: usize> Body<'a, C> {
         move |direction| undone * (rows * direction)
     }
 
+    /// Returns a point with the turns of the joints inward of the leading one undone.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn unturned(&self, joints: &[Joint], mut point: Vec3A) -> Vec3A {
+        let first = self.first();
+        // The sines and cosines of two joints take little more time than those of one.
+        for index in (first + 1..self.count()).rev().step_by(2) {
+            let (inner, outer) = (&joints[index], &joints[index - 1]);
+            let both = Vec4::new(inner.heading, inner.pitch, outer.heading, outer.pitch);
+            let [inner, outer] = trig::halves_of_both(both).map(Turn::of_halves);
+            point = self.undo_turn_at(index, &inner, point);
+            if index - 1 > first {
+                point = self.undo_turn_at(index - 1, &outer, point);
+            }
+        }
+        point
+    }
+
+    /// Returns the leading joint's view of a point with these turns undone: the vector to it in the joint's frame.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(super) fn view(&self, unturned_point: Vec3A) -> Vec3A {
+        let first = self.first();
+        self.rows[first] * (unturned_point - self.places[first])
+    }
+
     /// Undoes a joint's turn on a point.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(super) fn undo_turn_at(&self, joint: usize, turn: &Turn, point: Vec3A) -> Vec3A {
@@ -226,7 +249,7 @@ impl<'a, const C: usize> Body<'a, C> {
 
 /// The sines and cosines of a joint's pitch and heading.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solve) struct Turn(Vec4);
+pub(super) struct Turn(Vec4);
 
 impl Turn {
     /// No turn: both angles are 0.
@@ -238,17 +261,17 @@ impl Turn {
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(in crate::solve) fn of_halves(halves: Halves) -> Self {
+    pub(super) fn of_halves(halves: Halves) -> Self {
         Self(trig::doubled(halves))
     }
 
     /// Undoes the turn on a vector along forward, left and up: applies its inverse.
     #[cfg_attr(not(aim_small), inline(always))]
-    pub(in crate::solve) fn undo(&self, v: Vec3A) -> Vec3A {
+    pub(super) fn undo(&self, v: Vec3A) -> Vec3A {
         let [sin_p, cos_p, sin_h, cos_h] = self.0.to_array();
-        let [ahead, left, up] = v.to_array();
-        let level = ahead * cos_h + left * sin_h;
-        Vec3A::new(level * cos_p + up * sin_p, left * cos_h - ahead * sin_h, up * cos_p - level * sin_p)
+        // f·cos h + l·sin h, l·cos h − f·sin h, u; the same for the pitch with f and u.
+        let level = v * Vec3A::new(cos_h, cos_h, 1.0) + v.yxz() * Vec3A::new(sin_h, -sin_h, 0.0);
+        level * Vec3A::new(cos_p, 1.0, cos_p) + level.zyx() * Vec3A::new(sin_p, 0.0, -sin_p)
     }
 
     /// Returns the frame (f, l, u) times the inverse of the turn, F·Rᵀ.
@@ -270,6 +293,6 @@ impl Turn {
 
 /// Returns a joint's angles as a pair.
 #[cfg_attr(not(aim_small), inline(always))]
-pub(super) fn angles(joint: &crate::Joint) -> Pair {
+pub(super) fn angles(joint: &Joint) -> Pair {
     Vec4::new(joint.heading, joint.pitch, joint.heading, joint.pitch)
 }

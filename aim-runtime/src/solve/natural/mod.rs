@@ -18,7 +18,7 @@
 //! zone and the slope of the head's part; Freedman, *Exp. Brain Res.* 190 (2008) for coordination as a whole.
 
 mod allot;
-pub(in crate::solve) mod body;
+mod body;
 mod glide;
 mod range;
 mod region;
@@ -36,10 +36,11 @@ use self::region::{Region, find_regions};
 use self::sharing::Sharing;
 use self::sight::SightAngles;
 use super::call::Call;
+use super::eyes::{ChainResult, Eyes, LeadingFrame};
 use super::judge::Measured;
-use super::task::{ChainSolution, SolveOutput, Task};
+use super::task::{SolveOutput, Task};
 use crate::kinematics::bearing::Bearings;
-use crate::kinematics::chain::{Chain, Upright, true_gaze};
+use crate::kinematics::chain::{Chain, Space, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
 use crate::limits::motion::animated_angles;
@@ -65,10 +66,10 @@ const LEAST_S: f32 = 1e-5;
 pub(super) fn aim<const C: usize>(
     rig: &ChainRig<'_, C>,
     pose: &PoseSlices<'_>,
-    motions: &[RangeOfMotion],
+    motions: &mut [RangeOfMotion],
     call: &Call<'_>,
     about: Upright,
-    SolveOutput { joints, memory, corrections, solution }: SolveOutput<'_, C>,
+    SolveOutput { joints, memory, corrections, eyes }: SolveOutput<'_, C>,
 ) -> Option<Outcome> {
     let settings = call.settings;
     let mut body = Body::unseen(rig);
@@ -81,6 +82,9 @@ pub(super) fn aim<const C: usize>(
         body.set_gaze(skewed.animated_gaze())?;
         Some(&skewed)
     };
+    if let Some(eyes) = eyes {
+        converge(eyes, &body, motions, call, joints);
+    }
     let bearings = Bearings::of_trunk(&body.trunk, about, body.turns_round());
     let scene = Scene {
         space: body.space,
@@ -137,40 +141,114 @@ pub(super) fn aim<const C: usize>(
         pivot: body.gaze.origin - direction * direction.dot(body.gaze.origin - body.places[turns]).at_least(0.0),
     };
     let mut before = *joints;
-    let mut posture = Posture {
-        joints,
-        corrections,
-        aim_point: goal.measured_point,
-        measured_point: goal.measured_point,
-    };
+    let mut posture =
+        Posture { joints, corrections, aim_point: goal.measured_point, measured_point: goal.measured_point };
     let fit = match call.dt {
         Some(dt) => gaze.move_joints(&mut before, memory, &mut posture, dt)?,
         None => gaze.snap(&before, memory, &mut posture)?,
     };
-    let mut leading = Turn::NONE;
-    for joint in 0..first + 1 {
-        leading = posture.correct(&body, joint);
-    }
-    let Posture { joints, corrections, measured_point, .. } = posture;
-    let margins = ranges.iter().zip(joints.iter()).map(|(range, joint)| range.margins(angles(joint)));
+    let margins = ranges.iter().zip(posture.joints.iter()).map(|(range, joint)| range.margins(angles(joint)));
     let least = margins.fold(Vec4::INFINITY, Vec4::min);
     let well_within = least.cmpgt(Vec4::splat(AT_LIMIT_RAD)).bitmask() & 3 == 3;
     let within_reach = fit.within_reach;
     let task = Task { rig, motions, goal: &goal, space: body.space, settings, within_reach, well_within };
-    let outcome = task.finish(joints, memory, |_| match chain {
-        Some(chain) => chain.gaze(corrections).angle_to(goal.measured_point).map(Measured::of_angle),
-        None if body.deviation.is_negligible() => body.measure(measured_point, &leading),
-        // Undoing a rotation in skewed axes is inexact by the skew, so use true kinematics.
-        None => {
-            let gaze = true_gaze(rig, pose.joints, first, body.space, corrections)?;
-            gaze.angle_to(goal.measured_point).map(Measured::of_angle)
-        }
-    })?;
-    if let Some(solution) = solution {
-        let measured_point = (first == 0 && body.deviation.is_negligible()).then_some(measured_point);
-        *solution = Some(ChainSolution { goal, space: body.space, measured_point });
+    if let Some(eyes) = eyes
+        && let Some(outcome) = follow_with_both(eyes, &body, &task, memory, &mut posture)
+    {
+        return Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome });
     }
-    Some(Outcome { body_turn: fit.body_turn, out_of_reach_for: memory.blocked_s, ..outcome })
+    // Created where it is needed, so that it is not stored.
+    let end = || End { pose, body: &body, chain, task, body_turn: fit.body_turn };
+    match eyes {
+        Some(eyes) => end().replace_leading(eyes, memory, posture),
+        None => end().judge(memory, posture),
+    }
+}
+
+/// The end of a call, after the supporting joints have turned.
+#[derive(Clone, Copy)]
+struct End<'a, const C: usize> {
+    pose: &'a PoseSlices<'a>,
+    body: &'a Body<'a, C>,
+    chain: Option<&'a Chain<C>>,
+    task: Task<'a, C>,
+    body_turn: f32,
+}
+
+impl<const C: usize> End<'_, C> {
+    /// Corrects the leading joint, and returns the outcome.
+    #[cfg_attr(not(aim_small), inline(always))]
+    fn judge(self, memory: &mut Memory, mut posture: Posture<'_, C>) -> Option<Outcome> {
+        let Self { pose, body, chain, task, body_turn } = self;
+        let (goal, first) = (task.goal, body.first());
+        let mut leading = Turn::NONE;
+        for joint in 0..first + 1 {
+            leading = posture.correct(body, joint);
+        }
+        let Posture { joints, corrections, measured_point, .. } = posture;
+        task.remember(joints, memory);
+        let measured = match chain {
+            Some(chain) => Measured::of_angle(chain.gaze(corrections).angle_to(goal.measured_point)?),
+            None if body.deviation.is_negligible() => body.measure(body.view(measured_point), &leading)?,
+            // Undoing a rotation in skewed axes is inexact by the skew, so use true kinematics.
+            None => {
+                let gaze = true_gaze(task.rig, pose.joints, first, body.space, corrections)?;
+                Measured::of_angle(gaze.angle_to(goal.measured_point)?)
+            }
+        };
+        Some(Outcome { body_turn, out_of_reach_for: memory.blocked_s, ..task.judge(joints, measured) })
+    }
+
+    /// Turns both eyes instead of the leading one, and returns the outcome.
+    #[cold]
+    #[inline(never)]
+    fn replace_leading(self, eyes: &Eyes<'_, C>, memory: &mut Memory, posture: Posture<'_, C>) -> Option<Outcome> {
+        let Posture { joints, corrections, aim_point, measured_point } = posture;
+        let leading = Posture { joints, corrections, aim_point, measured_point };
+        let outcome = self.judge(memory, leading)?;
+        let chain = ChainResult { outcome, goal: self.task.goal, space: self.task.space };
+        eyes.replace_leading(&chain, joints, memory, corrections)
+    }
+}
+
+/// Turns both eyes if they follow their target in a rigid pose and no joint is at a limit.
+#[cfg_attr(not(aim_small), inline(always))]
+fn follow_with_both<const C: usize>(
+    eyes: &Eyes<'_, C>,
+    body: &Body<'_, C>,
+    task: &Task<'_, C>,
+    memory: &mut Memory,
+    Posture { joints, corrections, measured_point, .. }: &mut Posture<'_, C>,
+) -> Option<Outcome> {
+    if !(task.well_within && body.first() == 0 && body.deviation.is_negligible()) {
+        return None;
+    }
+    let leading = LeadingFrame { frame: &body.frames[0], rows: &body.rows[0], per_size: body.space.per_size };
+    let outcome = eyes.follow(task.goal, body.view(*measured_point), &leading, joints, memory, corrections)?;
+    task.remember(joints, memory);
+    Some(outcome)
+}
+
+/// Sets the ranges of the eye that leads two in this frame.
+#[cfg_attr(not(aim_small), inline(always))]
+fn converge<const C: usize>(
+    eyes: &Eyes<'_, C>,
+    body: &Body<'_, C>,
+    motions: &mut [RangeOfMotion],
+    call: &Call<'_>,
+    joints: &[Joint],
+) {
+    let distance = || {
+        if body.first() > 0 || !body.deviation.is_rigid() {
+            return eyes.distance(joints);
+        }
+        let Space { origin, per_size } = body.space;
+        let target = (Vec3A::from(call.target_ps) - origin) * per_size;
+        (body.unturned(joints, target) - body.places[0]).length() / per_size
+    };
+    if call.dt.is_some() {
+        eyes.converge(motions, distance);
+    }
 }
 
 /// The animation's turn of the leading eye out of the bind pose, times the weight. Where the animation looks is replaced

@@ -61,10 +61,7 @@ impl SightAngles {
 impl<const C: usize> Gaze<'_, C> {
     /// Returns the leading joint's view of a point at these joint angles.
     pub(super) fn sight_angles_at(&self, joints: &[Joint], point: Vec3A) -> Option<SightAngles> {
-        let body = self.body;
-        let outward = |point, index: usize| body.undo_turn_at(index, &Turn::new(angles(&joints[index])), point);
-        let unturned_point = (body.first() + 1..body.count()).rev().fold(point, outward);
-        self.sight_angles(joints, point, unturned_point)
+        self.sight_angles(joints, point, self.body.unturned(joints, point))
     }
 
     /// Returns the leading joint's view of a point, given the point with the turns of the joints inward of it undone.
@@ -82,19 +79,12 @@ impl<const C: usize> Gaze<'_, C> {
         if let Some(chain) = self.chain {
             return self.search_sight(chain, joints, point);
         }
-        let local = self.local(unturned_point);
+        let local = self.body.view(unturned_point);
         if !self.body.is_plain {
             return self.iterate_sight(local, joints);
         }
         let square = local.dot(local);
         (square > 1e-30 && square < f32::INFINITY).then(|| heading_and_pitch(local))
-    }
-
-    /// Transforms a point, with turns undone, to the leading joint's frame.
-    #[cfg_attr(not(aim_small), inline(always))]
-    pub(super) fn local(&self, unturned_point: Vec3A) -> Vec3A {
-        let (body, first) = (self.body, self.body.first());
-        body.rows[first] * (unturned_point - body.places[first])
     }
 
     /// [`sight`](Self::sight) for an effector that is offset from its joint, by fixed-point iteration: each round looks

@@ -503,7 +503,7 @@ impl<const C: usize> Gaze<'_, C> {
             body.undo_turn(index, &Turn::new(angles(&posture.joints[index])), up)
         });
         let up = body.rows[body.first()] * up;
-        let local = self.local(posture.aim_point);
+        let local = body.view(posture.aim_point);
         let (sin, cos) = trig::sin_cos(heading);
         let (a, b) = (up.x * cos + up.y * sin, up.z);
         let sin_elevation = local.dot(up) / local.length().at_least(f32::MIN_POSITIVE);
