@@ -12,6 +12,10 @@ use crate::rig::Side;
 
 /// Elevation, up or down, beyond which a heading carries little information, radians.
 const STEEP_RAD: f32 = 80.0 * PI / 180.0;
+/// Elevation, up or down, beyond which a forward is measured by its [steep angles](Bearings::steep_angles), radians.
+pub(crate) const FORWARD_STEEP_RAD: f32 = 45.0 * PI / 180.0;
+/// Elevations, up or down, between which the heading of a forward is replaced by that of its front, radians.
+const VERTICAL_RAD: [f32; 2] = [75.0 * PI / 180.0, 85.0 * PI / 180.0];
 /// Elevations, up or down, radians. Beyond the first, directions to the side are [turned to](Bearings::turned) with a
 /// smaller heading than their own; beyond the second, even directions behind are turned to through the front.
 pub(crate) const BY_THE_FRONT_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
@@ -110,6 +114,33 @@ impl Bearings {
         [both, both.zwzw()]
     }
 
+    /// Returns heading and elevation of a steep forward whose frame has this `up`. `angles` is what [`Self::angles`]
+    /// returns for the forward.
+    ///
+    /// A forward beyond the vertical, behind and with its frame upside down, is measured from the front: heading ± π and
+    /// elevation ±π − ε, an angle beyond ±90°. The heading of a nearly vertical forward is that of its own front, which
+    /// is where up points if the forward points down, and the opposite direction if it points up; or the trunk's, if
+    /// they differ by 90° or more, as in a body that lies on its side.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn steep_angles(&self, angles: Vec4, up: Vec3A) -> Vec4 {
+        let [mut heading, mut elevation, ..] = angles.to_array();
+        let sign = elevation.signum();
+        let up = self.rows * up;
+        if up.z < 0.0 && heading.abs() > FRAC_PI_2 {
+            heading -= PI * heading.signum();
+            elevation = PI * sign - elevation;
+        }
+        let (ahead, left) = (-sign * up.x, -sign * up.y);
+        let level = math::root(ahead * ahead + left * left).at_least(1e-3);
+        // Up to 60° from the trunk's front, and none of it from 90° on.
+        let front = trig::atan2(left, ahead) * (2.0 * ahead / level).at_least(0.0).at_most(1.0);
+        let [from, to] = VERTICAL_RAD;
+        let part = ((angles.y.abs() - from) / (to - from)).at_least(0.0).at_most(1.0);
+        heading += math::wrap_pi(front - heading) * part;
+        Vec4::new(heading, elevation, heading, elevation)
+    }
+
     /// Returns the unit direction with this heading and elevation.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn direction(&self, angles: Vec4) -> Vec3A {
@@ -152,8 +183,11 @@ impl Bearings {
             heading = math::wrap_pi(heading);
         }
         // From a steep gaze, the far side is nearer over the zenith: heading ± π with elevation π − ε is the same
-        // direction.
-        if from_elevation.abs() > STEEP_RAD && heading.abs() > FRAC_PI_2 {
+        // direction. Nobody looks back under the body, so a gaze in front never passes the nadir.
+        if from_elevation.abs() > STEEP_RAD
+            && heading.abs() > FRAC_PI_2
+            && (from_elevation > 0.0 || from_heading.abs() > FRAC_PI_2)
+        {
             heading -= PI * heading.signum();
             elevation = PI * from_elevation.signum() - elevation;
         }

@@ -169,6 +169,61 @@ fn a_head_that_hangs_down_is_lifted_to_look_aside() {
     }
 }
 
+/// A person who bends down until the eyes look at the ground, or back past the feet, looks up to a target ahead and
+/// turns to one aside, wherever the animated eyes look: never under the body, and to the side of the target.
+#[test]
+fn a_person_who_bends_down_looks_up_the_right_way() {
+    for upright_heading in [0.0, 1.0] {
+        for down in [60.0, 75.0, 82.0, 88.0, 90.0, 93.0, 100.0, 110.0_f32] {
+            for glance in [-12.0, 0.0, 12.0_f32] {
+                for heading in [-120.0, -60.0, 0.0, 60.0, 120.0_f32] {
+                    let mut rig = thug();
+                    rig.infos[1] = rig.infos[1].with_upright(upright_heading);
+                    let bind = upright(&rig);
+                    let mut pose = bind.clone();
+                    for (joint, part) in pose.iter_mut().zip([1.0, 1.0, 0.8]) {
+                        joint.matrix3 = Mat3A::from_rotation_x(-part * down * DEG) * joint.matrix3;
+                    }
+                    pose[0].matrix3 = Mat3A::from_rotation_x(glance * DEG) * pose[0].matrix3;
+                    rig.snap(&Pose::new(&pose).with_bind(&bind).with_up(Vec3::Y), at(heading, 0.0));
+                    let [aside, up] =
+                        [Joint::heading, Joint::pitch].map(|of| (of(&rig.joints[0]) + of(&rig.joints[1])) / DEG);
+                    let case = format!("{upright_heading}, {down}°, {glance}°, {heading}°: {aside}°, {up}°");
+                    match heading {
+                        0.0 => assert!(aside.abs() < 1.0 && up > 25.0, "{case}"),
+                        _ => assert!(heading.signum() * aside > 25.0, "{case}"),
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A person who lies on one side and looks up turns to a target ahead in the same way, whichever way the body is tipped
+/// a little.
+#[test]
+fn a_person_who_lies_on_one_side_does_not_turn_over() {
+    for side in [-1.0, 1.0_f32] {
+        for turn in [40.0, 50.0, 55.0_f32] {
+            let gaze = |tip: f32| {
+                let mut rig = thug();
+                let bind = upright(&rig);
+                let mut pose = bind.clone();
+                let lying = Mat3A::from_rotation_z((90.0 + tip) * side * DEG);
+                for (joint, part) in pose.iter_mut().zip([1.0, 1.0, 0.0]) {
+                    joint.matrix3 = lying * Mat3A::from_rotation_y(part * side * turn * DEG) * joint.matrix3;
+                }
+                rig.snap(&Pose::new(&pose).with_bind(&bind).with_up(Vec3::Y), at(0.0, 0.0));
+                let sum = |of: fn(&Joint) -> f32| rig.joints.iter().map(of).sum::<f32>() / DEG;
+                [sum(Joint::heading), sum(Joint::pitch)]
+            };
+            let [before, after] = [-1.0, 1.0].map(gaze);
+            let apart = (after[0] - before[0]).abs().max((after[1] - before[1]).abs());
+            assert!(apart < 1.0, "{side}, {turn}°: {before:?}, {after:?}");
+        }
+    }
+}
+
 /// Without a chest, the budget of the head counts from the bind pose, as ranges do: an animal that walks with its head
 /// low looks up as far as one that walks with its head high, and no further.
 #[test]

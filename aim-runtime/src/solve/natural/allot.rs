@@ -8,7 +8,7 @@ use super::glide::{Pair, pair, square};
 use super::region::{Region, pitch_reduction};
 use super::sharing::EYE_PART;
 use super::{Aims, Gaze, Posture, SAME_RAD, SightAngles};
-use crate::kinematics::bearing::BY_THE_FRONT_RAD;
+use crate::kinematics::bearing::{BY_THE_FRONT_RAD, FORWARD_STEEP_RAD};
 use crate::limits::Interval;
 use crate::math::Bounded;
 use crate::math::trig;
@@ -117,7 +117,10 @@ impl<const C: usize> Gaze<'_, C> {
     #[cfg_attr(not(aim_small), inline(always))]
     fn gaze_shift_to(&self, point: Vec3A) -> Option<GazeShift> {
         let to_target = math::unit(point - self.pivot)?;
-        let [from, to] = self.bearings.turned(self.body.gaze.direction, to_target);
+        let [mut from, to] = self.bearings.turned(self.body.gaze.direction, to_target);
+        if from.y.abs() > FORWARD_STEEP_RAD {
+            from = self.bearings.steep_angles(from, self.body.own_up(self.body.first()));
+        }
         let shift = self.bearings.angle_change(from, to, self.goal.side);
         let own = if self.has_eye() {
             let angle = math::angle_between_units(self.glance.rest, to_target);

@@ -167,6 +167,16 @@ impl<'a, const C: usize> Body<'a, C> {
         self.upright_direction(joint, self.infos()[joint].axes.forward.into())
     }
 
+    /// Returns a joint's declared up in solver space.
+    #[cold]
+    pub(super) fn own_up(&self, joint: usize) -> Vec3A {
+        if self.is_tilted(joint) {
+            self.frames[joint] * self.upright_direction(joint, self.infos()[joint].axes.up.into())
+        } else {
+            self.frames[joint].z_axis
+        }
+    }
+
     /// Sets the effector from the true kinematics of a pose that is not rigid; `None` if its direction is zero.
     pub(super) fn set_gaze(&mut self, gaze: Ray) -> Option<()> {
         self.gaze = Ray { direction: math::unit(gaze.direction)?, ..gaze };

@@ -26,7 +26,7 @@ mod sharing;
 mod sight;
 mod turning;
 
-use glam::{Quat, Vec3A, Vec4};
+use glam::{Quat, Vec3A, Vec4, Vec4Swizzles};
 
 use self::allot::{FRAME_ROUNDS, Fit, ROUNDS};
 use self::body::{Body, Turn, angles};
@@ -39,7 +39,7 @@ use super::call::Call;
 use super::eyes::{ChainResult, Eyes, LeadingFrame};
 use super::judge::Measured;
 use super::task::{SolveOutput, Task};
-use crate::kinematics::bearing::Bearings;
+use crate::kinematics::bearing::{Bearings, FORWARD_STEEP_RAD};
 use crate::kinematics::chain::{Chain, Space, Upright, true_gaze};
 use crate::kinematics::rotation::{tilted, turn};
 use crate::limits::RangeOfMotion;
@@ -274,8 +274,17 @@ impl Glance {
         let (gaze, eye) = (body.gaze.direction, body.first());
         let Some(turn) = animated_angles(&body.infos()[eye], pose, eye) else { return Self::none(gaze) };
         let turn = pair([turn.heading, turn.pitch]) * weight;
-        let rest = body.frames[eye] * Turn::new(turn).undo(body.effector.direction);
-        let [heading, elevation, rest_heading, rest_elevation] = bearings.angles_of_both([gaze, rest]).to_array();
+        let (undone, up) = (Turn::new(turn), body.own_up(eye));
+        let rest = body.frames[eye] * undone.undo(body.effector.direction);
+        let mut both = bearings.angles_of_both([gaze, rest]);
+        if both.y.abs() > FORWARD_STEEP_RAD || both.w.abs() > FORWARD_STEEP_RAD {
+            let rest_up = body.frames[eye] * undone.undo(body.rows[eye] * up);
+            let steep = |angles: Vec4, up: Vec3A| {
+                if angles.y.abs() > FORWARD_STEEP_RAD { bearings.steep_angles(angles, up) } else { angles }
+            };
+            both = Vec4::from((steep(both, up).xy(), steep(both.zwzw(), rest_up).xy()));
+        }
+        let [heading, elevation, rest_heading, rest_elevation] = both.to_array();
         Self { turn, change: pair([math::wrap_pi(heading - rest_heading), elevation - rest_elevation]), rest }
     }
 }

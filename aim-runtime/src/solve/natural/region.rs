@@ -8,7 +8,7 @@ use super::body::Body;
 use super::glide::{Pair, pair};
 use super::range::Range;
 use crate::JointInfo;
-use crate::kinematics::bearing::Bearings;
+use crate::kinematics::bearing::{Bearings, FORWARD_STEEP_RAD};
 use crate::math::{self, Bounded, trig};
 use crate::rig::BodyPart;
 
@@ -20,7 +20,7 @@ pub(super) fn pitch_reduction(aside: f32) -> f32 {
 }
 
 /// Elevations, up or down, between which the measure of a steep region's front changes from its forward to its up.
-const FACING_RAD: [f32; 2] = [45.0 * PI / 180.0, 60.0 * PI / 180.0];
+const FACING_RAD: [f32; 2] = [FORWARD_STEEP_RAD, 60.0 * PI / 180.0];
 /// Elevations, up or down, between which the heading range of a steep region shrinks to 0.
 const LEVEL_AXIS_RAD: [f32; 2] = [45.0 * PI / 180.0, 75.0 * PI / 180.0];
 
@@ -177,8 +177,11 @@ pub(super) fn find_regions<'a, const C: usize>(
     for (number, region) in regions[..parts.len()].iter_mut().enumerate() {
         let part = region.part;
         let [outer, inner] = part.ends::<C>(number);
-        let mut animated = region.animated;
         let is_steep = region.is_steep();
+        if is_steep {
+            region.animated = bearings.steep_angles(region.animated, body.own_up(outer));
+        }
+        let mut animated = region.animated;
         if is_steep {
             animated.x = region.facing(&body.frames[outer], bearings);
         }
