@@ -1,9 +1,10 @@
 //! Warnings of a bake: printed to standard error at once, and kept for the report and its page.
 
 use aim_animation::Clip;
-use aim_character::{Fit, Measurement, Role};
+use aim_character::{AimedFrame, ChainNodes, Fit, Live, Measurement, Role};
 use aim_codegen::RigSpec;
-use aim_gltf::Document;
+use aim_gltf::{Document, Skeleton};
+use aim_runtime::Status;
 
 use crate::args;
 use crate::words::{listed, trimmed};
@@ -79,5 +80,33 @@ pub(crate) fn repeated_travel(
         hips.name,
         trimmed(moved, 2),
         trimmed(100.0 * share, 0),
+    ))
+}
+
+/// Angle by which the other eye may look past the target without a warning, degrees. It is that of human eyes whose
+/// target is 0.45 m away, nearer than an outstretched hand.
+const PAST_DEG: f64 = 8.0;
+
+/// Returns a warning if a target comes so near that the other eye, which turns as the first one does, looks past it.
+pub(crate) fn parallel_eyes(
+    live: &Live,
+    skeleton: &Skeleton,
+    chain: &ChainNodes,
+    frames: &[AimedFrame],
+) -> Option<String> {
+    let other = chain.other_eye?;
+    let reached = frames.iter().filter(|frame| frame.outcome.status == Status::Reached);
+    let past = reached.filter_map(|frame| {
+        let [[own, _], [place, _]] = live.gazes(0, &frame.world)[..] else { return None };
+        let deg = (frame.target - own).angle_between(frame.target - place).to_degrees();
+        deg.is_finite().then_some((deg, frame.t))
+    });
+    let (deg, t) = past.reduce(|most, at| if at.0 > most.0 { at } else { most }).filter(|(deg, _)| *deg > PAST_DEG)?;
+    let [other, own] = [other, chain.joints[0]].map(|node| &skeleton.names()[node]);
+    Some(format!(
+        "{other} turns as {own} does and looks up to {}° past the near target (at {} s); --both-eyes makes both eyes \
+         converge on it",
+        trimmed(deg, 0),
+        trimmed(t.into(), 2),
     ))
 }

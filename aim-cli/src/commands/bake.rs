@@ -168,6 +168,9 @@ pub(super) fn bake(arguments: &args::Bake, document: &Document, measurement: &Me
             return Err(no_target(name, &format!("{name} is at the place of {aimed}, which is aimed, in every frame")));
         }
     }
+    if !both_eyes && effector.joint == 0 && arguments.weight >= 1.0 {
+        warnings.add(warnings::parallel_eyes(&live, skeleton, &chain, &baked.frames));
+    }
     let name = arguments.name.clone().unwrap_or_else(|| name_beside(clip, document.clips()));
     baked.clip = baked.clip.with_name(name);
     let write = |new: &Clip| document.with_clip_like(new, clip.map(Clip::name)).map_err(Failure::of(file));

@@ -477,6 +477,29 @@ fn the_solver_is_the_one_asked_for_else_the_one_that_suits_the_rig() {
 }
 
 #[test]
+fn a_near_target_past_which_the_other_eye_looks_is_warned_of() {
+    let place = Place::with_mannequin();
+    let document = aim_gltf::Document::from_bytes(&place.read("m.glb")).expect("a file");
+    let measurement = aim_character::Measurement::of(&document);
+    let eye = measurement.with_role(aim_character::Role::LeftEye).expect("its eye").bind_world.translation;
+    for (metres, options, is_warned) in
+        [(0.35, "", true), (0.35, "--both-eyes", false), (0.35, "--effector neck", false), (2.0, "", false)]
+    {
+        let [x, y, z] = (eye + measurement.forward * metres).to_array();
+        let bake = format!("bake m.glb --rig m.toml --target {x},{y},{z} --out out.glb --report r.json");
+        let ran = place.done(&format!("{bake} {options}"));
+        let words = ["right_eye turns as left_eye does", "past the near target", "--both-eyes"];
+        assert_eq!(
+            words.iter().all(|word| ran.stderr.contains(word)),
+            is_warned,
+            "{metres}, {options}: {}",
+            ran.stderr
+        );
+        assert_eq!(place.json("r.json").get("warnings").is_some(), is_warned, "{metres}, {options}");
+    }
+}
+
+#[test]
 fn both_eyes_are_aimed_where_there_are_two() {
     let place = Place::with_mannequin();
     let near = "--target 0.05,1.6,0.35 --seconds 0.2";
