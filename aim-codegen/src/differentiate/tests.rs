@@ -205,6 +205,22 @@ fn code_that_would_be_misinterpreted_is_reported() {
     }
 }
 
+/// Evaluating such a pattern used to recurse without end.
+#[test]
+fn payloads_of_errors_are_not_matched() {
+    for pattern in ["E::Neg(v)", "E::Far { at: v }", "(v, E::Neg(_))"] {
+        let expansion = expand(
+            "",
+            &format!(
+                "mod m {{ enum E {{ Neg(f64), Far {{ at: f64 }} }} fn g(x: f64) -> Result<f64, E> {{ Err(E::Neg(x)) }} \
+                 #[differentiate(wrt(x))] fn f(x: f64) -> f64 {{ match g(x) {{ Ok(v) => v, Err({pattern}) => v * v }} }} }}"
+            ),
+        );
+        assert_eq!(errors(&expansion), 1, "{pattern}: {expansion}");
+        assert!(expansion.contains("an error is not tracked"), "{pattern}: {expansion}");
+    }
+}
+
 /// Recursive types are read once.
 #[test]
 fn recursive_types_are_read_once() {

@@ -201,7 +201,7 @@ impl Translation<'_> {
         match pattern {
             // The only variant of an enum.
             Pat::Struct(syn::PatStruct { path, .. }) | Pat::TupleStruct(syn::PatTupleStruct { path, .. })
-                if self.variant(&names::segments(path)).is_some() =>
+                if !value.is_unknown() && self.variant(&names::segments(path)).is_some() =>
             {
                 self.pattern(pattern, &value);
             }
