@@ -440,24 +440,25 @@ impl Translation<'_> {
     }
 
     fn binary(&mut self, binary: &syn::ExprBinary) -> Value {
-        if matches!(binary.op, syn::BinOp::And(_) | syn::BinOp::Or(_)) {
+        if short_circuits(&binary.op) {
             return self.short_circuit(binary);
         }
         let Some(operator) = operators::assigned(&binary.op) else {
-            let (left, right) = (self.expression(&binary.left), self.expression(&binary.right));
-            let operands = [left, right];
-            if let Some(without) = Value::without(&operands) {
-                return without;
+            // A sum of thousands of terms nests in its left operands: evaluate them without recursion.
+            let mut nested = vec![binary];
+            let mut first = &*binary.left;
+            while let Expr::Binary(inner) = first
+                && !short_circuits(&inner.op)
+                && operators::assigned(&inner.op).is_none()
+            {
+                nested.push(inner);
+                first = &inner.left;
             }
-            let [left, right] = operands;
-            return match self.own_operator(&binary.op, &left, &right) {
-                Some(Ok(function)) => self.inline(&binary.op, &function, vec![left, right]),
-                Some(Err(text)) => self.refuse(&binary.op, text),
-                None => match self.equality(&binary.op, &left, &right) {
-                    Some(value) => value,
-                    None => self.operation(&binary.op, &binary.op, &left, &right),
-                },
-            };
+            let first = self.expression(first);
+            return nested.into_iter().rev().fold(first, |left, binary| {
+                let right = self.expression(&binary.right);
+                self.operator(&binary.op, left, right)
+            });
         };
         // The right operand is evaluated first, and the place only once.
         let (right, has_effect) = self.tracked(|this| this.expression(&binary.right));
@@ -481,6 +482,23 @@ impl Translation<'_> {
                 let value = self.operation(&binary.op, &operator, &left, &right);
                 self.write(&binary.left, &place, value)
             }
+        }
+    }
+
+    /// Applies an operator, built-in or overloaded, to two values.
+    fn operator(&mut self, operator: &syn::BinOp, left: Value, right: Value) -> Value {
+        let operands = [left, right];
+        if let Some(without) = Value::without(&operands) {
+            return without;
+        }
+        let [left, right] = operands;
+        match self.own_operator(operator, &left, &right) {
+            Some(Ok(function)) => self.inline(operator, &function, vec![left, right]),
+            Some(Err(text)) => self.refuse(operator, text),
+            None => match self.equality(operator, &left, &right) {
+                Some(value) => value,
+                None => self.operation(operator, operator, &left, &right),
+            },
         }
     }
 
@@ -565,6 +583,11 @@ impl Translation<'_> {
 
 /// Relative distance within which rounding may reverse the order of two constants.
 const NEAR: f64 = 1e-5;
+
+/// Returns `true` for `&&` and `||`, whose right operand may not be evaluated.
+fn short_circuits(operator: &syn::BinOp) -> bool {
+    matches!(operator, syn::BinOp::And(_) | syn::BinOp::Or(_))
+}
 
 /// Returns `true` if an expression is a variable or a part of one.
 fn is_place(expression: &Expr) -> bool {
