@@ -182,6 +182,10 @@ messages! {
         "this closure changes a variable, but whether and when it runs depends on how the iterator is used",
         "collect, sum or fold the elements right after it, or write a loop";
 
+    no_index_mut(ty: &str) =>
+        "no `IndexMut` of `{ty}` for this index is visible to `#[differentiate]`",
+        "assign to a field or an element of it";
+
     no_part_to_assign(kind: &str) => "this part of {kind} cannot be assigned to", "build a new value instead";
 
     variable_of_two_kinds() =>

@@ -313,6 +313,24 @@ impl Translation<'_> {
         Some(Step::Part { first, len: end - first })
     }
 
+    /// Returns the place that the `index_mut` of a struct of the module lends; `None` after an error.
+    fn own_index_mut(&mut self, index: &syn::ExprIndex, place: Place, ty: &str) -> Option<Place> {
+        let at = self.expression(&index.index);
+        let arguments = vec![Value::Reference(Rc::new(place)), at];
+        let several = self.functions(Some(ty), "index_mut");
+        let lent = match self.function_for(&several, &[Value::Unknown, arguments[1].clone()]) {
+            Some(own) => self.inline(&index.index, &own, arguments),
+            None => self.refuse_known(&arguments[1], &index.index, messages::no_index_mut(ty)),
+        };
+        match lent {
+            Value::Reference(place) => Some((*place).clone()),
+            value => {
+                self.refuse_known(&value, &index.index, messages::mutable_borrow());
+                None
+            }
+        }
+    }
+
     /// Returns the place that an expression names; `None` after an error.
     pub(super) fn place(&mut self, target: &Expr) -> Option<Place> {
         match strip(target) {
@@ -331,6 +349,9 @@ impl Translation<'_> {
             }
             Expr::Index(index) => {
                 let mut place = self.place(&index.expr)?;
+                if let Value::Struct(of) = self.read(&place) {
+                    return self.own_index_mut(index, place, &of.name);
+                }
                 let step = match strip(&index.index) {
                     Expr::Range(range) => self.range_step(&place, range)?,
                     index => self.step(index)?,

@@ -3,6 +3,38 @@
 use super::same;
 
 same! {
+    assignments_through_index_mut {
+        use std::ops::{Index, IndexMut};
+        #[derive(Clone, Copy)]
+        pub struct Table<const R: usize, const C: usize>([[f64; C]; R]);
+        impl<const R: usize, const C: usize> Index<(usize, usize)> for Table<R, C> {
+            type Output = f64;
+            fn index(&self, (r, c): (usize, usize)) -> &f64 { &self.0[r][c] }
+        }
+        impl<const R: usize, const C: usize> IndexMut<(usize, usize)> for Table<R, C> {
+            fn index_mut(&mut self, (r, c): (usize, usize)) -> &mut f64 { &mut self.0[r][c] }
+        }
+        impl<const R: usize, const C: usize> Index<usize> for Table<R, C> {
+            type Output = [f64; C];
+            fn index(&self, r: usize) -> &[f64; C] { &self.0[r] }
+        }
+        impl<const R: usize, const C: usize> IndexMut<usize> for Table<R, C> {
+            fn index_mut(&mut self, r: usize) -> &mut [f64; C] { &mut self.0[r] }
+        }
+        fn set(t: &mut Table<2, 3>, x: f64) {
+            t[(0, 2)] = x;
+            t[(0, 2)] *= 3.0;
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let mut t = Table([[y; 3]; 2]);
+            t[(0, 1)] = x;
+            for c in 0..3 { t[(1, c)] += t[(0, c)] * x; }
+            t[1][2] -= y;
+            if x > 0.5 { t[(1, 0)] = 2.0; }
+            set(&mut t, x + y);
+            t.0.iter().flatten().enumerate().map(|(i, v)| v * (i + 1) as f64).sum()
+        }
+    }
     trait_functions_of_type_parameters {
         trait Real: Copy { fn sign(self) -> f64; fn signum(self) -> f64; fn of(x: f64) -> Self; fn size(t: &Self) -> f64; }
         impl Real for f64 {
