@@ -458,6 +458,22 @@ messages! {
         "comparisons take numbers; arithmetic takes numbers, vectors, rotations and transforms as in glam; \
          convert integers to numbers with `as`";
 
+    division_by_zero() => "this integer is divided by zero", "check the divisor first, as in `if n != 0 {{ m / n }} else {{ 0 }}`";
+
+    bits_unknown(operator: &BinOp)
+        where operator = quote::quote!(#operator).to_string() =>
+        "`{operator}` needs integers that are known at compile time",
+        "use literals, constants and loop variables; for arguments, `n % 2` is the last bit, and `n / 2` the others";
+
+    lost_bits(operator: &BinOp)
+        where operator = quote::quote!(#operator).to_string() =>
+        "the bits that `{operator}` loses here depend on the type of the integer",
+        "multiply by a power of two, as in `n * 8` or `n * 2_i32.pow(k)`";
+
+    integer_unknown(name: &str) =>
+        "`{name}` needs an integer that is known at compile time",
+        "use literals, constants and loop variables";
+
     not_a_condition(found: &str) => "expected a boolean, found {found}", "compare two numbers";
 
     branches_differ(then: &str, otherwise: &str)
@@ -488,6 +504,13 @@ const CONSTANT: &str = "define the `const` inside the function, or next to it in
 
 /// Replacements for functions that are known but not supported.
 const INSTEAD: &[(&str, &str)] = &[
+    ("checked_add", "write `Some(n + m)`: sums of integers are assumed not to overflow"),
+    ("checked_sub", "write `(n >= m).then(|| n - m)` for unsigned integers, `Some(n - m)` for signed ones"),
+    ("saturating_add", "write `n + m`: sums of integers are assumed not to overflow"),
+    ("saturating_sub", "write `n.max(m) - m` for unsigned integers, `n - m` for signed ones"),
+    ("wrapping_add", "write `n + m`: sums of integers are assumed not to overflow"),
+    ("wrapping_mul", "write `n * m`: products of integers are assumed not to overflow"),
+    ("wrapping_sub", "write `n - m`; for an index that wraps around, `(n + len - m) % len`"),
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
     ("from_rotation_arc", "write the rotation about their cross product with `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and use `from_rotation_translation`"),

@@ -112,6 +112,15 @@ fn steps(x: f32, n: i32, m: i32) -> f32 {
 }
 
 #[differentiate(wrt(x))]
+fn bits(x: f32, n: usize) -> f32 {
+    let last = n & 1;
+    let high = 200 << 1;
+    let before = n.saturating_sub(1);
+    let known = 1 / (3 - 3);
+    x * (last + high + before + known) as f32
+}
+
+#[differentiate(wrt(x))]
 fn error_told(x: f64) -> f64 {
     let known = if x > 0.0 { Ok(x) } else { Err(2.0) };
     match known {

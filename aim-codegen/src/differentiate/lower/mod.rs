@@ -63,6 +63,7 @@ pub(super) use self::translation::{Translation, length};
 pub(super) use self::value::{Callable, Optional, Scope, Slice, Struct, Value};
 use super::messages;
 use super::names::{Meaning, is_of_std, segments};
+use crate::declare::report::text::Text;
 use crate::differentiate::constants::{Assumption, Constant};
 use crate::emit::Precision;
 
@@ -533,9 +534,20 @@ impl Translation<'_> {
             return self.refuse(place, messages::large_whole_number());
         }
         value.unwrap_or_else(|| {
-            let text = messages::no_operation(operator, &left.describe(), &right.describe());
+            let text = self.no_operation(operator, left, right);
             self.refuse_any(&[left, right], place, text)
         })
+    }
+
+    /// Returns the message about an operation without a value.
+    fn no_operation(&self, operator: &syn::BinOp, left: &Value, right: &Value) -> Text {
+        match (operator, left, self.algebra.known_integer(left), self.algebra.known_integer(right)) {
+            (syn::BinOp::Div(_) | syn::BinOp::Rem(_), Value::Integer(_), _, Some(0)) => messages::division_by_zero(),
+            (_, _, Some(_), Some(_)) if operators::is_of_bits(operator) => messages::lost_bits(operator),
+            (_, _, Some(_), Some(_)) => messages::integer_overflow(),
+            (_, Value::Integer(_), ..) if operators::is_of_bits(operator) => messages::bits_unknown(operator),
+            _ => messages::no_operation(operator, &left.describe(), &right.describe()),
+        }
     }
 
     /// Returns `true` if two known numbers are so close, so large or so small that single precision may compare them

@@ -207,7 +207,7 @@ pub(super) fn compares(operator: &BinOp) -> bool {
     matches!(operator, Lt(_) | Le(_) | Gt(_) | Ge(_) | Eq(_) | Ne(_))
 }
 
-/// Evaluates operators on whole numbers. Division requires known operands, because it truncates.
+/// Evaluates operators on whole numbers. Those on their bits require known operands.
 fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Option<Value> {
     let [left, right] = [x, y].map(|it| a.known_integer(&Value::Integer(it)));
     if let (Some(left), Some(right)) = (left, right) {
@@ -217,6 +217,11 @@ fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Optio
             BinOp::Mul(_) => left.checked_mul(right),
             BinOp::Div(_) => left.checked_div(right),
             BinOp::Rem(_) => left.checked_rem(right),
+            BinOp::BitAnd(_) => Some(left & right),
+            BinOp::BitOr(_) => Some(left | right),
+            BinOp::BitXor(_) => Some(left ^ right),
+            BinOp::Shl(_) => shifted_left(left, right),
+            BinOp::Shr(_) => u32::try_from(right).ok().and_then(|count| left.checked_shr(count)),
             _ => None,
         };
         return known.map(|known| a.integer(known));
@@ -233,6 +238,19 @@ fn of_integers(a: &mut Algebra, operator: &BinOp, x: Scalar, y: Scalar) -> Optio
         BinOp::Mul(_) => a.mul(x, y),
         _ => return None,
     }))
+}
+
+/// Returns `n << count` if it is the same in all integer types: a small number, or a single bit that is the sign of none.
+fn shifted_left(n: i64, count: i64) -> Option<i64> {
+    let shifted = n.checked_mul(1 << u32::try_from(count).ok().filter(|count| *count < 32)?)?;
+    let is_small = i8::try_from(shifted).is_ok();
+    (is_small || n == 1 && ![7, 15, 31].contains(&count)).then_some(shifted)
+}
+
+/// Returns `true` for an operator on the bits of integers, or on two booleans.
+pub(super) fn is_of_bits(operator: &BinOp) -> bool {
+    use BinOp::{BitAnd, BitOr, BitXor, Shl, Shr};
+    matches!(operator, BitAnd(_) | BitOr(_) | BitXor(_) | Shl(_) | Shr(_))
 }
 
 fn compare(a: &Algebra, operator: &BinOp, left: &Value, right: &Value) -> Option<Condition> {
@@ -274,11 +292,21 @@ pub(super) fn method(operator: &BinOp) -> Option<&'static str> {
         BinOp::Mul(_) => "mul",
         BinOp::Div(_) => "div",
         BinOp::Rem(_) => "rem",
+        BinOp::BitAnd(_) => "bitand",
+        BinOp::BitOr(_) => "bitor",
+        BinOp::BitXor(_) => "bitxor",
+        BinOp::Shl(_) => "shl",
+        BinOp::Shr(_) => "shr",
         BinOp::AddAssign(_) => "add_assign",
         BinOp::SubAssign(_) => "sub_assign",
         BinOp::MulAssign(_) => "mul_assign",
         BinOp::DivAssign(_) => "div_assign",
         BinOp::RemAssign(_) => "rem_assign",
+        BinOp::BitAndAssign(_) => "bitand_assign",
+        BinOp::BitOrAssign(_) => "bitor_assign",
+        BinOp::BitXorAssign(_) => "bitxor_assign",
+        BinOp::ShlAssign(_) => "shl_assign",
+        BinOp::ShrAssign(_) => "shr_assign",
         _ => return None,
     })
 }
@@ -293,6 +321,9 @@ pub(super) fn assigned(operator: &BinOp) -> Option<BinOp> {
         BinOp::RemAssign(_) => BinOp::Rem(Default::default()),
         BinOp::BitAndAssign(_) => BinOp::BitAnd(Default::default()),
         BinOp::BitOrAssign(_) => BinOp::BitOr(Default::default()),
+        BinOp::BitXorAssign(_) => BinOp::BitXor(Default::default()),
+        BinOp::ShlAssign(_) => BinOp::Shl(Default::default()),
+        BinOp::ShrAssign(_) => BinOp::Shr(Default::default()),
         _ => return None,
     })
 }

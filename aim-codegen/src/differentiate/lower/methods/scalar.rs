@@ -123,6 +123,17 @@ functions! {
         if rest < 0 { rest + m.abs() } else { rest }
     };
     div_euclid(n: Integer, m: Integer) = (n - n.rem_euclid(m)) / m;
+    div_ceil(n: Integer, m: Integer) = (n + m - 1) / m;
+    is_multiple_of(n: Integer, m: Integer) = if m == 0 { n == 0 } else { n % m == 0 };
+    is_power_of_two(n: Integer) -> Truth { Condition::Known(known(a, n, "is_power_of_two")?.is_power_of_two()) }
+    isqrt(n: Integer) -> Integer {
+        let root = known(a, n, "isqrt")?.isqrt();
+        a.count(root)
+    }
+    ilog2(n: Integer) -> Integer {
+        let power = known(a, n, "ilog2")?.checked_ilog2().ok_or_else(|| messages::integer_unknown("ilog2"))?;
+        a.number(f64::from(power))
+    }
     cmp(n: Integer, m: Integer) -> Ordering { Rc::new(Order::of(a, n, m)) }
     clone(n: Integer) -> Integer { n }
 }
@@ -169,6 +180,11 @@ fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, CallError> {
         Value::Scalar(size) => Ok(size),
         _ => Err(CallError::Arguments),
     }
+}
+
+/// Returns a number that must be known, and not negative.
+fn known(a: &Algebra, n: Scalar, name: &str) -> Result<usize, Text> {
+    a.known_index(&Value::Integer(n)).ok_or_else(|| messages::integer_unknown(name))
 }
 
 /// Returns the exponent of a power, which must be known.

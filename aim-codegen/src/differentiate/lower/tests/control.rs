@@ -102,6 +102,29 @@ same! {
             power + n as f64
         }
     }
+    bits_and_other_functions_of_known_integers {
+        pub fn f(x: f64, y: f64) -> f64 {
+            const SCALE: i32 = 1 << 10;
+            let mut sum = x * SCALE as f64;
+            for i in 0..9_usize {
+                if i & 1 == 0 { sum += y; } else { sum -= x * y; }
+                sum += (i ^ 5 | 2) as f64 * x + (i >> 1 << 2) as f64;
+                if i.is_multiple_of(3) || i.is_power_of_two() { sum *= 1.25; }
+                sum += (i.div_ceil(2) + i.isqrt()) as f64 * y + (i + 1).ilog2() as f64;
+            }
+            let mut bits = 0b1011_i32;
+            let mut odd = false;
+            while bits != 0 {
+                bits &= bits - 1;
+                odd ^= true;
+            }
+            bits |= 4;
+            bits ^= -3;
+            bits >>= 1;
+            bits <<= 3;
+            sum + bits as f64 + if odd { x } else { y }
+        }
+    }
     newton_until_it_is_close {
         pub fn f(x: f64, y: f64) -> f64 {
             let mut guess = x.abs() + 1.0;
