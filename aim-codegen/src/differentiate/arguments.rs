@@ -8,7 +8,7 @@ use syn::{FnArg, Pat, ReturnType, Signature};
 use super::companion::{Companion, ExtraParameters};
 use super::inputs::Inputs;
 use super::items::Items;
-use super::lower::{Algebra, Scope, Value};
+use super::lower::{Algebra, Scope, Value, each_word};
 use super::manifold::VaryingPart;
 use super::messages;
 use super::options::{Options, Variable};
@@ -173,6 +173,9 @@ impl Arguments {
             let found = self.list.iter().find(|argument| argument.name.as_ref().is_some_and(|name| is(name, word)));
             match found {
                 None if self.faulty.iter().any(|name| is(name, word)) => {}
+                None if signature.inputs.iter().any(|input| is_bound_by(input, word)) => {
+                    report.error(&word.place, messages::pattern_variable(&word.text));
+                }
                 None => report.error(&word.place, messages::unknown_variable(&word.text, &names)),
                 Some(argument) => {
                     let text = argument.ty.no_variable(&word.text, *tangent);
@@ -283,6 +286,14 @@ pub(super) fn pattern_argument(index: usize) -> Ident {
 
 fn is(name: &Ident, word: &Word) -> bool {
     word_of(name).text == word.text
+}
+
+/// Returns `true` if the pattern of an argument binds this name.
+fn is_bound_by(input: &FnArg, word: &Word) -> bool {
+    let FnArg::Typed(typed) = input else { return false };
+    let mut is_bound = false;
+    each_word(typed.pat.to_token_stream(), &mut |name| is_bound |= is(name, word));
+    is_bound
 }
 
 /// Replaces a slice by an array of the length that the attribute gives; `None` for any other type.

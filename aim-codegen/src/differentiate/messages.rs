@@ -35,6 +35,14 @@ messages! {
         "the function has no argument `{name}`",
         "{help}";
 
+    pattern_variable(name: &str) =>
+        "`{name}` is a part of an argument that has no name",
+        "name the whole argument, differentiate by it, and take it apart in the function, as in `let (a, b) = pair;`";
+
+    repeated_attribute() =>
+        "`#[differentiate]` is given twice for this function",
+        "name all arguments and companions in one; for another choice of them, add a function that calls this one";
+
     rigid_variable(name: &str) =>
         "`{name}` is a rigid transform, whose components cannot vary independently",
         "differentiate by its rotation and its translation together: `wrt(tangent({name}))`";

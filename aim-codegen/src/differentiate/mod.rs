@@ -62,7 +62,10 @@ use crate::declare::tree::Notation;
 #[must_use]
 pub fn differentiate(attribute: TokenStream, item: TokenStream, facade: &str) -> TokenStream {
     let mut report = Report::new(Notation::Rust);
-    if let Ok(function) = syn::parse2::<ItemFn>(item.clone()) {
+    if let Ok(mut function) = syn::parse2::<ItemFn>(item.clone()) {
+        let is_repeated = refuse_repetition(&mut function, &mut report);
+        // The parser drops invisible groups: emit the tokens as they came, if possible.
+        let item = if is_repeated { function.to_token_stream() } else { item };
         let options = Options::parse(attribute, &mut report).beside(facade);
         let items = Items::default().in_file_of(function.sig.ident.span());
         let companions = companions(&function, &options, &items, &mut report);
@@ -104,7 +107,7 @@ fn module(
     facade: &str,
     report: &mut Report,
 ) -> TokenStream {
-    let mut requests: Vec<Option<TokenStream>> = items.iter_mut().map(take_request).collect();
+    let mut requests: Vec<Option<TokenStream>> = items.iter_mut().map(|item| take_request(item, report)).collect();
     let of_methods: Vec<syn::Attribute> = items.iter_mut().flat_map(take_requests_of_methods).collect();
     of_methods.iter().for_each(|attribute| report.error_in(attribute, messages::of_a_method()));
     if of_methods.is_empty() && requests.iter().all(Option::is_none) {
@@ -129,13 +132,23 @@ fn module(
 }
 
 /// Removes the attribute `differentiate` from a function and returns its arguments.
-fn take_request(item: &mut Item) -> Option<TokenStream> {
+fn take_request(item: &mut Item, report: &mut Report) -> Option<TokenStream> {
     let Item::Fn(function) = item else { return None };
     let place = function.attrs.iter().position(is_ours)?;
-    Some(match function.attrs.remove(place).meta {
+    let request = function.attrs.remove(place);
+    refuse_repetition(function, report);
+    Some(match request.meta {
         syn::Meta::List(list) => list.tokens,
         _ => TokenStream::new(),
     })
+}
+
+/// Reports and removes further attributes of this kind, whose companions would have the same names. Returns `true` if
+/// there are any.
+fn refuse_repetition(function: &mut ItemFn, report: &mut Report) -> bool {
+    let repeated: Vec<_> = function.attrs.extract_if(.., |attribute| is_ours(attribute)).collect();
+    repeated.iter().for_each(|attribute| report.error_in(attribute, messages::repeated_attribute()));
+    !repeated.is_empty()
 }
 
 /// Removes the attribute from methods, which have no companions.

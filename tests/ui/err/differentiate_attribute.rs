@@ -11,6 +11,22 @@ fn names(heading: f32, pitch: f32) -> f32 {
     heading * pitch
 }
 
+#[differentiate(wrt(a, p))]
+fn by_parts((a, _b): (f32, f32), &p: &f32) -> f32 {
+    a * p
+}
+
+#[differentiate(wrt(v.x, tangent(q.w)))]
+fn by_fields(v: Vec3, q: Quat) -> f32 {
+    v.x * q.w
+}
+
+#[differentiate(wrt(x))]
+#[differentiate(wrt(y))]
+fn by_each(x: f32, y: f32) -> f32 {
+    x * y
+}
+
 #[differentiate(wrt(m))]
 fn by_a_transform(m: Rigid, v: Vec3) -> f32 {
     m.transform_point3(v).x

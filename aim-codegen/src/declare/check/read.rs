@@ -236,6 +236,9 @@ fn add_words<'t>(
                     {
                         add_words(report, Setting { key: &key.text, value, ..setting }, (plural, wrapper), words);
                     }
+                    Entry::Item(Item { key, value: Value { kind: Kind::Unassigned, place } }) => {
+                        report.error(place, text::not_a_name(&key.text, plural));
+                    }
                     Entry::Item(Item { value, .. }) => _ = wrong(report, value),
                     Entry::Stray(word) => {
                         let found = format!("`{}`", word.text);

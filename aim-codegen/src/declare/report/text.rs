@@ -36,6 +36,8 @@ pub(crate) use messages;
 
 messages! {
     no_comma(key: &str, plural: &str) => "expected `,` before `{key}`", "put a comma between two {plural}";
+
+    not_a_name(name: &str, plural: &str) => "expected `,` after `{name}`", "name whole {plural}, not parts of them";
 }
 
 /// Formats names in backquotes, separated by commas.

@@ -289,7 +289,7 @@ impl Translation<'_> {
 }
 
 /// Calls `call` with each word in these tokens.
-pub(super) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
+pub(in crate::differentiate) fn each_word(tokens: TokenStream, call: &mut dyn FnMut(&Ident)) {
     for token in tokens {
         match token {
             TokenTree::Group(group) => each_word(group.stream(), call),

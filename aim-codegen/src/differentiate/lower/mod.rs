@@ -56,6 +56,7 @@ pub(super) use self::enums::{TAG, field_of};
 use self::expected::Expected;
 pub(super) use self::extra_inputs::{ElementIndex, ExtraInput, KeptLoop, State};
 use self::frame::Frame;
+pub(super) use self::functions::each_word;
 pub(super) use self::map::{Affine, Map, Quaternion};
 pub(super) use self::numbers::names_at;
 pub(super) use self::square::columns;
