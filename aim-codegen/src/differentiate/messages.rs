@@ -232,6 +232,10 @@ messages! {
         "the value of `{name}` is not visible to `#[differentiate]`",
         "{help}";
 
+    generic_unknown(name: &str) =>
+        "the generic parameter `{name}` does not follow from the arguments of this function",
+        "write it where the function is called, as in `pool::<4, 2>(x)`, or give the result a type, as in `let y: [f64; 2] = pool(x)`";
+
     behind_glob(name: &str) =>
         "`{name}` may come from a glob import in this function, which `#[differentiate]` cannot look into",
         "import it by its name, or move the glob import out of the function";

@@ -35,6 +35,26 @@ mod model {
         helper(x)
     }
 
+    fn repeated<const N: usize>(x: f32) -> [f32; N] {
+        [x; N]
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn inferred_later(x: f32) -> f32 {
+        let all = repeated(x);
+        let [one, other] = all;
+        one * other
+    }
+
+    pub struct Steps(pub [f32; 4]);
+
+    #[differentiate(wrt(x))]
+    pub fn assigned(x: f32) -> f32 {
+        let mut steps = Steps([x; 4]);
+        steps[0..2] = [x; 2];
+        steps.0[1]
+    }
+
     #[differentiate(wrt(x), budget = 1)]
     pub fn fields(x: f32, spring: &Spring) -> f32 {
         spring.energy(x) + spring.name.len() as f32
@@ -207,6 +227,15 @@ mod of_methods {
         pub fn area(&self, scale: f32) -> f32 {
             scale * self.radius * self.radius
         }
+    }
+}
+
+#[differentiate]
+mod repeatedly {
+    #[differentiate(wrt(x))]
+    #[differentiate(wrt(x), hessian)]
+    pub fn square(x: f32) -> f32 {
+        x * x
     }
 }
 

@@ -223,10 +223,10 @@ impl Translation<'_> {
             }
             None if text == "Self" => {
                 let own = self.resolved(&[text]);
-                self.call_of_item(call, path, &own)
+                self.call_of_item(call, path, &own, expected)
             }
             None => match self.items.meaning(&self.frame.scope, &segments(&path.path)) {
-                Meaning::Own(own) => self.call_of_item(call, path, &own),
+                Meaning::Own(own) => self.call_of_item(call, path, &own, expected),
                 Meaning::External(outside) => self.call_of_external(call, path, &outside, expected),
             },
         }
@@ -306,10 +306,13 @@ impl Translation<'_> {
     }
 
     /// Evaluates a call of one of the module's functions, or of a tuple struct's constructor.
-    fn call_of_item(&mut self, call: &ExprCall, path: &syn::ExprPath, own: &str) -> Value {
-        let several = self.functions(None, own);
+    fn call_of_item(&mut self, call: &ExprCall, path: &syn::ExprPath, own: &str, expected: &Expected) -> Value {
+        let mut several = self.functions(None, own);
         if !several.is_empty() {
-            let several: Vec<_> = several.iter().map(|function| self.with_arguments(function, &path.path)).collect();
+            for function in &mut several {
+                *function = self.with_result(function, expected);
+                *function = self.with_arguments(function, &path.path);
+            }
             return self.one_of(&path.path, &several, None, &call.args);
         }
         let name = self.items.resolved(&Scope::default(), &own.split("::").map(str::to_owned).collect::<Vec<_>>());

@@ -230,6 +230,55 @@ impl Translation<'_> {
         Rc::new(Callable { captured, ..(**function).clone() })
     }
 
+    /// Returns a function, specialised to the type that is expected of its result.
+    pub(super) fn with_result(&mut self, function: &Rc<Callable>, expected: &Expected) -> Rc<Callable> {
+        let names: Vec<&String> = function.scope.lengths.iter().chain(&function.scope.generics).collect();
+        let Some(ty) = function.result.as_ref().filter(|_| !names.is_empty()) else { return function.clone() };
+        let mut found = Vec::new();
+        self.match_expected(&names, &function.scope, ty, expected, &mut found);
+        let captured = function.captured.iter().cloned().chain(found).collect();
+        Rc::new(Callable { captured, ..(**function).clone() })
+    }
+
+    /// Finds these parameters in a written type, by the type that is expected there.
+    fn match_expected(
+        &mut self,
+        names: &[&String],
+        scope: &Scope,
+        ty: &Type,
+        expected: &Expected,
+        found: &mut GenericValues,
+    ) {
+        let named = |path: &syn::Path| {
+            let name = path.get_ident()?.to_string();
+            names.iter().find(|known| name == ***known).map(|name| (*name).clone())
+        };
+        match (ty, expected) {
+            (Type::Group(group), _) => self.match_expected(names, scope, &group.elem, expected, found),
+            (Type::Paren(paren), _) => self.match_expected(names, scope, &paren.elem, expected, found),
+            (Type::Array(array), Expected::Array(element, length)) => {
+                if let (Expr::Path(path), Some(length)) = (&array.len, length)
+                    && let Some(name) = named(&path.path)
+                {
+                    found.push((name, self.algebra.count_value(*length)));
+                }
+                self.match_expected(names, scope, &array.elem, element, found);
+            }
+            (Type::Tuple(tuple), Expected::Tuple(parts)) => {
+                for (ty, part) in tuple.elems.iter().zip(parts) {
+                    self.match_expected(names, scope, ty, part, found);
+                }
+            }
+            (Type::Path(path), Expected::Named(ty)) => {
+                found.extend(named(&path.path).map(|name| (name, Value::Type(ty.clone()))));
+            }
+            (Type::Path(path), Expected::Generic(_, known)) => {
+                self.match_arguments(names, scope, &names::arguments(&path.path), known, found);
+            }
+            _ => {}
+        }
+    }
+
     /// Returns a function, specialised to the generic arguments written after its name.
     pub(super) fn with_arguments(&mut self, function: &Rc<Callable>, path: &syn::Path) -> Rc<Callable> {
         let (lengths, types) = (&function.scope.lengths, &function.scope.generics);

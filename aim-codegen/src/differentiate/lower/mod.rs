@@ -216,6 +216,9 @@ impl Translation<'_> {
         });
         value.unwrap_or_else(|| {
             let text = match path.path.get_ident() {
+                Some(name) if self.frame.scope.lengths.iter().any(|known| name == known) => {
+                    messages::generic_unknown(&name.to_string())
+                }
                 Some(name) => {
                     let name = name.to_string();
                     self.not_found_message(&name, messages::outside_name(&name, &self.frame.names()))

@@ -3,6 +3,27 @@
 use super::same;
 
 same! {
+    generic_parameters_by_the_expected_result {
+        #[derive(Clone, Copy)]
+        pub struct Grid<const R: usize>([f64; R]);
+        fn pool<const N: usize, const M: usize>(x: &[f64; N]) -> [f64; M] {
+            let mut out = [0.0; M];
+            for i in 0..M { out[i] = x[2 * i].max(x[2 * i + 1]); }
+            out
+        }
+        fn grid<const R: usize>(x: f64) -> (Grid<R>, f64) {
+            let mut out = [x; R];
+            for i in 0..R { out[i] += i as f64; }
+            (Grid(out), R as f64)
+        }
+        fn first_two(x: [f64; 4]) -> [f64; 2] { pool(&x) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let y2: [f64; 2] = pool(&[x, y, x * y, 1.0]);
+            let (Grid(g), n): (Grid<3>, f64) = grid(x);
+            let [one] = pool::<2, 1>(&[x, y]);
+            y2[0] * y2[1] + g.iter().sum::<f64>() * n + first_two([y, 2.0, x, x])[1] + one
+        }
+    }
     assignments_through_index_mut {
         use std::ops::{Index, IndexMut};
         #[derive(Clone, Copy)]
