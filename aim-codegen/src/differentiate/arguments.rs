@@ -3,7 +3,7 @@
 use aim_symbolic::{Graph, Scalar};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-use syn::{FnArg, Pat, ReturnType, Signature};
+use syn::{FnArg, GenericParam, Pat, ReturnType, Signature, WherePredicate};
 
 use super::companion::{Companion, ExtraParameters};
 use super::inputs::Inputs;
@@ -324,7 +324,7 @@ fn known_type(ty: &syn::Type, items: &Items, report: &mut Report) -> Option<Type
     Type::parse(ty, items).map_err(|(place, text)| report.error_in(&place, text)).ok()
 }
 
-/// Reports qualifiers that a companion cannot have: generic parameters, `async` and so on. Returns `true` if the
+/// Reports qualifiers that a companion cannot have: generic types and lengths, `async` and so on. Returns `true` if the
 /// function is generic.
 fn refuse_qualifiers(signature: &Signature, report: &mut Report) -> bool {
     let Signature { asyncness, safety, abi, variadic, generics, .. } = signature;
@@ -337,11 +337,12 @@ fn refuse_qualifiers(signature: &Signature, report: &mut Report) -> bool {
     for (word, qualifier) in qualifiers.into_iter().filter(|(word, _)| !word.is_empty()) {
         report.error_in(&word, messages::qualifier(qualifier));
     }
-    let is_generic = !generics.params.is_empty();
+    let mut predicates = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+    let is_generic = generics.params.iter().any(|parameter| !matches!(parameter, GenericParam::Lifetime(_)));
     if is_generic {
         report.error_in(&generics.params, messages::generic());
-    } else if let Some(clause) = &generics.where_clause {
-        report.error_in(clause, messages::generic());
+    } else if predicates.any(|predicate| !matches!(predicate, WherePredicate::Lifetime(_))) {
+        report.error_in(&generics.where_clause, messages::generic());
     }
     is_generic
 }

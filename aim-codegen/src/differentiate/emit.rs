@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use syn::{Attribute, ItemFn};
+use syn::{Attribute, ItemFn, WherePredicate};
 
 use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
@@ -67,6 +67,22 @@ impl Companions<'_> {
             quote!(#assertions #loops #steps #value)
         });
         Some(self.function(&name, companion, &self.doc(companion, suffix, derived), &returns, body))
+    }
+
+    /// Returns the generic parameters and the `where` clause: the function's lifetimes, or the number type in lanes, where
+    /// types have no lifetimes.
+    fn generics(&self) -> (TokenStream, TokenStream) {
+        let generics = &self.item.sig.generics;
+        if self.of_lanes {
+            return (lanes::generics(self.krate), TokenStream::new());
+        }
+        let lifetimes: Vec<_> = generics.lifetimes().collect();
+        if lifetimes.is_empty() {
+            return Default::default();
+        }
+        let bounds = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
+        let bounds = bounds.filter(|bound| matches!(bound, WherePredicate::Lifetime(_)));
+        (quote!(<#(#lifetimes),*>), quote!(where #(#bounds),*))
     }
 
     /// Returns the number type.
@@ -205,7 +221,8 @@ impl Companions<'_> {
         let own = self.arguments.list.iter().map(|Argument { called, declared, .. }| quote!(#called: #declared));
         let extra = self.arguments.extra_parameters(companion);
         let extra = extra.into_iter().map(|(name, Type { tokens, .. })| quote!(#name: #tokens));
-        let (inputs, generics) = (own.chain(extra), self.of_lanes.then(|| lanes::generics(self.krate)));
+        let inputs = own.chain(extra);
+        let (generics, bounds) = self.generics();
         let body = body.unwrap_or_else(|| quote!(::core::unreachable!()));
         quote! {
             #(#kept)*
@@ -224,7 +241,7 @@ impl Companions<'_> {
             )]
             #[inline]
             #[must_use]
-            #vis fn #name #generics(#(#inputs),*) -> #returns {
+            #vis fn #name #generics(#(#inputs),*) -> #returns #bounds {
                 #body
             }
         }

@@ -103,7 +103,7 @@ messages! {
 
     generic() =>
         "a generic function cannot be differentiated",
-        "write it for one number type, with references that have no lifetime";
+        "write it for one number type and for known lengths";
 
     receiver() =>
         "functions with `self` cannot be differentiated",
