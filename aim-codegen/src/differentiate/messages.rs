@@ -218,6 +218,10 @@ messages! {
         "`#[differentiate]` cannot expand this macro",
         "write the expression itself, or call a function instead; to check arguments, use `assert!`";
 
+    printing(name: &str) =>
+        "`{name}!` cannot be differentiated",
+        "remove it, or print in a function around this one";
+
     no_effect() => "this statement has no effect on the result", "bind its value with `let`, or remove the semicolon";
 }
 
@@ -342,14 +346,15 @@ messages! {
 
     no_generics() => "generic arguments are not supported", "remove them";
 
-    unknown_method(name: &str, kind: &str, known: &[&str])
+    /// `similar` are names that may have been meant.
+    unknown_method(name: &str, kind: &str, known: &[&str], similar: &[&str])
         where help = match INSTEAD.iter().find(|(known, _)| *known == name) {
             Some((_, instead)) => (*instead).to_owned(),
             None if known.contains(&name) => {
                 "it is supported for an array, or a list of known length, that is stored in a variable: loop over the elements instead"
                     .to_owned()
             }
-            None => did_you_mean(name, known, || {
+            None => did_you_mean(name, similar, || {
                 let known = if known.is_empty() { String::new() } else { format!("; supported for {kind}: {}", list(known)) };
                 format!("write out what it does instead{known}")
             }),
@@ -408,7 +413,7 @@ messages! {
         "the expression for the place to change has a side effect of its own",
         "bind the index with `let` first";
 
-    error_value() => "the value of an error is not tracked", "write `Err(_)`";
+    error_value() => "the value of an error is not tracked", "write `Err(_)` in a pattern, or `|_|` in a closure";
 
     rebound_reference() =>
         "making a reference point to another place is not supported",
@@ -518,6 +523,7 @@ const CONSTANT: &str = "define the `const` inside the function, or next to it in
 const INSTEAD: &[(&str, &str)] = &[
     ("checked_add", "write `Some(n + m)`: sums of integers are assumed not to overflow"),
     ("checked_sub", "write `(n >= m).then(|| n - m)` for unsigned integers, `Some(n - m)` for signed ones"),
+    ("into", "give the result a type, as in `let r: Radians = x.into();`, or call `Radians::from(x)`"),
     ("saturating_add", "write `n + m`: sums of integers are assumed not to overflow"),
     ("saturating_sub", "write `n.max(m) - m` for unsigned integers, `n - m` for signed ones"),
     ("wrapping_add", "write `n + m`: sums of integers are assumed not to overflow"),

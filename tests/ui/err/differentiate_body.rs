@@ -129,6 +129,23 @@ fn error_told(x: f64) -> f64 {
     }
 }
 
+#[differentiate(wrt(x))]
+fn error_used(x: f64) -> f64 {
+    let known = if x > 0.0 { Ok(x) } else { Err(2.0 * x) };
+    known.unwrap_or_else(|told| told)
+}
+
+#[differentiate(wrt(x))]
+fn printed(x: f64) -> f64 {
+    println!("{x}");
+    dbg!(x * x)
+}
+
+#[differentiate(wrt(v))]
+fn of_arrays(v: Vec3) -> Vec3 {
+    v.map(|c| c * c)
+}
+
 #[differentiate(wrt(q))]
 fn yaw(q: Quat) -> f32 {
     q.to_euler(EulerRot::YXZ).0

@@ -5,7 +5,7 @@ use syn::{Expr, ExprMethodCall};
 use super::condition::Condition;
 use super::expected::Expected;
 use super::value::{Element, Value};
-use super::{Translation, iterators, lending, lists};
+use super::{Translation, iterators, lending, lists, methods};
 use crate::differentiate::messages;
 
 const METHODS: &[&str] = &[
@@ -69,7 +69,7 @@ impl Translation<'_> {
         Some(if iterators::has_method(&call.method) && !names().contains(&&*name) {
             self.refuse(&call.method, messages::trait_method(&name))
         } else {
-            self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), &names()))
+            self.refuse(&call.method, methods::unknown_method(&name, &receiver.describe(), &names()))
         })
     }
 

@@ -92,6 +92,9 @@ impl Translation<'_> {
         if let Some(value) = self.optional_method(&receiver, call, expected) {
             return value;
         }
+        if self.report.count() > errors {
+            return Value::Unknown;
+        }
         if let (Some(value), true) = (self.swizzle(&receiver, &call.method.to_string()), call.args.is_empty()) {
             return value;
         }
@@ -106,7 +109,7 @@ impl Translation<'_> {
                 return receiver;
             }
             let (name, known) = (call.method.to_string(), self.items.functions_of(&of.name));
-            let text = messages::unknown_method(&name, &receiver.describe(), &known);
+            let text = methods::unknown_method(&name, &receiver.describe(), &known);
             return self.refuse(&call.method, text);
         }
         if let Some(turbofish) = &call.turbofish {
@@ -525,7 +528,7 @@ impl Translation<'_> {
         let mut arguments: Vec<Value> = receiver.into_iter().collect();
         let Callee { name, function, tables, kind } = callee;
         let known = tables.iter().copied().flatten().map(|function| function.name);
-        let unknown = || messages::unknown_method(function, kind, &known.clone().collect::<Vec<_>>());
+        let unknown = || methods::unknown_method(function, kind, &known.clone().collect::<Vec<_>>());
         // Report an unknown function without evaluating its arguments, which may be valid for that function only.
         if known.clone().all(|known| known != function) && Value::without(&arguments).is_none() {
             let text = unknown();

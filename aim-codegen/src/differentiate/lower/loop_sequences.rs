@@ -13,7 +13,7 @@ use super::extra_inputs::ExtraInput;
 use super::frame::Target;
 use super::iterators::ranks;
 use super::value::{Callable, Element, LoopSequence, SequenceItems, Slice, Value};
-use super::{Translation, place_types, strip};
+use super::{Translation, methods, place_types, strip};
 use crate::differentiate::messages;
 
 /// Methods of slices of any length and of iterators over them.
@@ -321,7 +321,7 @@ impl Translation<'_> {
             _ => {
                 let of_slice = matches!(*sequence.items, SequenceItems::Elements(_));
                 let kind = if of_slice { "a slice" } else { "an iterator of unknown length" };
-                return Some(self.refuse(&call.method, messages::unknown_method(&name, kind, METHODS)));
+                return Some(self.refuse(&call.method, methods::unknown_method(&name, kind, METHODS)));
             }
         };
         Some(Value::LoopSequence(Rc::new(made)))

@@ -461,7 +461,8 @@ impl Translation<'_> {
             }
             let first = self.expression(first);
             return nested.into_iter().rev().fold(first, |left, binary| {
-                let right = self.expression(&binary.right);
+                let expected = self.right_operand(&binary.op, &left);
+                let right = self.expression_as(&binary.right, &expected);
                 self.operator(&binary.op, left, right)
             });
         };

@@ -5,13 +5,12 @@ use std::rc::Rc;
 use aim_symbolic::Scalar;
 use syn::{Expr, ExprMethodCall, ExprTry, Pat};
 
-use super::Translation;
 use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
-use super::numbers;
-use super::value::{Optional, Order, Value};
+use super::value::{Callable, Optional, Order, Value};
+use super::{Translation, methods, numbers};
 use crate::differentiate::messages;
 
 /// Methods of options, for messages.
@@ -76,20 +75,24 @@ impl Order {
     }
 }
 
-/// Turns a closure that ignores its argument into one without parameters; used for errors, whose values are not
-/// tracked.
-fn of_nothing(function: &Expr) -> Expr {
-    match function {
-        Expr::Closure(closure) if closure.inputs.len() == 1 && matches!(closure.inputs[0], Pat::Wild(_)) => {
-            let mut closure = closure.clone();
-            closure.inputs.clear();
-            Expr::Closure(closure)
-        }
-        function => function.clone(),
-    }
-}
-
 impl Translation<'_> {
+    /// Returns the function that is called if there is no value. A closure may ignore an error, whose value is not
+    /// tracked. `None` after an error.
+    fn function_without_value(&mut self, function: &Expr) -> Option<Rc<Callable>> {
+        match function {
+            Expr::Closure(closure) if closure.inputs.len() == 1 => {
+                let Pat::Wild(_) = closure.inputs[0] else {
+                    self.refuse(&closure.inputs, messages::error_value());
+                    return None;
+                };
+                let mut closure = closure.clone();
+                closure.inputs.clear();
+                self.function_argument(&Expr::Closure(closure), 0)
+            }
+            function => self.function_argument(function, 0),
+        }
+    }
+
     fn ordering_method(&mut self, order: &Order, call: &ExprMethodCall, arguments: &[&Expr]) -> Option<Value> {
         let Order { less, greater } = order.clone();
         let equal = less.clone().or(greater.clone()).not();
@@ -119,7 +122,7 @@ impl Translation<'_> {
             }
             _ => {
                 let known = ["reverse", "then", "then_with", "is_lt", "is_le", "is_gt", "is_ge", "is_eq", "is_ne"];
-                return Some(self.refuse(&call.method, messages::unknown_method(&name, "an ordering", &known)));
+                return Some(self.refuse(&call.method, methods::unknown_method(&name, "an ordering", &known)));
             }
         };
         Some(Value::Truth(truth))
@@ -172,7 +175,7 @@ impl Translation<'_> {
                 self.either_value(call, is_some, value, &otherwise)
             }
             ("unwrap_or_else", [otherwise]) => {
-                let function = self.function_argument(&of_nothing(otherwise), 0)?;
+                let function = self.function_without_value(otherwise)?;
                 if matches!(is_some, Condition::Known(true)) {
                     return Some(value.clone());
                 }
@@ -191,7 +194,7 @@ impl Translation<'_> {
                 let otherwise = if name == "map_or" {
                     self.expression_as(otherwise, expected)
                 } else {
-                    let otherwise = self.function_argument(&of_nothing(otherwise), 0)?;
+                    let otherwise = self.function_without_value(otherwise)?;
                     let is_none = is_some.clone().not();
                     self.run_under(call, &is_none, |this| this.inline(&call.method, &otherwise, Vec::new()))
                 };
@@ -248,12 +251,12 @@ impl Translation<'_> {
             }
             ("or_else", [_]) if matches!(is_some, Condition::Known(true)) => receiver.clone(),
             ("or_else", [function]) => {
-                let function = self.function_argument(&of_nothing(function), 0)?;
+                let function = self.function_without_value(function)?;
                 let is_none = is_some.clone().not();
                 let other = self.run_under(call, &is_none, |this| this.inline(&call.method, &function, Vec::new()));
                 self.either_value(call, is_some, receiver, &other)
             }
-            _ => self.refuse(&call.method, messages::unknown_method(&name, &receiver.describe(), METHODS)),
+            _ => self.refuse(&call.method, methods::unknown_method(&name, &receiver.describe(), METHODS)),
         })
     }
 

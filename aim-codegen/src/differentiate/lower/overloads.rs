@@ -51,6 +51,16 @@ impl Translation<'_> {
         }
     }
 
+    /// Returns the expected type of an operator's right operand: that of the only overload, if the left one is a struct
+    /// of the module.
+    pub(super) fn right_operand(&mut self, operator: &BinOp, left: &Value) -> Expected {
+        let (Value::Struct(of), Some(name)) = (left, operators::method(operator)) else { return Expected::Any };
+        match self.only_function(Some(&of.name), name) {
+            Some(function) => self.parameter(&function, 1),
+            None => Expected::Any,
+        }
+    }
+
     /// Returns the name of a value's type.
     pub(super) fn type_name(&self, value: &Value) -> Option<String> {
         type_of(value, self.precision).name().map(str::to_owned)

@@ -148,6 +148,7 @@ impl Translation<'_> {
             "matches" => self.matches_macro(call),
             // These diverge, so that the value is that of the other branch.
             "panic" | "unreachable" | "todo" | "unimplemented" => Value::Never,
+            "print" | "println" | "eprint" | "eprintln" | "dbg" => self.refuse(&call.path, messages::printing(&name)),
             _ => self.refuse(&call.path, messages::macro_call()),
         }
     }

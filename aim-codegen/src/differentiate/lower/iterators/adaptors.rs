@@ -6,7 +6,7 @@ use syn::{Expr, ExprMethodCall, ExprRange};
 
 use super::super::condition::Condition;
 use super::super::value::{Callable, Element, LoopSequence, Optional, Place, SequenceItems, Value};
-use super::super::{Translation, strip};
+use super::super::{Translation, methods, strip};
 use super::{all_there, ranks};
 use crate::differentiate::messages;
 
@@ -105,7 +105,7 @@ impl Translation<'_> {
         let all = all_there(items);
         if all.is_err() {
             let kind = "an iterator that filters elements by value";
-            self.refuse(&call.method, messages::unknown_method(&call.method.to_string(), kind, &[]));
+            self.refuse(&call.method, methods::unknown_method(&call.method.to_string(), kind, &[]));
         }
         all.ok()
     }

@@ -11,7 +11,7 @@ use super::super::expected::Expected;
 use super::super::functions::each_word;
 use super::super::place_types::neutral;
 use super::super::value::{Callable, Element, Value};
-use super::super::{Translation, strip};
+use super::super::{Translation, methods, strip};
 use super::ranks;
 use crate::differentiate::messages;
 
@@ -221,7 +221,7 @@ impl Translation<'_> {
             // The type's own `Sum` or `Product`.
             return match self.functions(Some(&ty), &name).as_slice() {
                 [only] => self.inline(&call.method, only, vec![Value::Iterator(items)]),
-                [] => self.refuse(&call.method, messages::unknown_method(&name, &format!("`{ty}`"), &[])),
+                [] => self.refuse(&call.method, methods::unknown_method(&name, &format!("`{ty}`"), &[])),
                 _ => self.refuse(&call.method, messages::several_functions(&name)),
             };
         }

@@ -15,7 +15,7 @@ use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
 use super::value::{Element, LoopSequence, Optional, Value};
-use super::{Translation, extents, is_place};
+use super::{Translation, extents, is_place, methods};
 use crate::differentiate::messages;
 
 /// Maximum length of a range.
@@ -247,7 +247,7 @@ impl Translation<'_> {
     pub(super) fn iterator_method(&mut self, items: &[Element], call: &ExprMethodCall, expected: &Expected) -> Value {
         let name = call.method.to_string();
         let Some(method) = method(&call.method).filter(|method| method.arguments == call.args.len()) else {
-            return self.refuse(&call.method, messages::unknown_method(&name, "an iterator", &names()));
+            return self.refuse(&call.method, methods::unknown_method(&name, "an iterator", &names()));
         };
         let items = items.to_vec();
         let value = match method.consumption {

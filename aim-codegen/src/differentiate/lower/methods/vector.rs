@@ -61,6 +61,13 @@ functions! {
     recip(v: Vector) = Vec3::new(v.x.recip(), v.y.recip(), v.z.recip());
     signum(v: Vector) = Vec3::new(v.x.signum(), v.y.signum(), v.z.signum());
     exp(v: Vector) = Vec3::new(v.x.exp(), v.y.exp(), v.z.exp());
+    exp2(v: Vector) = Vec3::new(v.x.exp2(), v.y.exp2(), v.z.exp2());
+    ln(v: Vector) = Vec3::new(v.x.ln(), v.y.ln(), v.z.ln());
+    log2(v: Vector) = Vec3::new(v.x.log2(), v.y.log2(), v.z.log2());
+    sqrt(v: Vector) = Vec3::new(v.x.sqrt(), v.y.sqrt(), v.z.sqrt());
+    sin(v: Vector) = Vec3::new(v.x.sin(), v.y.sin(), v.z.sin());
+    cos(v: Vector) = Vec3::new(v.x.cos(), v.y.cos(), v.z.cos());
+    sin_cos(v: Vector) = (v.sin(), v.cos());
     powf(v: Vector, n: Scalar) = Vec3::new(v.x.powf(n), v.y.powf(n), v.z.powf(n));
     copysign(v: Vector, w: Vector) = Vec3::new(v.x.copysign(w.x), v.y.copysign(w.y), v.z.copysign(w.z));
     rem_euclid(v: Vector, w: Vector) = Vec3::new(v.x.rem_euclid(w.x), v.y.rem_euclid(w.y), v.z.rem_euclid(w.z));
@@ -90,6 +97,13 @@ functions! {
     recip(v: Planar) = Vec2::new(v.x.recip(), v.y.recip());
     signum(v: Planar) = Vec2::new(v.x.signum(), v.y.signum());
     exp(v: Planar) = Vec2::new(v.x.exp(), v.y.exp());
+    exp2(v: Planar) = Vec2::new(v.x.exp2(), v.y.exp2());
+    ln(v: Planar) = Vec2::new(v.x.ln(), v.y.ln());
+    log2(v: Planar) = Vec2::new(v.x.log2(), v.y.log2());
+    sqrt(v: Planar) = Vec2::new(v.x.sqrt(), v.y.sqrt());
+    sin(v: Planar) = Vec2::new(v.x.sin(), v.y.sin());
+    cos(v: Planar) = Vec2::new(v.x.cos(), v.y.cos());
+    sin_cos(v: Planar) = (v.sin(), v.cos());
     powf(v: Planar, n: Scalar) = Vec2::new(v.x.powf(n), v.y.powf(n));
     copysign(v: Planar, w: Planar) = Vec2::new(v.x.copysign(w.x), v.y.copysign(w.y));
     rem_euclid(v: Planar, w: Planar) = Vec2::new(v.x.rem_euclid(w.x), v.y.rem_euclid(w.y));

@@ -3,6 +3,23 @@
 use super::same;
 
 same! {
+    conversions_by_the_operator {
+        #[derive(Clone, Copy)]
+        pub struct Radians(pub f64);
+        #[derive(Clone, Copy)]
+        pub struct Degrees(pub f64);
+        impl From<Degrees> for Radians {
+            fn from(d: Degrees) -> Self { Radians(d.0.to_radians()) }
+        }
+        impl std::ops::Sub for Radians {
+            type Output = Radians;
+            fn sub(self, other: Self) -> Self { Radians(self.0 - other.0) }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let d = Radians(x) - Degrees(y).into() - Degrees(x * y).into();
+            d.0 * d.0
+        }
+    }
     generic_parameters_by_the_expected_result {
         #[derive(Clone, Copy)]
         pub struct Grid<const R: usize>([f64; R]);
