@@ -330,6 +330,8 @@ messages! {
         "the type of this {name} is unknown if there are no elements",
         "specify it, as in `{name}::<f64>()`";
 
+    no_key(kind: &str) => "expected an integer as a key, found {kind}", "compare with `min_by` or `max_by`";
+
     not_an_ordering(kind: &str) =>
         "expected an ordering, found {kind}",
         "compare two numbers with `partial_cmp` or `total_cmp`";
@@ -530,7 +532,6 @@ const INSTEAD: &[(&str, &str)] = &[
     ("wrapping_mul", "write `n * m`: products of integers are assumed not to overflow"),
     ("wrapping_sub", "write `n - m`; for an index that wraps around, `(n + len - m) % len`"),
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
-    ("from_rotation_arc", "write the rotation about their cross product with `from_axis_angle`"),
     ("from_scale_rotation_translation", "scale the points and use `from_rotation_translation`"),
     ("from_scale", "multiply the vector by the scale"),
     (

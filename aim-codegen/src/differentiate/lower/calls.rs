@@ -14,7 +14,7 @@ use super::fields::name_of;
 use super::map::Quaternion;
 use super::methods::{self, CallError, Function};
 use super::paths::{path_text, type_and_name};
-use super::value::{Callable, Scope, Struct, Value};
+use super::value::{Callable, LoopSequence, Scope, SequenceItems, Struct, Value};
 use super::{Translation, iterators, square, strip};
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
@@ -372,6 +372,11 @@ impl Translation<'_> {
                 return zipped.unwrap_or(Value::Unknown);
             }
             ("once", [value], _) if is_in_std(self, "iter") => return Value::iterator([self.expression(value)]),
+            ("repeat", [value], _) if is_in_std(self, "iter") => {
+                let (value, one) = (self.expression(value), self.algebra.count(1));
+                let once = LoopSequence::of(one, SequenceItems::Listed(Value::Array(vec![value])));
+                return Value::LoopSequence(Rc::new(once.cycled(self.algebra)));
+            }
             ("repeat_n", [value, count], _) if is_in_std(self, "iter") => {
                 let (value, count) = (self.expression(value), self.known_count(count));
                 return count.map_or(Value::Unknown, |count| Value::iterator(vec![value; count]));
@@ -422,7 +427,8 @@ impl Translation<'_> {
         self.apply(&Callee { name, function, tables, kind }, None, &call.args)
     }
 
-    fn default_value(&mut self, place: &impl ToTokens, of: &Expected) -> Value {
+    /// Returns the default value of a type.
+    pub(super) fn default_value(&mut self, place: &impl ToTokens, of: &Expected) -> Value {
         let errors = self.report.count();
         let value = self.default_of(place, of);
         value.unwrap_or_else(|| {

@@ -9,6 +9,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::frame::Target;
+use super::place_types::type_of;
 use super::value::{Callable, Optional, Order, Value};
 use super::{Translation, methods, numbers};
 use crate::differentiate::messages;
@@ -23,6 +24,7 @@ pub(super) const METHODS: &[&str] = &[
     "expect",
     "unwrap_or",
     "unwrap_or_else",
+    "unwrap_or_default",
     "map",
     "map_or",
     "map_or_else",
@@ -172,6 +174,11 @@ impl Translation<'_> {
             ("unwrap", []) | ("expect", [_]) => value.clone(),
             ("unwrap_or", [otherwise]) => {
                 let otherwise = self.expression_as(otherwise, expected);
+                self.either_value(call, is_some, value, &otherwise)
+            }
+            ("unwrap_or_default", []) => {
+                let ty = if nothing { expected.clone() } else { type_of(value, self.precision) };
+                let otherwise = self.default_value(&call.method, &ty);
                 self.either_value(call, is_some, value, &otherwise)
             }
             ("unwrap_or_else", [otherwise]) => {

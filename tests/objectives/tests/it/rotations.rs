@@ -190,3 +190,61 @@ fn matrix_fitted_to_a_rotation() {
     let there = [&identity[..], &[1.0, 2.0, 3.0, 1.0, 2.0, 3.0]].concat();
     singular(&there, double::fitted, double::fitted_gradient, single::fitted_gradient, &[0.0; 9]);
 }
+
+#[aim::differentiate(check = true)]
+mod arcs {
+    use aim::glam::{DMat4, DQuat, DVec2, DVec3};
+
+    #[differentiate(wrt(from, to))]
+    pub(super) fn arc(from: DVec3, to: DVec3, v: DVec3) -> DVec3 {
+        DQuat::from_rotation_arc(from.normalize(), to.normalize()) * v
+    }
+
+    #[differentiate(wrt(from, to))]
+    pub(super) fn arc_of_lines(from: DVec3, to: DVec3, v: DVec3) -> DVec3 {
+        DQuat::from_rotation_arc_colinear(from.normalize(), to.normalize()) * v
+    }
+
+    #[differentiate(wrt(v, angle))]
+    pub(super) fn bases(v: DVec3, angle: f64) -> DVec3 {
+        let (axis, length) = v.normalize_and_length();
+        let (x, y) = axis.any_orthonormal_pair();
+        let turned = x.rotate_axis(axis, angle) + y * length + axis.any_orthonormal_vector() * angle;
+        turned + 0.1 * v.any_orthogonal_vector()
+    }
+
+    #[differentiate(wrt(v, w))]
+    pub(super) fn by_component(v: DVec3, w: DVec2) -> DVec3 {
+        let (sin, cos) = v.sin_cos();
+        let (unit, size) = w.normalize_and_length();
+        let more = (w.exp2() + w.cos() * w.saturate() + DVec2::splat(0.25).step(w) * unit * size).extend(w.sin().x);
+        sin * v.saturate() + cos.exp2() + (cos * cos + 0.5).log2() + (sin * sin + 1.0).sqrt() + (v * v + 1.0).ln() + more
+    }
+
+    #[differentiate(wrt(angle, v))]
+    #[allow(deprecated, reason = "older versions of glam have no other function")]
+    pub(super) fn seen(angle: f64, v: DVec3) -> DVec3 {
+        let open = DMat4::perspective_infinite_rh(0.4 + angle * angle, 1.5, 0.1).project_point3(v - 9.0);
+        open + DMat4::perspective_infinite_lh(0.4 + angle * angle, 1.5, 0.1).project_point3(v + 9.0)
+    }
+}
+
+/// Values are glam's, also where the directions are the same.
+#[test]
+fn the_shortest_arc_is_that_of_glam() {
+    use aim::glam::{DMat3, DVec3};
+
+    let (one, other, v) = (DVec3::new(0.5, -1.0, 2.0), DVec3::new(-1.0, 0.3, 0.2), DVec3::new(0.7, 0.1, -0.4));
+    for to in [one, 3.0 * one, other, -other] {
+        let (value, (by_from, by_to)) = arcs::arc_jacobian(one, to, v);
+        assert!(value.distance(arcs::arc(one, to, v)) < 1e-14, "{to}");
+        let size = |m: DMat3| m.to_cols_array().into_iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+        assert!(size(by_from) + size(by_to) < 10.0, "{to}: {by_from}, {by_to}");
+    }
+    let (value, _) = arcs::arc_of_lines_jacobian(one, other, v);
+    assert!(value.distance(arcs::arc_of_lines(one, other, v)) < 1e-14);
+    let (value, _) = arcs::seen_jacobian(0.3, v);
+    assert!(value.distance(arcs::seen(0.3, v)) < 1e-13);
+    // Opposite directions have no shortest arc.
+    assert_eq!(arcs::arc_jacobian(one, -one, v), (v, (DMat3::ZERO, DMat3::ZERO)));
+}

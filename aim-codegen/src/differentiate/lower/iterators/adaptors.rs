@@ -63,6 +63,10 @@ impl Translation<'_> {
                 Value::LoopSequence(Rc::new(sequence.cycled(self.algebra)))
             }
             ("map", [function]) => Value::Iterator(self.mapped(call, function, items)?),
+            ("inspect", [function]) => {
+                self.mapped(call, function, items.clone())?;
+                Value::Iterator(items)
+            }
             ("flatten", []) => self.flattened(call, items)?,
             ("flat_map", [function]) => {
                 let mapped = self.mapped(call, function, items)?;

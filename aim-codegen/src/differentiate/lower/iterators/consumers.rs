@@ -10,7 +10,7 @@ use super::super::condition::Condition;
 use super::super::expected::Expected;
 use super::super::functions::each_word;
 use super::super::place_types::neutral;
-use super::super::value::{Callable, Element, Value};
+use super::super::value::{Callable, Element, Optional, Order, Value};
 use super::super::{Translation, methods, strip};
 use super::ranks;
 use crate::differentiate::messages;
@@ -64,6 +64,22 @@ impl Translation<'_> {
                 let function = self.function_argument(function, 2)?;
                 self.reduced(call, items, |this, best, item| this.better(call, &function, best, item))
             }
+            ("min_by_key" | "max_by_key", [function]) => {
+                let function = self.function_argument(function, 1)?;
+                self.reduced(call, items, |this, best, item| {
+                    let keys = [&best, &item].map(|value| this.inline(&call.method, &function, vec![value.clone()]));
+                    match keys {
+                        [Value::Integer(x), Value::Integer(y)] => {
+                            let order = Order::of(this.algebra, x, y);
+                            this.preferred(call, &order, &best, &item)
+                        }
+                        [key, _] => {
+                            let text = messages::no_key(&key.describe());
+                            this.refuse_known(&key, &call.method, text)
+                        }
+                    }
+                })
+            }
             ("last", []) => self.reduced(call, items, |_, _, item| item),
             ("len" | "count", []) => self.counted(&items)?,
             ("sum" | "product", []) => self.total(call, items, expected),
@@ -75,6 +91,9 @@ impl Translation<'_> {
     /// after an error.
     pub(super) fn found(&mut self, items: &[Element], call: &ExprMethodCall) -> Option<(Value, Vec<Condition>)> {
         let name = call.method.to_string();
+        if name == "try_fold" {
+            return self.folded_until_none(items, call);
+        }
         let mut values: Vec<Value> = items.iter().map(|item| item.value.clone()).collect();
         let ends: Vec<Condition> = match (name.as_str(), call.args.first()) {
             ("nth", Some(index)) => {
@@ -110,6 +129,31 @@ impl Translation<'_> {
             }
         };
         Some((found, ends))
+    }
+
+    /// Evaluates `try_fold` and returns, for each element, the condition that it ends the fold; `None` after an error.
+    fn folded_until_none(&mut self, items: &[Element], call: &ExprMethodCall) -> Option<(Value, Vec<Condition>)> {
+        let start = self.expression(&call.args[0]);
+        let function = self.function_argument(&call.args[1], 2)?;
+        let (mut folded, mut ends) = (Value::some(start), Vec::with_capacity(items.len()));
+        for Element { is_there, value } in items {
+            let Value::Optional(before) = &folded else { return Some((folded, ends)) };
+            let Optional { is_some, value: inside } = &**before;
+            let is_called = is_some.clone().and(is_there.clone());
+            if matches!(is_called, Condition::Known(false)) {
+                ends.push(is_called);
+                continue;
+            }
+            let arguments = vec![inside.clone(), value.clone()];
+            let next = self.run_under(call, &is_called, |this| this.inline(&call.method, &function, arguments));
+            let Value::Optional(after) = &next else {
+                self.refuse_known(&next, &call.method, messages::not_an_option(&next.describe()));
+                return None;
+            };
+            ends.push(is_called.clone().and(after.is_some.clone().not()));
+            folded = self.either_value(call, &is_called, &next, &folded);
+        }
+        Some((folded, ends))
     }
 
     /// Returns the type in `collect::<…>()` and the like, or `expected` if none is written.
@@ -199,8 +243,14 @@ impl Translation<'_> {
             Value::Ordering(order) => order,
             other => return self.refuse_known(&other, &call.method, messages::not_an_ordering(&other.describe())),
         };
-        let stays = if call.method == "min_by" { order.greater.clone().not() } else { order.greater.clone() };
-        self.either_value(call, &stays, &best, &item)
+        self.preferred(call, &order, &best, &item)
+    }
+
+    /// Returns the one of two values that a method prefers, by their order.
+    fn preferred(&mut self, call: &ExprMethodCall, order: &Order, best: &Value, item: &Value) -> Value {
+        let is_least = call.method == "min_by" || call.method == "min_by_key";
+        let stays = if is_least { order.greater.clone().not() } else { order.greater.clone() };
+        self.either_value(call, &stays, best, item)
     }
 
     /// Returns the number of elements that are present.

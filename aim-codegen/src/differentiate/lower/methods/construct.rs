@@ -82,6 +82,13 @@ functions! {
             None => Quaternion::about_varying(a, axis, radians),
         }
     }
+    // Opposite vectors have no shortest arc: the quaternion is then 0, and the rotation the identity.
+    from_rotation_arc(from: Vector, to: Vector) = {
+        let c = from.cross(to);
+        Quat::from_xyzw(c.x, c.y, c.z, 1.0 + from.dot(to)).normalize()
+    };
+    from_rotation_arc_colinear(from: Vector, to: Vector) =
+        Quat::from_rotation_arc(from, if from.dot(to) < 0.0 { -to } else { to });
     from_scaled_axis(v: Vector) -> Quaternion { Quaternion::about_vector(a, v) }
     from_xyzw(x: Scalar, y: Scalar, z: Scalar, w: Scalar) -> Quaternion { quaternion(a, [x, y, z, w]) }
     from_array(numbers: Array) -> Quaternion {
@@ -196,6 +203,24 @@ functions! {
             Vec4::new(0.0, height, 0.0, 0.0),
             Vec4::new(0.0, 0.0, depth, 1.0),
             Vec4::new(0.0, 0.0, -depth * near, 0.0),
+        )
+    };
+    perspective_infinite_rh(angle: Scalar, aspect: Scalar, near: Scalar) = {
+        let height = (0.5 * angle).tan().recip();
+        Mat4::from_cols(
+            Vec4::new(height / aspect, 0.0, 0.0, 0.0),
+            Vec4::new(0.0, height, 0.0, 0.0),
+            Vec4::new(0.0, 0.0, -1.0, -1.0),
+            Vec4::new(0.0, 0.0, -near, 0.0),
+        )
+    };
+    perspective_infinite_lh(angle: Scalar, aspect: Scalar, near: Scalar) = {
+        let height = (0.5 * angle).tan().recip();
+        Mat4::from_cols(
+            Vec4::new(height / aspect, 0.0, 0.0, 0.0),
+            Vec4::new(0.0, height, 0.0, 0.0),
+            Vec4::new(0.0, 0.0, 1.0, 1.0),
+            Vec4::new(0.0, 0.0, -near, 0.0),
         )
     };
     from(m: Affine) -> Homogeneous { m }

@@ -91,7 +91,6 @@ const OF_NUMBERS: &[&str] = &[
     "next_down",
     "maximum",
     "minimum",
-    "midpoint",
     "div_euclid",
     "round_ties_even",
     "abs_sub",

@@ -72,6 +72,7 @@ functions! {
     max(x: Scalar, y: Scalar) -> Scalar { or_number(a, x, y, "if x < y { y } else { x }")? }
     clamp(x: Scalar, low: Scalar, high: Scalar) = x.max(low).min(high);
     recip(x: Scalar) -> Scalar { a.recip(x) }
+    midpoint(x: Scalar, y: Scalar) = 0.5 * (x + y);
     mul_add(x: Scalar, factor: Scalar, summand: Scalar) = x * factor + summand;
     hypot(x: Scalar, y: Scalar) = Vec2::new(x, y).length();
     to_radians(x: Scalar) -> Scalar {

@@ -36,6 +36,7 @@ functions! {
     trunc(v: Vector) = Vec3::new(v.x.trunc(), v.y.trunc(), v.z.trunc());
     fract(v: Vector) = v - v.trunc();
     clamp(v: Vector, low: Vector, high: Vector) = v.max(low).min(high);
+    saturate(v: Vector) = Vec3::new(v.x.clamp(0.0, 1.0), v.y.clamp(0.0, 1.0), v.z.clamp(0.0, 1.0));
     try_normalize(v: Vector) = if v.length_squared() > 0.0 { Some(v.normalize()) } else { None };
     normalize_or(v: Vector, otherwise: Vector) = if v.length_squared() > 0.0 { v.normalize() } else { otherwise };
     refract(v: Vector, normal: Vector, eta: Scalar) = if 1.0 - eta * eta * (1.0 - normal.dot(v).powi(2)) >= 0.0 {
@@ -58,6 +59,26 @@ functions! {
     /// Functions of vectors of three.
     METHODS(a):
     cross(v: Vector, w: Vector) -> Vector { a.cross(v, w) }
+    normalize_and_length(v: Vector) = (v.normalize_or(Vec3::X), v.length());
+    step(edge: Vector, v: Vector) = Vec3::new(
+        if v.x < edge.x { 0.0 } else { 1.0 },
+        if v.y < edge.y { 0.0 } else { 1.0 },
+        if v.z < edge.z { 0.0 } else { 1.0 },
+    );
+    any_orthogonal_vector(v: Vector) =
+        if v.x.abs() > v.y.abs() { Vec3::new(-v.z, 0.0, v.x) } else { Vec3::new(0.0, v.z, -v.y) };
+    any_orthonormal_vector(v: Vector) = {
+        let sign = v.z.signum();
+        let a = -1.0 / (sign + v.z);
+        Vec3::new(v.x * v.y * a, sign + v.y * v.y * a, -v.y)
+    };
+    any_orthonormal_pair(v: Vector) = {
+        let sign = v.z.signum();
+        let a = -1.0 / (sign + v.z);
+        let one = Vec3::new(1.0 + sign * v.x * v.x * a, sign * v.x * v.y * a, -sign * v.x);
+        (one, v.any_orthonormal_vector())
+    };
+    rotate_axis(v: Vector, axis: Vector, radians: Scalar) = Quat::from_axis_angle(axis, radians) * v;
     recip(v: Vector) = Vec3::new(v.x.recip(), v.y.recip(), v.z.recip());
     signum(v: Vector) = Vec3::new(v.x.signum(), v.y.signum(), v.z.signum());
     exp(v: Vector) = Vec3::new(v.x.exp(), v.y.exp(), v.z.exp());
@@ -92,6 +113,9 @@ functions! {
     /// Functions of vectors of two.
     PLANAR(a):
     perp(v: Planar) = Vec2::new(-v.y, v.x);
+    normalize_and_length(v: Planar) = (v.normalize_or(Vec2::X), v.length());
+    step(edge: Planar, v: Planar) =
+        Vec2::new(if v.x < edge.x { 0.0 } else { 1.0 }, if v.y < edge.y { 0.0 } else { 1.0 });
     perp_dot(v: Planar, w: Planar) = v.extend(0.0).cross(w.extend(0.0)).z;
     rotate(v: Planar, w: Planar) = Vec2::new(v.x * w.x - v.y * w.y, v.y * w.x + v.x * w.y);
     recip(v: Planar) = Vec2::new(v.x.recip(), v.y.recip());

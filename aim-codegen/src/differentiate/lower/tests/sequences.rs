@@ -3,6 +3,24 @@
 use super::same;
 
 same! {
+    folds_keys_and_repetitions {
+        pub fn f(x: f64, y: f64) -> f64 {
+            let all = [x, y, x * y, 2.0];
+            let product = all.iter().try_fold(1.0, |a, b| (*b > -2.0).then_some(a * b)).unwrap_or(-7.0);
+            let mut left = all.iter();
+            let sum = left.try_fold(0.0, |a, b| if *b > 0.0 { Some(a + b) } else { None });
+            let rest = left.next().copied().unwrap_or_default();
+            let checked: Result<f64, String> = all.iter().try_fold(x, |a, b| if a > b + 9.0 { Err(String::new()) } else { Ok(a - b) });
+            let nearest = all.iter().copied().min_by_key(|v| (v * 2.0) as i32).unwrap_or(0.0);
+            let farthest = all.iter().copied().max_by_key(|v| (v * 2.0) as i32).unwrap_or(0.0);
+            let repeated: f64 = std::iter::repeat(x).zip(all).map(|(a, b)| a * b).sum();
+            let taken: f64 = std::iter::repeat(y).take(3).sum();
+            let seen: f64 = all.iter().inspect(|v| assert!(v.is_finite())).sum();
+            let gone: f64 = all.get(7).copied().unwrap_or_default();
+            let default = gone + sum.unwrap_or_default();
+            product + 10.0 * rest + checked.unwrap_or(3.0) + 100.0 * nearest - 7.0 * farthest + repeated + taken + seen + default + x.midpoint(y)
+        }
+    }
     defaults_and_arrays_at_the_end {
         #[derive(Clone, Copy, Default)]
         struct Lens { focal: f64, shift: f64, bent: [f64; 2] }
