@@ -116,7 +116,9 @@ impl Arguments {
                 known_type(ty, items, report).filter(|result| {
                     let fits = result.is_result() && result.precision.is_some() && !result.borrowed;
                     if !fits {
-                        report.error_in(ty, messages::result_type());
+                        let field = result.field_without_numbers(items);
+                        let text = field.map(|(of, field)| messages::result_field(&field, &of));
+                        report.error_in(ty, text.unwrap_or_else(messages::result_type));
                     }
                     fits
                 })

@@ -162,6 +162,10 @@ messages! {
         "the result must consist of numbers",
         "return, by value, a number, vector, quaternion or matrix, an array, tuple or struct of those, or an option of one";
 
+    result_field(field: &str, of: &str) =>
+        "the result must consist of numbers, but `{of}` has the field `{field}`",
+        "return the numbers alone, as a tuple or a struct of their own";
+
     mixed(first: &str, other: &str) =>
         "this is `{other}`, but the function computes in `{first}`",
         "use one number type throughout: take and return `{first}`";

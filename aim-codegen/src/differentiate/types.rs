@@ -350,6 +350,24 @@ impl Type {
         }
     }
 
+    /// Returns the name of a struct and of its first field that keeps it from being a result; `None` if a struct does
+    /// not.
+    pub(super) fn field_without_numbers(&self, items: &Items) -> Option<(String, String)> {
+        match &self.shape {
+            Shape::Array(element, _) => element.field_without_numbers(items),
+            Shape::Tuple(parts) => parts.iter().find_map(|part| part.field_without_numbers(items)),
+            Shape::Struct(name, fields, _) => {
+                items.structure(name)?.fields.iter().find_map(|(member, _)| {
+                    let known = fields.iter().find(|(known, _)| known == member).map(|(_, ty)| ty);
+                    let is_result = known.is_some_and(Self::is_result);
+                    let inside = known.and_then(|ty| ty.field_without_numbers(items));
+                    inside.or_else(|| (!is_result).then(|| (name.clone(), member.to_token_stream().to_string())))
+                })
+            }
+            _ => None,
+        }
+    }
+
     /// Returns the type of owned values.
     pub(super) fn owned(&self) -> Self {
         Self { borrowed: false, ..self.clone() }

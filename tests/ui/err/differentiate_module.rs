@@ -74,6 +74,16 @@ mod model {
     pub fn whole(x: f32) -> Spring {
         Spring { stiffness: x, name: String::new(), rest: x }
     }
+
+    pub struct Counted {
+        pub x: f32,
+        pub n: usize,
+    }
+
+    #[differentiate(wrt(x))]
+    pub fn counted(x: f32) -> (f32, Counted) {
+        (x, Counted { x, n: 1 })
+    }
 }
 
 #[differentiate]
