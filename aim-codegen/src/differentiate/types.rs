@@ -356,14 +356,12 @@ impl Type {
         match &self.shape {
             Shape::Array(element, _) => element.field_without_numbers(items),
             Shape::Tuple(parts) => parts.iter().find_map(|part| part.field_without_numbers(items)),
-            Shape::Struct(name, fields, _) => {
-                items.structure(name)?.fields.iter().find_map(|(member, _)| {
-                    let known = fields.iter().find(|(known, _)| known == member).map(|(_, ty)| ty);
-                    let is_result = known.is_some_and(Self::is_result);
-                    let inside = known.and_then(|ty| ty.field_without_numbers(items));
-                    inside.or_else(|| (!is_result).then(|| (name.clone(), member.to_token_stream().to_string())))
-                })
-            }
+            Shape::Struct(name, fields, _) => items.structure(name)?.fields.iter().find_map(|(member, _)| {
+                let known = fields.iter().find(|(known, _)| known == member).map(|(_, ty)| ty);
+                let is_result = known.is_some_and(Self::is_result);
+                let inside = known.and_then(|ty| ty.field_without_numbers(items));
+                inside.or_else(|| (!is_result).then(|| (name.clone(), member.to_token_stream().to_string())))
+            }),
             _ => None,
         }
     }

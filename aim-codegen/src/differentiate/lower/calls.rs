@@ -81,6 +81,18 @@ impl Translation<'_> {
                 return self.inline(&call.method, &function, vec![receiver]);
             }
         }
+        let receiver = match &receiver {
+            Value::Struct(of)
+                if iterators::consumes(&call.method)
+                    && self.own_functions(&of.name, &call.method.to_string()).is_empty() =>
+            {
+                self.own_iterator(&call.receiver, receiver)
+            }
+            _ => receiver,
+        };
+        if receiver.is_unknown() {
+            return receiver;
+        }
         let value = if is_drained || !iterators::is_lazy(&receiver, &call.method) {
             self.sequence_method(&receiver, call, expected)
         } else {

@@ -33,8 +33,11 @@ impl Translation<'_> {
         let kind = over.describe();
         let over = match over {
             Value::Slice(slice) => Value::LoopSequence(Rc::new(LoopSequence::over(slice))),
-            over => over,
+            over => self.own_iterator(&e.expr, over),
         };
+        if over.is_unknown() {
+            return over;
+        }
         if let Value::LoopSequence(sequence) = &over {
             return self.run_kept_for(e, sequence);
         }

@@ -218,7 +218,12 @@ mod arcs {
         let (sin, cos) = v.sin_cos();
         let (unit, size) = w.normalize_and_length();
         let more = (w.exp2() + w.cos() * w.saturate() + DVec2::splat(0.25).step(w) * unit * size).extend(w.sin().x);
-        sin * v.saturate() + cos.exp2() + (cos * cos + 0.5).log2() + (sin * sin + 1.0).sqrt() + (v * v + 1.0).ln() + more
+        sin * v.saturate()
+            + cos.exp2()
+            + (cos * cos + 0.5).log2()
+            + (sin * sin + 1.0).sqrt()
+            + (v * v + 1.0).ln()
+            + more
     }
 
     #[differentiate(wrt(angle, v))]

@@ -14,7 +14,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
-use super::value::{Element, LoopSequence, Optional, Value};
+use super::value::{Callable, Element, LoopSequence, Optional, Place, Value};
 use super::{Translation, extents, is_place, methods};
 use crate::differentiate::messages;
 
@@ -134,6 +134,11 @@ pub(super) fn drains(name: &Ident, is_drained: bool) -> bool {
     }
 }
 
+/// Returns `true` if a method takes an iterator by value.
+pub(super) fn consumes(name: &Ident) -> bool {
+    method(name).is_some_and(|method| method.consumption != Consumption::UntilFound && method.name != "clone")
+}
+
 /// Returns `true` if the function that is passed to a method of this value is called later, or not with each element.
 pub(super) fn is_lazy(receiver: &Value, name: &Ident) -> bool {
     let is_later =
@@ -247,6 +252,41 @@ impl Translation<'_> {
         Value::iterator_of(items)
     }
 
+    /// Returns the elements of a struct of the module that implements `Iterator`, up to the first `None`; any other
+    /// value unchanged.
+    pub(super) fn own_iterator(&mut self, place: &impl ToTokens, value: Value) -> Value {
+        let Value::Struct(of) = &value else { return value };
+        let is_of_trait = |next: &Rc<Callable>| next.of_trait.as_deref() == Some("Iterator");
+        let Some(next) = self.only_function(Some(&of.name), "next").filter(is_of_trait) else { return value };
+        let variable = self.frame.depth();
+        self.frame.declare(String::new(), value);
+        self.frame.allow_changes();
+        let state = Value::Reference(Rc::new(Place { variable, steps: Vec::new() }));
+        let (mut items, mut goes_on) = (Vec::new(), Condition::Known(true));
+        let elements = loop {
+            let most = match goes_on {
+                Condition::Known(false) => break Value::iterator_of(items),
+                Condition::Known(true) => LONGEST,
+                _ => LONGEST_OPEN,
+            };
+            if i64::try_from(items.len()).is_ok_and(|count| count == most) {
+                break self.refuse(place, messages::unknown_iteration_count());
+            }
+            // What the call leaves behind matters only if there is an element.
+            self.frame.begin_branch(goes_on.clone());
+            let found = self.inline(place, &next, vec![state.clone()]);
+            let changed = self.frame.end_branch();
+            self.frame.assign_all(changed);
+            let Value::Optional(found) = &found else {
+                break self.refuse_known(&found, place, messages::not_an_option(&found.describe()));
+            };
+            goes_on = goes_on.and(found.is_some.clone());
+            items.push(Element { is_there: goes_on.clone(), value: found.value.clone() });
+        };
+        self.frame.end_scope(variable);
+        elements
+    }
+
     /// Evaluates a method of an iterator over these elements.
     pub(super) fn iterator_method(&mut self, items: &[Element], call: &ExprMethodCall, expected: &Expected) -> Value {
         let name = call.method.to_string();
@@ -305,6 +345,7 @@ impl Translation<'_> {
 
     /// Returns the elements of a value; `None` after an error.
     pub(super) fn items_of(&mut self, place: &impl ToTokens, value: Value) -> Option<Vec<Element>> {
+        let value = self.own_iterator(place, value);
         let items = value.clone().items();
         if items.is_none() {
             self.refuse_known(&value, place, messages::not_iterable(&value.describe()));

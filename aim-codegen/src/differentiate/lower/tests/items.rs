@@ -3,6 +3,34 @@
 use super::same;
 
 same! {
+    iterators_of_the_module {
+        #[derive(Clone, Copy)]
+        pub struct Nodes { i: usize, h: f64 }
+        impl Iterator for Nodes {
+            type Item = f64;
+            fn next(&mut self) -> Option<f64> {
+                if self.i == 4 { return None; }
+                self.i += 1;
+                Some(self.h * self.i as f64)
+            }
+        }
+        pub struct Halves { x: f64, n: usize }
+        impl Iterator for Halves {
+            type Item = f64;
+            fn next(&mut self) -> Option<f64> {
+                self.x *= 0.5;
+                self.n += 1;
+                (self.n <= 6 && self.x.abs() > 0.1).then_some(self.x)
+            }
+        }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let nodes = Nodes { i: 0, h: x };
+            let mut sum = nodes.map(|t| t * t).sum::<f64>();
+            for t in nodes { if t > 3.0 { break; } sum += t * y; }
+            for (k, t) in nodes.zip(Halves { x: y, n: 1 }).enumerate() { sum += t.0 * t.1 * k as f64; }
+            sum + Halves { x, n: 0 }.fold(y, |a, b| 0.5 * a + b) + [x, y].into_iter().chain(nodes).skip(1).product::<f64>()
+        }
+    }
     conversions_by_the_operator {
         #[derive(Clone, Copy)]
         pub struct Radians(pub f64);
