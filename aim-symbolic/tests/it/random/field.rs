@@ -298,7 +298,8 @@ impl Number for Field {
         }
     }
 
-    /// Everything except 0 is above the smallest length, fractions are ordered, and the rest is in an arbitrary order.
+    /// Everything except 0 is above the smallest length, fractions are ordered, squares are positive, as roots are, and
+    /// the rest is in an arbitrary order.
     fn select_less(a: Self, b: Self, then: Self, otherwise: Self) -> Self {
         let less = match (a.undefined(), b.undefined()) {
             (Some(Undefined::Tiny), None) => b != Self::ZERO,
@@ -307,6 +308,8 @@ impl Number for Field {
             (Some(_), _) => return a,
             (None, None) => match (fraction(a.re), fraction(b.re)) {
                 (Some((n, d)), Some((m, e))) if a.im | b.im == 0 => n * e < m * d,
+                _ if a.im | b.im == 0 && b == Self::ZERO => !a.is_square(),
+                _ if a.im | b.im == 0 && a == Self::ZERO => b.is_square(),
                 _ => a != b && hash(&[a.re, a.im, b.re, b.im]) & 1 == 1,
             },
         };

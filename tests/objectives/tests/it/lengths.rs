@@ -32,11 +32,11 @@ macro_rules! functions {
             let mut all = Vec::new();
             $({
                 let (_, _, rows) = $energy::energy_hessian(v, k);
-                all.push((stringify!($energy), rows, (|$k: $real| $curvature)(k)));
+                all.push((stringify!($energy), rows, (|$k: $real| { let _ = $k; $curvature })(k)));
             })*
             $({
                 let (_, (by_v,)) = $field::field_jacobian(v, k);
-                all.push((stringify!($field), by_v.to_cols_array_2d(), (|$m: $real| $slope)(k)));
+                all.push((stringify!($field), by_v.to_cols_array_2d(), (|$m: $real| { let _ = $m; $slope })(k)));
             })*
             all
         }
@@ -67,6 +67,29 @@ in_both_precisions! {
         kernel = |l, k| { let q = l / k; 1.0 - 1.5 * q * q + 0.75 * q * q * q }, -3.0 / (k * k);
         compact = |l, k| { let q = 0.5 * l; (1.0 - q).powi(4) * (4.0 * q + 1.0) * k }, -5.0 * k;
         softened = |l, k| (k * k + l * l).sqrt(), 1.0 / k;
+        pseudo_huber = |l, k| l.hypot(k), 1.0 / k;
+        fair_by_scale = |l, k| k * k * (l / k - (1.0 + l / k).ln()), 1.0;
+        matern_3_2 = |l, k| { let s = 2.0 * l / k; (1.0 + s) * (-s).exp() }, -4.0 / (k * k);
+        matern_5_2 = |l, k| (1.0 + 2.0 * l / k + 4.0 * l * l / (3.0 * k * k)) * (-2.0 * l / k).exp(), -4.0 / (3.0 * k * k);
+        spline = |l, k| {
+            let q = l / k;
+            if q < 1.0 {
+                1.0 - 1.5 * q * q + 0.75 * q.powi(3)
+            } else if q < 2.0 {
+                0.25 * (2.0 - q).powi(3)
+            } else {
+                0.0
+            }
+        }, -3.0 / (k * k);
+        ranges = |l, k| match l {
+            0.0..1.0 => k * (1.0 - 1.5 * l * l + 0.75 * l.powi(3)),
+            1.0..2.0 => k * 0.25 * (2.0 - l).powi(3),
+            _ => 0.0,
+        }, -3.0 * k;
+        wendland = |l, k| { let q = l / k; 0.25 * (1.0 - q).max(0.0).powi(4) * (4.0 * q + 1.0) }, -5.0 / (k * k);
+        falloff = |l, k| { let t = (l / k).min(1.0); 1.0 - t * t * (3.0 - 2.0 * t) }, -6.0 / (k * k);
+        ring = |l, k| if l > 1.0 && l < 2.0 { k * (2.0 - l).powi(3) } else { k - l * l }, -2.0;
+        truncated = |l, k| l.min(k).powi(2), 2.0;
     }
     fields {
         drag = |v, l, m| v.normalize() * (m * l + l * l), m;
@@ -74,6 +97,14 @@ in_both_precisions! {
         exponential = |v, l, m| v.normalize() * (m * (l.exp() - 1.0)), m;
         lens = |v, r, m| { let t = r.atan2(m); v.normalize() * (t + m * t.powi(3)) }, 1.0 / m;
         logarithm = |v, l, m| v * (m * (1.0 + l).ln() / l), m;
+        limited = |v, l, m| v.normalize() * l.min(m), 1.0;
+        proportional = |v, l, m| v.normalize() * (2.0 * l).min(m), 2.0;
+        branched = |v, l, m| v.normalize() * if l < m { l } else { m }, 1.0;
+        sliding = |v, l, m| -v.normalize() * if l < m { let y = l / m; y * (2.0 - y) } else { 1.0 }, -2.0 / m;
+        nested = |v, l, m| v.normalize() * (0.5 * (m * l).atan()).tan(), 0.5 * m;
+        scaled = |v, _l, m| v.normalize() * (v * m).length(), m;
+        squares = |v, _l, m| v.normalize() * (m * (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()), m;
+        opposite = |v, l, m| { let w = -v; w.normalize() * (m * l) }, -m;
     }
 }
 
@@ -135,6 +166,8 @@ fn a_saturated_length_has_its_derivatives_far_out() {
 
 /// Rotations, lenses and angles as usually written by hand.
 mod as_written {
+    use core::f64::consts::{PI, TAU};
+
     use aim::differentiate;
     use aim::glam::{DQuat, DVec2, DVec3};
 
@@ -193,6 +226,56 @@ mod as_written {
         y.ln() * (u.exp() - 1.0) / u
     }
 
+    #[differentiate(wrt(v))]
+    pub(super) fn pull(v: DVec3, to: DVec3) -> DVec3 {
+        (to - v).normalize() * v.distance(to)
+    }
+
+    #[differentiate(wrt(tangent(q)))]
+    pub(super) fn half(q: DQuat, p: DVec3) -> DVec3 {
+        let (axis, angle) = q.to_axis_angle();
+        DQuat::from_axis_angle(axis, 0.5 * angle) * p
+    }
+
+    #[differentiate(wrt(tangent(q)))]
+    pub(super) fn shortest(q: DQuat, most: f64) -> DVec3 {
+        let (axis, angle) = q.to_axis_angle();
+        axis * (2.0 * if angle > PI { angle - TAU } else { angle }).min(most)
+    }
+
+    #[differentiate(wrt(v))]
+    pub(super) fn arc(v: DVec3, to: DVec3, p: DVec3) -> DVec3 {
+        DQuat::from_axis_angle(v.cross(to).normalize(), v.angle_between(to)) * p
+    }
+
+    #[differentiate(wrt(w))]
+    pub(super) fn integrated(w: DVec3, p: DVec3, dt: f64) -> DVec3 {
+        let (s, c) = (0.5 * (w * dt).length()).sin_cos();
+        let u = w.normalize() * s;
+        DQuat::from_xyzw(u.x, u.y, u.z, c) * p
+    }
+
+    #[differentiate(wrt(v))]
+    pub(super) fn soft(v: DVec3, p: DVec3, most: f64) -> DVec3 {
+        let r = v.length();
+        DQuat::from_axis_angle(v / r, most * (r / most).tanh()) * p
+    }
+
+    #[differentiate(wrt(p))]
+    pub(super) fn equidistant(p: DVec3) -> DVec2 {
+        p.truncate().normalize() * p.angle_between(DVec3::Z)
+    }
+
+    #[differentiate(wrt(s))]
+    pub(super) fn tilt(s: DVec2, p: DVec3) -> DVec3 {
+        DQuat::from_axis_angle(DVec3::new(-s.y, s.x, 0.0).normalize(), s.length()) * p
+    }
+
+    #[differentiate(wrt(v), hessian)]
+    pub(super) fn cosine(v: DVec3, to: DVec3) -> f64 {
+        1.0 - v.angle_between(to).cos()
+    }
+
     #[differentiate(wrt(v), hessian)]
     pub(super) fn never_negative(v: DVec3) -> f64 {
         let length = v.length().max(0.0);
@@ -226,6 +309,31 @@ fn what_people_write_by_hand_has_its_limits() {
         .for_each(|(found, expected)| near(found, expected));
     let (_, _, curvature) = as_written::never_negative_hessian(DVec3::ZERO);
     assert_eq!(curvature, [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
+}
+
+#[test]
+fn directions_times_lengths_under_other_names_have_their_limits() {
+    use aim::glam::{DMat3, DQuat, DVec2, DVec3};
+    let p = DVec3::new(1.0, 2.0, 3.0);
+    let by_turn = DMat3::from_cols(DVec3::X.cross(p), DVec3::Y.cross(p), DVec3::Z.cross(p));
+    let near = |found: DMat3, expected: DMat3| {
+        assert!(found.abs_diff_eq(expected, 1e-12), "{found} instead of {expected}");
+    };
+
+    near(as_written::pull_jacobian(p, p).1.0, -DMat3::IDENTITY);
+    near(as_written::half_jacobian(DQuat::IDENTITY, p).1.0, by_turn * 0.5);
+    near(as_written::shortest_jacobian(DQuat::IDENTITY, 3.0).1.0, DMat3::IDENTITY * 2.0);
+    // v turns about v × w / |v| to the direction of w, so a point turns by the opposite of v's change.
+    let by_change = |e: DVec3| p.cross(DVec3::Z.cross(e)) * 0.5;
+    let arc = DMat3::from_cols(by_change(DVec3::X), by_change(DVec3::Y), by_change(DVec3::Z));
+    near(as_written::arc_jacobian(DVec3::Z * 2.0, DVec3::Z * 5.0, p).1.0, arc);
+    near(as_written::integrated_jacobian(DVec3::ZERO, p, 0.3).1.0, by_turn * 0.3);
+    near(as_written::soft_jacobian(DVec3::ZERO, p, 0.3).1.0, by_turn);
+    assert_eq!(as_written::equidistant_jacobian(DVec3::Z).1.0, [DVec2::X, DVec2::Y, DVec2::ZERO]);
+    let (_, (by_stick,)) = as_written::tilt_jacobian(DVec2::ZERO, p);
+    assert_eq!(by_stick, [DVec3::Y.cross(p), -DVec3::X.cross(p)]);
+    let (_, _, curvature) = as_written::cosine_hessian(DVec3::X, DVec3::X);
+    assert_eq!(curvature, [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 }
 
 #[test]
