@@ -58,14 +58,18 @@ for (const [name, rig] of Object.entries(rigs)) {
   characters[`${name}, measured from its bytes`] = { ...rig, kind: "glb", forward, rig: "bytes" };
 }
 
-/** Ranges of a rig file, by the names of its joints: degrees. */
+/**
+ * Ranges of a rig file within which corrections stay, by the names of its joints: degrees. A range that counts from the
+ * bind pose contains the animation, too; a correction from one end to the other is as long as the range.
+ */
 function rangesOf(toml) {
   const ranges = {};
   for (const joint of toml.split("[[joint]]").slice(1)) {
     const name = /^name = "(.*)"$/m.exec(joint)[1];
     const range = (angle) => {
       const found = new RegExp(`^${angle} = \\["(.*?)deg", "(.*?)deg"\\]`, "m").exec(joint);
-      return found ? [Number(found[1]), Number(found[2])] : [0, 0];
+      const [low, high] = found ? [Number(found[1]), Number(found[2])] : [0, 0];
+      return /^limits_from = "bind_pose"$/m.test(joint) ? [low - high, high - low] : [low, high];
     };
     ranges[name] = { heading: range("heading"), pitch: range("pitch") };
   }
