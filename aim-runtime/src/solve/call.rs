@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::kinematics::chain::Upright;
 use crate::math::Bounded;
-use crate::rig::PoseSlices;
+use crate::rig::{ChainRig, PoseSlices};
 use crate::{Settings, Solver, math};
 
 /// The longest frame, seconds. A longer one after a hitch is shortened to this, so that nothing jumps.
@@ -36,4 +36,9 @@ pub(crate) fn upright_axis(pose: &PoseSlices<'_>, solver: Solver) -> Upright {
         return Upright::Off;
     }
     pose.up.and_then(|up| math::direction(up.into())).map_or(Upright::Innermost, Upright::About)
+}
+
+/// Returns the solver selected by the settings, or else the rig's default.
+pub(crate) fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver {
+    settings.solver.unwrap_or(rig.default_solver())
 }

@@ -12,7 +12,6 @@ use core::slice;
 
 use glam::{Affine3A, Mat3A, Quat, Vec3A, Vec4, Vec4Swizzles};
 
-use super::solver;
 use crate::kinematics::chain::{
     NEGLIGIBLE_DEVIATION, Ray, Space, can_lead, common_scale, corrections_of, inverse, tilts,
 };
@@ -22,9 +21,8 @@ use crate::limits::{Interval, RangeOfMotion};
 use crate::math::Bounded;
 use crate::math::trig::{self, Halves};
 use crate::rig::{ChainRig, Memory, PerJoint, PoseSlices};
-use crate::solve::call::{Call, upright_axis};
+use crate::solve::call::{Call, solver, upright_axis};
 use crate::solve::judge::{Verdict, limits_met};
-use crate::solve::task::SolveOutput;
 use crate::target::goal::{Goal, Movement};
 use crate::{Axes, Joint, JointInfo, JointSet, Outcome, Status, math};
 
@@ -33,8 +31,6 @@ const NEAREST: f32 = 10.0 / 6.0;
 /// Angle out of an eye's range beyond which the eyes look in parallel with the leading eye: overhead and behind, the
 /// directions from the two eyes may differ arbitrarily.
 const FAR_OUT_RAD: f32 = 30.0 * PI / 180.0;
-/// Number of times that a snap is repeated, so that the ranges left by convergence are those at the final head pose.
-const SNAP_ROUNDS: usize = 4;
 /// Difference of the eyes' headings that counts as rounding, radians.
 const PARALLEL_RAD: f32 = 1e-3;
 
@@ -48,7 +44,7 @@ pub(crate) fn look_angles(view: [f32; 3], reach: &Reach) -> [f32; 2] {
     look_angles_at_heading(view, trig::atan2(left, ahead), reach)
 }
 
-/// [`look`] with a preferred heading.
+/// [`look_angles`] with a preferred heading.
 fn look_angles_at_heading([ahead, left, up]: [f32; 3], heading: f32, reach: &Reach) -> [f32; 2] {
     let heading = reach.heading.hold(heading);
     let (sin, cos) = trig::sin_cos(heading);
@@ -117,26 +113,6 @@ impl<'a, const C: usize> Eyes<'a, C> {
             transforms[0].translation = self.middle;
         }
         transforms
-    }
-
-    /// Runs a snap of the chain with `solve`. The range that convergence leaves depends on the final head pose: a frame
-    /// takes it from the last frame, a snap iterates.
-    #[cold]
-    pub(crate) fn snap(
-        &self,
-        motions: &mut [RangeOfMotion],
-        SolveOutput { joints, memory, corrections, eyes }: SolveOutput<'_, C>,
-        solve: impl Fn(&mut [RangeOfMotion], SolveOutput<'_, C>) -> Option<Outcome>,
-    ) -> Option<Outcome> {
-        let before = (*joints, *memory);
-        joints.fill(Joint::REST);
-        let mut outcome = None;
-        for _ in 0..SNAP_ROUNDS {
-            self.converge(motions, || self.distance(joints));
-            (*joints, *memory) = before;
-            outcome = Some(solve(motions, SolveOutput { joints, memory, corrections, eyes })?);
-        }
-        outcome
     }
 
     /// Turns both eyes to the target and measures them, in a frame in which both reach it, given the leading eye's view
@@ -455,11 +431,13 @@ impl<'a, const C: usize> Eyes<'a, C> {
         point_ps: Vec3A,
     ) -> Option<f32> {
         let forward = math::turned(turn, self.rig.joints[0].axes.forward.into());
-        let mut ray = if eye == 0 {
-            Ray { origin: self.half_way, direction: self.pose.joints[0].matrix3 * forward }
-        } else {
-            Ray { origin: -self.half_way, direction: self.other_eye.matrix3 * (frames.relation * forward) }
+        let (animated, forward) = match eye {
+            0 => (&self.pose.joints[0], forward),
+            _ => (self.other_eye, frames.relation * forward),
         };
+        // The middle is rounded, so that half of the distance between the eyes is not exact.
+        let origin = animated.translation - self.middle;
+        let mut ray = Ray { origin, direction: animated.matrix3 * forward };
         for (joint, turn) in self.pose.joints.iter().zip(corrections).skip(1) {
             let frame = Affine3A { matrix3: joint.matrix3, translation: joint.translation - self.middle };
             ray = ray.through(&inverse(&frame)).turned(*turn).through(&frame);

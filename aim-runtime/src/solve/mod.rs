@@ -19,8 +19,8 @@ mod turn_round;
 
 use glam::{Affine3A, Quat};
 
-use self::call::upright_axis;
 pub(crate) use self::call::{Call, LONGEST_FRAME_S};
+use self::call::{solver, upright_axis};
 use self::exact::settle::{settle, settle_from_rest};
 
 use self::exact::{following, single};
@@ -36,6 +36,10 @@ use crate::rig::{ChainRig, HeadGoal, Memory, PoseSlices, StateSlices, Support};
 use crate::target::behind::Front;
 use crate::target::goal::{Goal, Movement, Scene, Seen};
 use crate::{Behind, Description, Joint, JointInfo, Outcome, Rig, Role, Settings, Solver};
+
+/// Number of times that a snap of two eyes is repeated, so that the ranges left by convergence are those at the final head
+/// pose.
+const SNAP_ROUNDS: usize = 4;
 
 /// Serves a frame that needs no search: moves `state` and writes the joints' corrections. Returns `None`, with nothing
 /// changed, if the frame needs one.
@@ -128,8 +132,28 @@ fn aim_eyes<const C: usize>(
     if call.dt.is_some() {
         solve_chain(rig, &pose, motions, call, output)
     } else {
-        eyes.snap(motions, output, |motions, output| solve_chain(rig, &pose, motions, call, output))
+        snap_eyes(&eyes, motions, output, |motions, output| solve_chain(rig, &pose, motions, call, output))
     }
+}
+
+/// Runs a snap of the chain with `solve`. The range that convergence leaves depends on the final head pose: a frame
+/// takes it from the last frame, a snap iterates.
+#[cold]
+fn snap_eyes<const C: usize>(
+    eyes: &Eyes<'_, C>,
+    motions: &mut [RangeOfMotion],
+    SolveOutput { joints, memory, corrections, .. }: SolveOutput<'_, C>,
+    solve: impl Fn(&mut [RangeOfMotion], SolveOutput<'_, C>) -> Option<Outcome>,
+) -> Option<Outcome> {
+    let before = (*joints, *memory);
+    joints.fill(Joint::REST);
+    let mut outcome = None;
+    for _ in 0..SNAP_ROUNDS {
+        eyes.converge(motions, || eyes.distance(joints));
+        (*joints, *memory) = before;
+        outcome = Some(solve(motions, SolveOutput { joints, memory, corrections, eyes: Some(eyes) })?);
+    }
+    outcome
 }
 
 /// Moves a chain by the selected solver.
@@ -169,11 +193,6 @@ fn solve_chain<const C: usize>(
         }
         None => snap_joints(rig, pose, motions, call, output),
     }
-}
-
-/// Returns the solver selected by the settings, or else the rig's default.
-fn solver<const C: usize>(rig: &ChainRig<'_, C>, settings: &Settings) -> Solver {
-    settings.solver.unwrap_or(rig.default_solver())
 }
 
 /// Returns `true` if the natural solver moves the joints by regions. The exact solver serves an eye without support, a

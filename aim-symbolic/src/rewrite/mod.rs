@@ -6,6 +6,7 @@ pub(crate) mod directions;
 mod frames;
 mod gathered;
 mod homogeneous;
+mod length;
 mod limits;
 pub(crate) mod log;
 mod product;

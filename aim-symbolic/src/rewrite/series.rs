@@ -3,7 +3,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::vanishing::Length;
+use super::length::Length;
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 

@@ -4,6 +4,7 @@
 use rustc_hash::FxHashSet;
 
 use super::cases::{comparisons, distinguished};
+use super::length::Length;
 use super::product::{Product, parts, terms};
 use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
@@ -24,70 +25,6 @@ const MOST_CASES: usize = 4;
 /// The order of 0, which vanishes to any order.
 const ORDER_OF_ZERO: i32 = 1 << 20;
 
-/// A product of factors and a length. The length is a norm, a root, or a number of any sign.
-pub(super) struct Length {
-    pub(super) coefficient: f64,
-    /// Other factors and their powers in halves.
-    pub(super) others: Vec<(Scalar, i32)>,
-    pub(super) base: Scalar,
-    /// 1 if the length is the root of the base, 2 if it is the base itself.
-    pub(super) halves: i32,
-}
-
-impl Length {
-    /// Returns the base, or its root, without other factors.
-    fn plain(base: Scalar, halves: i32) -> Self {
-        Self { coefficient: 1.0, others: Vec::new(), base, halves }
-    }
-
-    /// Splits off one of the `divisors` if it is a factor of `s`; else splits `s` into a constant and the rest.
-    fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
-        if let Some(mut product) = Product::of(g, s)
-            && let Some(&base) = divisors.iter().find(|&&base| base != s && [1, 2].contains(&product.power_of(base)))
-        {
-            let halves = product.remove(base);
-            return Some(Self { coefficient: product.coefficient, others: product.powers, base, halves });
-        }
-        Self::of_constant(g, s)
-    }
-
-    fn of_constant(g: &mut Graph, mut s: Scalar) -> Option<Self> {
-        let mut coefficient = 1.0;
-        let (base, halves) = loop {
-            match g.scalar_node(s) {
-                ScalarNode::Op(Op::Constant(_)) => return None,
-                ScalarNode::Op(Op::Neg(a)) => (coefficient, s) = (-coefficient, a),
-                ScalarNode::Op(Op::Mul(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
-                    (Some(c), _) => (coefficient, s) = (coefficient * c, b),
-                    (_, Some(c)) => (coefficient, s) = (coefficient * c, a),
-                    _ => break (s, 2),
-                },
-                ScalarNode::Op(Op::Div(a, b)) if g.constant_of(b).is_some() => {
-                    (coefficient, s) = (coefficient / g.constant_of(b)?, a);
-                }
-                ScalarNode::Norm(v) => break (g.dot(v, v), 1),
-                ScalarNode::Op(Op::Sqrt(base)) => break (base, 1),
-                _ => break (s, 2),
-            }
-        };
-        Some(Self { coefficient, ..Self::plain(base, halves) })
-    }
-
-    fn square(&self, g: &mut Graph) -> Scalar {
-        let mut square = if self.halves == 1 { self.base } else { g.mul(self.base, self.base) };
-        if self.coefficient.abs() != 1.0 {
-            let factor = g.constant(self.coefficient * self.coefficient);
-            square = g.mul(factor, square);
-        }
-        let mut others = Product::new();
-        self.others.iter().for_each(|&(factor, power)| others.power(factor, 2 * power));
-        match others.stated(g) {
-            Some(factor) => g.mul(factor, square),
-            None => square,
-        }
-    }
-}
-
 /// A function of a length r as a sign times a power of r times a rest that is not 0 at r = 0.
 pub(super) struct Vanishing {
     length: Length,
@@ -95,7 +32,7 @@ pub(super) struct Vanishing {
     negative: bool,
     rest: Rest,
     /// The length may itself be a function that vanishes, as in sin(atan2(r, w)).
-    inside: Option<Box<Vanishing>>,
+    inside: Option<Box<Self>>,
 }
 
 enum Rest {
@@ -120,6 +57,10 @@ fn one_minus(g: &mut Graph, square: Scalar) -> Scalar {
 }
 
 impl Vanishing {
+    fn new(length: Length, order: i32, rest: Rest) -> Self {
+        Self { length, order, negative: false, rest, inside: None }
+    }
+
     /// Finds how `s` vanishes: a known function by its argument, or a sum in which every term has a power of a divisor,
     /// by each such divisor.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
@@ -137,13 +78,7 @@ impl Vanishing {
 
     /// A sum in which each term has this power of the base, in halves.
     fn sum(base: Scalar, halves: i32) -> Self {
-        Self {
-            length: Length::plain(base, 1),
-            order: halves,
-            negative: false,
-            rest: Rest::Sum { stated: None },
-            inside: None,
-        }
+        Self::new(Length::plain(base, 1), halves, Rest::Sum { stated: None })
     }
 
     /// Returns the base with which a function vanishes.
@@ -184,9 +119,6 @@ impl Vanishing {
     fn of_series(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
         let varies = |g: &Graph, &&base: &&Scalar| base != s && depends_on(g, s, base);
         let bases: Vec<Scalar> = divisors.iter().filter(|base| varies(g, base)).copied().collect();
-        if bases.is_empty() {
-            return None;
-        }
         bases.into_iter().find_map(|base| {
             let numbers = [base, root(g, base)].into_iter().chain(multiples(g, s, base));
             numbers.into_iter().find_map(|number| {
@@ -196,13 +128,7 @@ impl Vanishing {
                 let (s, common) = common_factors(g, s, &kept);
                 let (order, series) = Expansion::new(&length).near_zero(g, s)?;
                 let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
-                Some(Self {
-                    length,
-                    order,
-                    negative: false,
-                    rest: Rest::Series { common, of: s, number, series },
-                    inside: None,
-                })
+                Some(Self::new(length, order, Rest::Series { common, of: s, number, series }))
             })
         })
     }
@@ -231,7 +157,7 @@ impl Vanishing {
 
     fn of_function(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
         let [circular, hyperbolic] = [false, true].map(|hyperbolic| Stumpff { hyperbolic, order: 1 });
-        let one = |length, rest| Some(Self { length, order: 1, negative: false, rest, inside: None });
+        let one = |length, rest| Some(Self::new(length, 1, rest));
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Call(function, a)) => match function {
                 Function::Sin => one(Length::of(g, a, divisors)?, Rest::Stumpff(circular)),
@@ -261,13 +187,7 @@ impl Vanishing {
                     .map(|(length, function)| (length, false, function))
                     .or_else(|| Self::difference(g, b, a).map(|(length, function)| (length, true, function)))?;
                 let length = Length::of(g, length, divisors)?;
-                Some(Self {
-                    length,
-                    order: function.order.into(),
-                    negative,
-                    rest: Rest::Stumpff(function),
-                    inside: None,
-                })
+                Some(Self { negative, ..Self::new(length, function.order.into(), Rest::Stumpff(function)) })
             }
             _ => None,
         }
@@ -300,13 +220,8 @@ impl Vanishing {
         let ScalarNode::Stumpff(function, s) = g.scalar_node(other) else { return None };
         let rest = Rest::StumpffOf(function.of_order(function.order + 2), s);
         let length = Length::of(g, s, divisors)?;
-        (limit == 1.0 / factorial(function.order)).then_some(Self {
-            length,
-            order: 1,
-            negative: negative != function.hyperbolic,
-            rest,
-            inside: None,
-        })
+        let negative = negative != function.hyperbolic;
+        (limit == 1.0 / factorial(function.order)).then_some(Self { negative, ..Self::new(length, 1, rest) })
     }
 
     /// Returns the power of the base, in halves.

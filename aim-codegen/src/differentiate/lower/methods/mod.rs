@@ -11,8 +11,8 @@ mod vector;
 
 pub(super) use self::function::{CallError, Function};
 use super::algebra::Algebra;
+use super::square;
 use super::value::Value;
-use super::{arrays, iterators, optional, square};
 use crate::declare::report::text::Text;
 use crate::differentiate::messages;
 use crate::differentiate::types::{self, Shape};
@@ -52,12 +52,12 @@ pub(super) fn functions_of(shape: &Shape) -> &'static [&'static [Function]] {
 
 /// Returns the message about a method that a value of this kind does not have; `known` are those that it has.
 pub(super) fn unknown_method(name: &str, kind: &str, known: &[&str]) -> Text {
-    // A method of other values is not a misspelt one.
-    let similar = if has_name(name) { &[] } else { known };
+    // A method of other values is not a misspelt one, and many short names are alike: `map` and `max`.
+    let similar = if name.len() <= 3 || has_name(name) { &[] } else { known };
     messages::unknown_method(name, kind, known, similar)
 }
 
-/// Returns `true` if any value has a method of this name.
+/// Returns `true` if a number or a type of glam has a method of this name.
 fn has_name(name: &str) -> bool {
     let tables = [
         scalar::METHODS,
@@ -73,8 +73,6 @@ fn has_name(name: &str) -> bool {
         transform::SQUARE,
     ];
     tables.into_iter().flatten().any(|function| function.name == name)
-        || [arrays::names(), iterators::names()].concat().contains(&name)
-        || optional::METHODS.contains(&name)
 }
 
 /// Methods of numbers that are in no table.
