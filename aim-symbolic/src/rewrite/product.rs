@@ -109,6 +109,14 @@ impl Graph {
     }
 }
 
+/// Returns the vector of which `v` is the direction.
+fn normalized(g: &Graph, v: Vector) -> Option<Vector> {
+    match g.vector_node(v) {
+        VectorNode::Normalize(inner) => Some(inner),
+        _ => None,
+    }
+}
+
 /// Returns the two terms of a sum, or the two branches of a select.
 pub(super) fn parts(g: &Graph, s: Scalar) -> Option<(Scalar, Scalar)> {
     match g.scalar_node(s) {
@@ -251,6 +259,17 @@ impl Product {
                     self.power(size, 2 * halves);
                 }
                 self.times_square(g, inner, halves, whole)?;
+            }
+            VectorNode::Cross(a, b) if [a, b].iter().any(|&side| normalized(g, side).is_some()) => {
+                let mut sides = [a, b];
+                for side in &mut sides {
+                    if let Some(inner) = normalized(g, *side) {
+                        self.times_square(g, inner, -halves, whole)?;
+                        *side = inner;
+                    }
+                }
+                let cross = g.cross(sides[0], sides[1]);
+                self.times_square(g, cross, halves, whole)?;
             }
             _ => {
                 let v = g.of_same_length(v);

@@ -248,6 +248,12 @@ mod as_written {
         DQuat::from_axis_angle(v.cross(to).normalize(), v.angle_between(to)) * p
     }
 
+    #[differentiate(wrt(v))]
+    pub(super) fn arc_of_directions(v: DVec3, to: DVec3, p: DVec3) -> DVec3 {
+        let (from, to) = (v.normalize(), to.normalize());
+        DQuat::from_axis_angle(from.cross(to).normalize(), from.angle_between(to)) * p
+    }
+
     #[differentiate(wrt(w))]
     pub(super) fn integrated(w: DVec3, p: DVec3, dt: f64) -> DVec3 {
         let (s, c) = (0.5 * (w * dt).length()).sin_cos();
@@ -327,6 +333,7 @@ fn directions_times_lengths_under_other_names_have_their_limits() {
     let by_change = |e: DVec3| p.cross(DVec3::Z.cross(e)) * 0.5;
     let arc = DMat3::from_cols(by_change(DVec3::X), by_change(DVec3::Y), by_change(DVec3::Z));
     near(as_written::arc_jacobian(DVec3::Z * 2.0, DVec3::Z * 5.0, p).1.0, arc);
+    near(as_written::arc_of_directions_jacobian(DVec3::Z * 2.0, DVec3::Z * 5.0, p).1.0, arc);
     near(as_written::integrated_jacobian(DVec3::ZERO, p, 0.3).1.0, by_turn * 0.3);
     near(as_written::soft_jacobian(DVec3::ZERO, p, 0.3).1.0, by_turn);
     assert_eq!(as_written::equidistant_jacobian(DVec3::Z).1.0, [DVec2::X, DVec2::Y, DVec2::ZERO]);
