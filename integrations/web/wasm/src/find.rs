@@ -73,7 +73,7 @@ fn beside(skeleton: &Skeleton, left: usize) -> Option<usize> {
     let sides = [("Left", "Right"), ("left", "right"), ("_L", "_R"), ("_l", "_r"), (".L", ".R"), (".l", ".r")];
     let right = sides.iter().find_map(|(left, right)| {
         let at = (0..name.len()).find(|&at| name.get(at..).is_some_and(|rest| rest.starts_with(left)))?;
-        skeleton.find(&[name.get(..at)?, right, name.get(at + left.len()..)?].concat())
+        skeleton.find(&format!("{}{right}{}", name.get(..at)?, name.get(at + left.len()..)?))
     })?;
     (skeleton.parents()[right] == skeleton.parents()[left]).then_some(right)
 }
@@ -83,8 +83,9 @@ fn said(error: &AimChainError, rig: &dyn Rig, skeleton: &Skeleton) -> String {
     let joint_name = |joint: usize| rig.joint_name(joint).unwrap_or("?").to_owned();
     match error {
         AimChainError::Names { joint, names } => {
-            let known: Vec<&str> = skeleton.names().iter().map(String::as_str).take(MOST_NAMES).collect();
-            let more = if skeleton.len() > MOST_NAMES { ", …" } else { "" };
+            let all = skeleton.names();
+            let known = &all[..all.len().min(MOST_NAMES)];
+            let more = if all.len() > MOST_NAMES { ", …" } else { "" };
             let wanted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!(
                 "no bone, or more than one, is called {} for the rig's joint \"{}\": choose the preset that fits, or rig: \
