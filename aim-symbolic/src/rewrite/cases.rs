@@ -1,31 +1,31 @@
 //! Distinguishes cases: states an expression that contains selects as one select.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::{Graph, Op, Scalar, ScalarNode};
 
-/// Limit on the number of subexpressions that are searched for comparisons.
-const MOST_PARTS: usize = 100;
+/// Limit on the number of subexpressions; the cases of larger expressions are not distinguished.
+const MOST_PARTS: usize = 200;
 
 /// The operands of a comparison a < b.
 pub(super) type Comparison = [Scalar; 2];
 
-/// Returns the comparisons of the selects in `s`, each once. Does not look into functions of vectors.
+/// Returns the comparisons of the selects in `s`, each once; none if the expression is too large. Does not look into
+/// functions of vectors.
 pub(super) fn comparisons(g: &Graph, s: Scalar) -> Vec<Comparison> {
-    let (mut found, mut known) = (Vec::new(), vec![s]);
+    let (mut found, mut known, mut order) = (Vec::new(), FxHashSet::from_iter([s]), vec![s]);
     let mut next = 0;
-    while next < known.len().min(MOST_PARTS) {
-        if let ScalarNode::Op(op) = g.scalar_node(known[next]) {
+    while next < order.len() {
+        if order.len() > MOST_PARTS {
+            return Vec::new();
+        }
+        if let ScalarNode::Op(op) = g.scalar_node(order[next]) {
             if let Op::SelectLess(a, b, ..) = op
                 && !found.contains(&[a, b])
             {
                 found.push([a, b]);
             }
-            for part in op.operands() {
-                if !known.contains(&part) {
-                    known.push(part);
-                }
-            }
+            order.extend(op.operands().filter(|&part| known.insert(part)));
         }
         next += 1;
     }

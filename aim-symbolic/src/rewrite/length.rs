@@ -4,6 +4,7 @@ use super::product::Product;
 use crate::{Graph, Op, Scalar, ScalarNode};
 
 /// A product of factors and a length. The length is a norm, a root, or a number of any sign.
+#[derive(Clone)]
 pub(super) struct Length {
     pub(super) coefficient: f64,
     /// Other factors and their powers in halves.

@@ -215,6 +215,7 @@ impl Series {
 }
 
 /// A series near 0, divided by its lowest power.
+#[derive(Clone)]
 pub(super) struct NearZero {
     pub(super) coefficients: Vec<f64>,
     /// The radius within which the coefficients suffice for full f64 precision.

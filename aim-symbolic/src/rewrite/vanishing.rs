@@ -22,10 +22,14 @@ const MOST_NUMBERS: usize = 4;
 /// Limit on the number of comparisons by which cases are distinguished, one at a time.
 const MOST_CASES: usize = 4;
 
+/// Limit on the depth of functions within functions that vanish together.
+const MOST_NESTED: u32 = 6;
+
 /// The order of 0, which vanishes to any order.
 const ORDER_OF_ZERO: i32 = 1 << 20;
 
 /// A function of a length r as a sign times a power of r times a rest that is not 0 at r = 0.
+#[derive(Clone)]
 pub(super) struct Vanishing {
     length: Length,
     order: i32,
@@ -35,6 +39,7 @@ pub(super) struct Vanishing {
     inside: Option<Box<Self>>,
 }
 
+#[derive(Clone)]
 enum Rest {
     /// A smooth function of r².
     Stumpff(Stumpff),
@@ -64,13 +69,17 @@ impl Vanishing {
     /// Finds how `s` vanishes: a known function by its argument, or a sum in which every term has a power of a divisor,
     /// by each such divisor.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let found = Self::of_functions(g, s, divisors);
+        Self::within(g, s, divisors, MOST_NESTED)
+    }
+
+    fn within(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32) -> Vec<Self> {
+        let found = Self::of_functions(g, s, divisors, depth);
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
     /// Finds how `s` vanishes like [`of`](Self::of), and also by power series in one of the divisors.
     pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let mut found = Self::of_functions(g, s, divisors);
+        let mut found = Self::of_functions(g, s, divisors, MOST_NESTED);
         let series = Self::of_series(g, s, divisors);
         found.extend(series.filter(|series| found.iter().all(|function| function.base() != series.base())));
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
@@ -133,21 +142,21 @@ impl Vanishing {
         })
     }
 
-    /// Finds how a function vanishes: by its argument, and by what the argument vanishes with.
-    fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
+    /// Finds how a function vanishes: by its argument, and by what the argument vanishes with, down to this depth.
+    fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32) -> Vec<Self> {
         let Some(outer) = Self::of_function(g, s, divisors) else { return Vec::new() };
+        let argument = outer.length.base;
         let mut found: Vec<Self> = Vec::new();
-        if outer.length.halves == 2 {
-            let mut insides = Self::of(g, outer.length.base, divisors);
-            if insides.is_empty() {
-                insides = Self::of_terms(g, outer.length.base, divisors);
+        if outer.length.halves == 2 && depth > 0 {
+            let mut insides = Self::within(g, argument, divisors, depth - 1);
+            if insides.is_empty() && parts(g, argument).is_none() {
+                insides = Self::of_terms(g, argument, divisors);
             }
             for inside in insides {
                 let base = inside.base();
-                let is_new = base != outer.length.base && found.iter().all(|found| found.base() != base);
+                let is_new = base != argument && found.iter().all(|found| found.base() != base);
                 if is_new && inside.halves() > 0 && divisors.contains(&base) {
-                    let outer = Self::of_function(g, s, divisors);
-                    found.extend(outer.map(|outer| Self { inside: Some(Box::new(inside)), ..outer }));
+                    found.push(Self { inside: Some(Box::new(inside)), ..outer.clone() });
                 }
             }
         }
@@ -455,15 +464,12 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
                     *all += order * power / 2;
                 }
             }
-        } else {
-            for found in Vanishing::of_functions(g, factor, bases) {
-                if let Some(place) = bases.iter().position(|&base| base == found.base())
-                    && found.halves() * power % 2 == 0
-                    && found.is_free_in(g, &product, factor)
-                {
-                    all[place] += found.halves() * power / 2;
-                }
-            }
+        } else if let Some(found) = Vanishing::of_function(g, factor, bases)
+            && let Some(place) = bases.iter().position(|&base| base == found.base())
+            && found.halves() * power % 2 == 0
+            && found.is_free_in(g, &product, factor)
+        {
+            all[place] += found.halves() * power / 2;
         }
     }
     Some(all)
@@ -490,7 +496,7 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         } else if parts(g, factor).is_some() {
             Some(Vanishing::sum(base, orders(g, factor, &[base], left)?[0]))
         } else {
-            Vanishing::of_functions(g, factor, &[base]).into_iter().find(|found| found.base() == base)
+            Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
         };
         let is_free = |found: &Vanishing| found.halves() * power % 2 == 0 && found.is_free_in(g, &product, factor);
         if let Some(found) = found.filter(|found| is_order(found.halves()) && is_free(found)) {

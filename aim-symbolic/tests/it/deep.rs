@@ -36,6 +36,47 @@ fn sums_products_and_functions() {
     derive(4000, |g, deep, x| g.mul(x, deep));
 }
 
+/// Quotients, in which everything that may vanish with a length is searched.
+#[test]
+fn quotients_of_nested_functions() {
+    derive(1000, |g, deep, x| {
+        let sin = g.call(Function::Sin, deep);
+        g.div(sin, x)
+    });
+    derive(1000, |g, deep, x| {
+        let (constant, sin) = (g.constant(0.25), g.call(Function::Sin, deep));
+        let sum = g.add(constant, sin);
+        let vanishing = g.call(Function::Sin, sum);
+        g.div(vanishing, x)
+    });
+}
+
+/// A loop repeats its argument, so that paths through the expression are many more than its parts.
+#[test]
+fn iterated_maps_over_a_number() {
+    derive(1, |g, _, x| {
+        let end = (0..40).fold(x, |y, _| {
+            let sin = g.call(Function::Sin, y);
+            let scaled = g.mul(x, sin);
+            g.add(y, scaled)
+        });
+        g.div(end, x)
+    });
+}
+
+/// The cases of a select beside a deep sum.
+#[test]
+fn deep_sums_beside_a_select_over_a_length() {
+    derive(1, |g, _, x| {
+        let v = g.components([x; 3]);
+        let norm = g.norm(v);
+        let deep = (0..20_000).fold(x, |deep, _| g.add(deep, x));
+        let limited = g.select_less(norm, x, norm, x);
+        let sum = g.add(deep, limited);
+        g.div(sum, norm)
+    });
+}
+
 #[test]
 fn selects() {
     derive(2000, |g, deep, x| {
