@@ -246,6 +246,10 @@ impl Product {
 
     /// Multiplies by a power of v · v, in halves. Vectors that obviously have the same length have the same square.
     fn times_square(&mut self, g: &mut Graph, v: Vector, halves: i32, whole: &[Scalar]) -> Option<()> {
+        self.parts += 1;
+        if self.parts > MOST_PARTS {
+            return None;
+        }
         match g.vector_node(v) {
             VectorNode::Neg(inner) | VectorNode::Rotate(_, inner) => self.times_square(g, inner, halves, whole)?,
             VectorNode::Scale(k, inner) => {
