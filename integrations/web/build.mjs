@@ -56,7 +56,9 @@ const remapped = [
 
 /** Compiles a part. */
 async function compile(part, flags) {
-  const rustflags = ["--cfg", "aim_small", ...flags, "-Ctarget-feature=+simd128", ...remapped].join("\x1f");
+  // Even the smallest functions are compressed better as calls than as copies.
+  const small = ["--cfg", "aim_small", "-Cllvm-args=-inline-threshold=0"];
+  const rustflags = [...small, ...flags, "-Ctarget-feature=+simd128", ...remapped].join("\x1f");
   const args = ["build", "--quiet", "--package", "aim-gaze-wasm", "--lib", "--no-default-features", "--features", part];
   await start(cargo, [...args, "--target", TRIPLE, "--profile", "web"], {
     CARGO_ENCODED_RUSTFLAGS: rustflags,
@@ -88,7 +90,7 @@ async function assemble(wasm) {
 }
 
 // Large functions are compressed less well than the small ones that they would be made of.
-const SMALL = ["-Oz", "--one-caller-inline-max-function-size=0"];
+const SMALL = ["-Oz", "--converge", "--one-caller-inline-max-function-size=0"];
 
 /** Optimises a part, and writes it as text, too. */
 async function shrink(wasm, part) {

@@ -514,7 +514,7 @@ pub(crate) fn upright(infos: &[JointInfo], first: usize, about: Upright, frames:
 }
 
 /// Returns the length from the innermost joint along the chain to the effector.
-#[inline(always)]
+#[cfg_attr(not(aim_small), inline(always))]
 fn extent(pose: &[Affine3A], offset: Option<Vec3A>, length: fn(Vec3A) -> f32) -> f32 {
     let links = pose.windows(2).map(|pair| length(pair[0].translation - pair[1].translation));
     links.fold(offset.map_or(0.0, length), |sum, link| sum + link)

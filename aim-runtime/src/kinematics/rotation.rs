@@ -51,7 +51,7 @@ impl Planes {
 
     /// Returns the forward, left and up of a joint with this matrix: its product with the basis. The entries need no
     /// copying to all lanes.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn frame(&self, Mat3A { x_axis, y_axis, z_axis }: &Mat3A) -> Mat3A {
         let [forward, left, up] = &self.splats;
         let axis = |[x, y, z]: &[Vec3A; 3]| *x_axis * *x + *y_axis * *y + *z_axis * *z;

@@ -23,26 +23,26 @@ pub(crate) struct ChainRig<'a, const C: usize> {
 
 impl<'a, const C: usize> ChainRig<'a, C> {
     /// Returns the number of joints.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn count(&self) -> usize {
         if C == EXACT_JOINTS { C } else { self.joints.len() }
     }
 
     /// Returns `value` for every joint.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn array<T: Copy>(&self, value: T) -> PerJoint<T, C> {
         PerJoint { values: [value; C], count: self.count() }
     }
 
     /// Returns the value of `of` for every joint's index. `filler` is for indices without a joint.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn array_of<T: Copy>(&self, filler: T, of: impl Fn(usize) -> T) -> PerJoint<T, C> {
         let count = self.count();
         PerJoint { values: array::from_fn(|index| if index < count { of(index) } else { filler }), count }
     }
 
     /// Returns the values of a slice with one for every joint. `filler` is for indices without a joint.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn array_from<T: Copy>(&self, values: &[T], filler: T) -> PerJoint<T, C> {
         // A copy of known length takes no call.
         if C == EXACT_JOINTS
@@ -59,7 +59,7 @@ impl<'a, const C: usize> ChainRig<'a, C> {
 impl<'a, const C: usize> Deref for ChainRig<'a, C> {
     type Target = Description<'a>;
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn deref(&self) -> &Description<'a> {
         self.description
     }
@@ -74,7 +74,7 @@ pub(crate) struct PerJoint<T, const C: usize> {
 
 impl<T: Copy, const C: usize> PerJoint<T, C> {
     /// Copies the values to a slice of the same length.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn copy_to(&self, values: &mut [T]) {
         match values.first_chunk_mut::<C>() {
             Some(values) if C == EXACT_JOINTS => *values = self.values,
@@ -86,14 +86,14 @@ impl<T: Copy, const C: usize> PerJoint<T, C> {
 impl<T, const C: usize> Deref for PerJoint<T, C> {
     type Target = [T];
 
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn deref(&self) -> &[T] {
         if C == EXACT_JOINTS { &self.values } else { &self.values[..self.count] }
     }
 }
 
 impl<T, const C: usize> DerefMut for PerJoint<T, C> {
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     fn deref_mut(&mut self) -> &mut [T] {
         if C == EXACT_JOINTS { &mut self.values } else { &mut self.values[..self.count] }
     }

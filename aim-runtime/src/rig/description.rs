@@ -184,7 +184,7 @@ impl<'a> Description<'a> {
     }
 
     /// Returns `true` if the effector is joint 0's forward from joint 0's origin.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn aims_joint_0(&self) -> bool {
         !self.has_origin && self.aims_forward
     }
@@ -214,7 +214,7 @@ pub(crate) struct Lanes {
 
 impl Lanes {
     /// Returns the declared ranges of the first or the second joint, if they are fixed.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn motion(&self, joint: usize) -> RangeOfMotion {
         let range = |lane: usize| Interval::ordered(self.least[lane], self.most[lane]);
         RangeOfMotion { heading: range(2 * joint + 1), pitch: range(2 * joint), taper: None }
@@ -257,7 +257,7 @@ impl Effector {
     ///
     /// They are joint 0's up and left, orthogonalised against the effector's forward. If the effector looks along joint
     /// 0's up, its up is joint 0's backward direction; if it looks down, joint 0's forward.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn axes(&self, first: &Axes) -> [Vec3A; 3] {
         let [up, forward, left] = [first.up, first.forward, first.left].map(Vec3A::from);
         if self.forward == first.forward { [forward, left, up] } else { self.turned_axes(up, forward, left) }

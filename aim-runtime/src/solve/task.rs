@@ -37,7 +37,7 @@ pub(crate) struct Task<'a, const C: usize> {
 impl<const C: usize> Task<'_, C> {
     /// Judges the joints' present angles by the forward kinematics of a chain, and writes the joints' corrections.
     /// Replaces the leading eye by both eyes, if there are two.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn finish_chain(
         &self,
         chain: &Chain<C>,
@@ -57,7 +57,7 @@ impl<const C: usize> Task<'_, C> {
     }
 
     /// Wraps free angles and remembers the goal.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn remember(&self, joints: &mut [Joint], memory: &mut Memory) {
         if !self.rig.has_fixed_ranges {
             for (joint, motion) in joints.iter_mut().zip(self.motions) {
@@ -68,7 +68,7 @@ impl<const C: usize> Task<'_, C> {
     }
 
     /// Judges the joints' present angles by the remaining angle that forward kinematics measured.
-    #[inline(always)]
+    #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn judge(&self, joints: &[Joint], measured: Measured) -> Outcome {
         let &Self { rig, motions, goal, settings, within_reach, well_within, .. } = self;
         let tolerance = settings.effective_tolerance();
