@@ -13,6 +13,8 @@ use crate::{Axes, Description, Effector, Joint, JointInfo, Scalar, math};
 pub(crate) const TOO_NEAR: f32 = 1e-5;
 /// Largest deviation of joints' axes from orthogonal and equally long in a rigid pose, summed over joints.
 pub(crate) const RIGID_DEVIATION: f32 = 1e-4;
+/// Largest such deviation at which orthogonal frames lead a gaze to within a small part of the tolerance (0.03°).
+const SLIGHT_DEVIATION: f32 = 1e-3;
 /// Largest such deviation at which results for orthogonal frames hold for the true pose to within rounding.
 pub(crate) const NEGLIGIBLE_DEVIATION: f32 = 1e-5;
 /// Distance, in sizes of the rig, beyond which a target is treated as a direction.
@@ -364,6 +366,13 @@ impl Deviation {
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn is_rigid(self) -> bool {
         self.0.cmple(Vec3A::splat(RIGID_DEVIATION)).all()
+    }
+
+    /// Returns `true` if orthogonal frames suffice to lead a gaze, though not to measure it, as with the rounded scales
+    /// of exported animations. `false` if a number is NaN.
+    #[cfg_attr(not(aim_small), inline(always))]
+    pub(crate) fn is_slight(self) -> bool {
+        self.0.cmple(Vec3A::splat(SLIGHT_DEVIATION)).all()
     }
 
     /// Returns `true` if results for orthogonal frames hold for the true pose to within rounding.

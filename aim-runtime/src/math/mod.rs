@@ -135,9 +135,6 @@ pub(crate) fn product(a: Quat, b: Quat) -> Quat {
 pub(crate) fn arc(from: Vec3A, to: Vec3A) -> Quat {
     const ALONG: f32 = 1.0 - 2.0 * f32::EPSILON;
     let along = from.dot(to);
-    if along > ALONG {
-        return Quat::IDENTITY;
-    }
     if along < -ALONG {
         let axis = from.any_orthonormal_vector();
         return Quat::from_xyzw(axis.x, axis.y, axis.z, 0.0);

@@ -3,7 +3,7 @@
 
 use crate::common::*;
 use crate::natural::{FRAME_RATES, aim, at, thug};
-use aim_runtime::glam::{Mat3A, Quat};
+use aim_runtime::glam::{Mat3A, Quat, Vec3};
 use aim_runtime::{Role, Settings};
 
 /// Returns the thug's joints as head, neck and chest: without eyes, the head leads.
@@ -115,5 +115,35 @@ fn jerks_of_the_body_do_not_reverse_the_head() {
             .fold([0.0_f32; 2], |[most, least], gain| [most.max(gain), least.min(gain)]);
         assert!(peaks[0] < 0.6 && peaks[1] > -0.6, "{peaks:?} of the acceleration at {hz} frames a second");
         assert!(worst < 0.4 * f64::from(jerk_deg_s / hz), "{worst}° off at {hz} frames a second");
+    }
+}
+
+/// A pose with non-uniform scale, as scaled bones or rounding in an exporter leave it, is followed as smoothly as one
+/// without.
+#[test]
+fn a_skewed_pose_does_not_shake_the_head() {
+    for scale in [1.0 - 5e-5, 0.98, 0.9] {
+        let mut rig = eyeless();
+        let (target, dt) = (at(30.0, 10.0), 1.0 / 60.0);
+        let mut before = [0.0; 2];
+        for frame in 0..600 {
+            let mut pose = upright(&rig);
+            let sway = (frame as f32 * dt).sin();
+            let turns = [-35.0 + 10.0 * sway, 25.0, 0.0];
+            for (joint, turn_deg) in pose.iter_mut().zip(turns) {
+                let turned = Mat3A::from_quat(Quat::from_rotation_y(turn_deg * DEG)) * joint.matrix3;
+                joint.matrix3 = Mat3A::from_diagonal(Vec3::new(1.0, 1.0, scale)) * turned;
+            }
+            let outcome = aim(&mut rig, &pose, target, dt, &Settings::default());
+            let turned = rig.joints.iter().map(|joint| joint.heading()).sum::<f32>();
+            let speed = (turned - before[0]) / dt;
+            let gain = (speed - before[1]) / dt;
+            if frame > 120 {
+                let off = outcome.remaining / DEG;
+                assert!(off < 0.1, "scale {scale}, frame {frame}: {off}° off");
+                assert!(gain.abs() < 60.0 * DEG, "scale {scale}, frame {frame}: {}°/s²", gain / DEG);
+            }
+            before = [turned, speed];
+        }
     }
 }

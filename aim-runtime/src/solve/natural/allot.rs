@@ -143,7 +143,7 @@ impl<const C: usize> Gaze<'_, C> {
         if square(unfit) > nothing * nothing {
             return Ok(self.out_of_reach(gaze_shift, directions, unfit));
         }
-        if !is_level || square(extra) > 0.0 || !self.body.deviation.is_rigid() {
+        if !is_level || square(extra) > 0.0 || !self.body.deviation.is_slight() {
             return Err((directions, unfit));
         }
         let turned = |region: usize| directions[region] - self.regions[region].animated;

@@ -75,7 +75,7 @@ pub(super) fn aim<const C: usize>(
     let mut body = Body::unseen(rig);
     body.read(pose.joints, settings.effector, about)?;
     let skewed;
-    let chain = if body.deviation.is_rigid() {
+    let chain = if body.deviation.is_slight() {
         None
     } else {
         skewed = Chain::new(rig, pose.joints, settings.effector, about)?;
@@ -239,7 +239,7 @@ fn converge<const C: usize>(
     joints: &[Joint],
 ) {
     let distance = || {
-        if body.first() > 0 || !body.deviation.is_rigid() {
+        if body.first() > 0 || !body.deviation.is_slight() {
             return eyes.distance(joints);
         }
         let Space { origin, per_size } = body.space;

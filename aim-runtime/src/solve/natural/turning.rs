@@ -294,7 +294,7 @@ impl<const C: usize> Gaze<'_, C> {
             let turn = Turn::new(held);
             target.direction = body.undo_turn(index, &turn, target.direction);
             if target.lead_point.is_some() {
-                posture.joints[index] = from[index];
+                posture.joints[index] = at(&from[index], held);
                 point = body.undo_turn_at(index, &turn, point);
             }
         }
