@@ -40,6 +40,8 @@ pub(crate) enum Map {
     Spin(Vector, Scalar),
     /// The second map followed by the first.
     Compose(Rc<(Self, Self)>),
+    /// The transpose of the second map followed by the first.
+    Transposed(Rc<(Self, Self)>),
     /// The first map where the condition holds, else the second.
     Select(Rc<(Condition, Self, Self)>),
 }
@@ -103,10 +105,22 @@ impl Map {
     /// Returns the number of maps that are applied to a vector.
     fn size(&self) -> usize {
         match self {
-            Self::Compose(pair) => pair.0.size() + pair.1.size(),
+            Self::Compose(pair) | Self::Transposed(pair) => pair.0.size() + pair.1.size(),
             Self::Select(choice) => choice.1.size() + choice.2.size(),
             _ => 1,
         }
+    }
+
+    /// Returns `true` for a product of matrices: if entries of it are needed, it is multiplied out.
+    fn is_product_of_matrices(&self) -> bool {
+        fn matrices(map: &Map) -> usize {
+            match map {
+                Map::Rotation(_) | Map::Diagonal(_) => 0,
+                Map::Compose(pair) | Map::Transposed(pair) => matrices(&pair.0) + matrices(&pair.1),
+                _ => 1,
+            }
+        }
+        matrices(self) > 1
     }
 
     pub(crate) fn apply(&self, a: &mut Algebra, v: Vector) -> Vector {
@@ -129,6 +143,10 @@ impl Map {
                 let once = pair.1.apply(a, v);
                 pair.0.apply(a, once)
             }
+            Self::Transposed(pair) => {
+                let once = pair.0.transpose(a).apply(a, v);
+                pair.1.transpose(a).apply(a, once)
+            }
             Self::Select(choice) => {
                 let (then, otherwise) = (choice.1.apply(a, v), choice.2.apply(a, v));
                 choice.0.select_vector(a, then, otherwise)
@@ -147,18 +165,26 @@ impl Map {
             (Self::Compose(outer), Self::Compose(inner)) if Rc::ptr_eq(outer, inner) && !self.is_rotation() => {
                 self.multiplied_out(a, self)
             }
-            (Self::Compose(pair), _) => {
+            (Self::Diagonal(outer), Self::Diagonal(inner)) => Self::Diagonal(a.zip(*outer, *inner, Algebra::mul)),
+            (Self::Compose(pair), _) if self.meets(inner) => {
                 let inner = pair.1.compose(a, inner);
                 pair.0.compose(a, &inner)
             }
-            (Self::Diagonal(outer), Self::Diagonal(inner)) => Self::Diagonal(a.zip(*outer, *inner, Algebra::mul)),
-            (Self::Rotation(_), Self::Compose(pair)) if matches!(pair.0, Self::Rotation(_)) => {
-                Self::Compose(Rc::new((self.compose(a, &pair.0), pair.1.clone())))
-            }
-            (Self::Diagonal(_), Self::Compose(pair)) if matches!(pair.0, Self::Diagonal(_)) => {
-                Self::Compose(Rc::new((self.compose(a, &pair.0), pair.1.clone())))
+            (_, Self::Compose(pair)) if self.meets(inner) => {
+                let outer = self.compose(a, &pair.0);
+                outer.compose(a, &pair.1)
             }
             _ => self.product(a, inner),
+        }
+    }
+
+    /// Returns `true` if the last map of this product and the first of the other become one.
+    fn meets(&self, inner: &Self) -> bool {
+        match (self, inner) {
+            (Self::Compose(pair), _) => pair.1.meets(inner),
+            (_, Self::Compose(pair)) => self.meets(&pair.0),
+            (Self::Rotation(_), Self::Rotation(_)) | (Self::Diagonal(_), Self::Diagonal(_)) => true,
+            _ => false,
         }
     }
 
@@ -176,6 +202,15 @@ impl Map {
         Self::Columns(inner.map(|column| outer.apply(a, column)))
     }
 
+    /// Returns a product of matrices as one matrix, any other map as it is. The transpose has the same numbers.
+    fn as_one(&self, a: &mut Algebra) -> Self {
+        match self {
+            Self::Compose(_) if self.is_product_of_matrices() => Self::Columns(self.columns(a)),
+            Self::Transposed(pair) => Self::Rows(Self::Compose(pair.clone()).columns(a)),
+            _ => self.clone(),
+        }
+    }
+
     pub(crate) fn transpose(&self, a: &mut Algebra) -> Self {
         match self {
             Self::Rotation(rotation) => Self::Rotation(a.g.transpose(*rotation)),
@@ -184,6 +219,8 @@ impl Map {
             Self::Diagonal(_) => self.clone(),
             Self::Inverse(m) => Self::Inverse(m.transpose()),
             Self::Spin(u, w) => Self::Spin(a.neg_vector(*u), *w),
+            Self::Transposed(pair) => Self::Compose(pair.clone()),
+            Self::Compose(pair) if self.is_product_of_matrices() => Self::Transposed(pair.clone()),
             Self::Compose(pair) => {
                 let (first, second) = (pair.0.transpose(a), pair.1.transpose(a));
                 second.compose(a, &first)
@@ -205,6 +242,7 @@ impl Map {
                 let (first, second) = (pair.0.inverse(a), pair.1.inverse(a));
                 second.compose(a, &first)
             }
+            Self::Transposed(pair) => Self::Compose(pair.clone()).inverse(a).transpose(a),
             Self::Inverse(Matrix { columns, transposed: false }) => Self::Columns(*columns),
             Self::Inverse(Matrix { columns, transposed: true }) => Self::Rows(*columns),
             Self::Rows(rows) => Self::Inverse(Matrix::new(*rows).transpose()),
@@ -228,7 +266,14 @@ impl Map {
 
     /// Returns the images of the axes.
     pub(crate) fn columns(&self, a: &mut Algebra) -> [Vector; 3] {
-        [0, 1, 2].map(|axis| self.column(a, axis))
+        match self {
+            Self::Compose(pair) => {
+                let (outer, inner) = (pair.0.as_one(a), pair.1.columns(a));
+                inner.map(|column| outer.apply(a, column))
+            }
+            Self::Transposed(_) => self.as_one(a).columns(a),
+            _ => [0, 1, 2].map(|axis| self.column(a, axis)),
+        }
     }
 
     /// Returns the image of an axis.
@@ -239,6 +284,7 @@ impl Map {
                 let parts = rows.map(|row| a.component(row, axis));
                 a.vector(parts)
             }
+            Self::Compose(_) | Self::Transposed(_) => self.columns(a)[axis],
             _ => {
                 let axis = a.axis(axis);
                 self.apply(a, axis)
