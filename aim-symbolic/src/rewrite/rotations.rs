@@ -14,6 +14,16 @@ pub(crate) fn leading(g: &Graph, v: Vector) -> Option<(Rotation, Vector)> {
     }
 }
 
+impl Graph {
+    /// Returns `true` unless the map is known to keep handedness.
+    fn may_reflect(&self, rotation: Rotation) -> bool {
+        matches!(
+            self.untransposed(rotation).0,
+            RotationNode::Matrix(_) | RotationNode::Basis(_) | RotationNode::Compose(..)
+        )
+    }
+}
+
 fn is_forward(g: &Graph, rotation: Rotation) -> bool {
     !matches!(g.rotation_node(rotation), RotationNode::Transpose(_))
 }
@@ -193,11 +203,19 @@ pub(crate) fn turn_at_rest(g: &mut Graph, v: Vector) -> Option<Vector> {
     (!g.is_motion(by)).then_some(inner)
 }
 
-/// `R Rᵀ v = v`
+/// `Rᵀ R v = v`, and `Rᵀ (v × R w) = Rᵀ v × w` unless R may be a reflection
 pub(crate) fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (outer, inner) = leading(g, v)?;
-    let (rotation, core) = leading(g, inner)?;
-    (g.transpose(rotation) == outer).then_some(core)
+    let rotation = g.transpose(outer);
+    let is_undone = |v| leading(g, v).is_some_and(|(r, _)| r == rotation);
+    match g.vector_node(inner) {
+        VectorNode::Cross(a, b) if !g.may_reflect(rotation) && (is_undone(a) || is_undone(b)) => {
+            let [a, b] = [a, b].map(|v| turned_back(g, rotation, v));
+            Some(g.cross(a, b))
+        }
+        VectorNode::Rotate(first, core) => (first == rotation).then_some(core),
+        _ => None,
+    }
 }
 
 /// `R a + R b = R (a + b)`

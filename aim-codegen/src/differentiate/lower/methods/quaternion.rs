@@ -1,6 +1,6 @@
 //! Methods of quaternions.
 
-use aim_symbolic::{Node, Scalar, Vector};
+use aim_symbolic::{Node, Scalar, Stumpff, Vector};
 
 use super::function::{CallError, evaluate, functions};
 use crate::declare::report::text::Text;
@@ -69,25 +69,38 @@ fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {
     a.add(u2, w2)
 }
 
-/// Interpolates between two quaternions of length 1, along the shorter arc at constant speed. For a small angle θ
-/// between them, the weights sin(s θ) / sin θ are computed by series in the chord.
+/// Interpolates between two quaternions of length 1, along the shorter arc at constant speed: with the angle θ between
+/// them, the weights are sin((1 − s) θ)/sin θ and sin(s θ)/sin θ.
 fn slerp(a: &mut Algebra, ends: [&Quaternion; 2], s: Scalar) -> Result<Quaternion, Text> {
-    const BY_ANGLE: &str = "{
-        let (chord, sum) = ((far - near).length(), (far + near).length());
-        let angle = 2.0 * chord.atan2(sum);
-        let c2 = chord * chord;
-        let a2 = c2 * (1.0 + c2 * (1.0 / 12.0 + c2 / 90.0));
-        let series = |s: f64| s * (1.0 + (1.0 - s * s) * a2 * (1.0 / 6.0 + (7.0 - 3.0 * s * s) * a2 / 360.0));
-        if chord < 0.01 {
-            near * series(1.0 - s) + far * series(s)
-        } else {
-            (near * ((1.0 - s) * angle).sin() + far * (s * angle).sin()) / angle.sin()
-        }
-    }";
     let [near, far] = ends.map(parts);
     let (near, far) = (four(a, near?), four(a, far?));
     let far = evaluate(a, "if near.dot(far) < 0.0 { -far } else { far }", &["near", "far"], &[near.clone(), far]);
-    let Value::Four([x, y, z, w]) = evaluate(a, BY_ANGLE, &["near", "far", "s"], &[near, far, Value::Scalar(s)]) else {
+    // θ = 2 arcsin h, where h is half of the chord, so that sin θ = 2 h √(1 − h²).
+    let Value::Scalar(h2) =
+        evaluate(a, "0.25 * (far - near).length_squared()", &["near", "far"], &[near.clone(), far.clone()])
+    else {
+        return Err(messages::quaternion_of_matrix());
+    };
+    let one = a.number(1.0);
+    let rest = a.sub(one, h2);
+    let cos = a.sqrt(rest);
+    let half = a.g.arc(h2, cos);
+    let two = a.number(2.0);
+    let ratio = a.mul(two, half);
+    let r2 = a.mul(ratio, ratio);
+    let angle2 = a.mul(r2, h2);
+    let scale = a.div(half, cos);
+    let before = a.sub(one, s);
+    let [from, to] = [before, s].map(|s| {
+        let s2 = a.mul(s, s);
+        let square = a.mul(s2, angle2);
+        let sine = a.g.stumpff(Stumpff { hyperbolic: false, order: 1 }, square);
+        let product = a.mul(s, sine);
+        Value::Scalar(a.mul(scale, product))
+    });
+    let Value::Four([x, y, z, w]) =
+        evaluate(a, "near * from + far * to", &["near", "far", "from", "to"], &[near, far, from, to])
+    else {
         return Err(messages::quaternion_of_matrix());
     };
     let u = a.vector([x, y, z]);
