@@ -262,6 +262,7 @@ impl Fold {
         let ((minus_a, a), (minus_b, b)) = (self.unsigned(a), self.unsigned(b));
         let quotient = match (self.constant_of(a), self.constant_of(b)) {
             (_, Some(1.0)) | (Some(0.0), _) => a,
+            (Some(x), Some(y)) if (x / y).is_finite() => self.g.constant(x / y),
             _ => self.g.div(a, b),
         };
         if minus_a == minus_b { quotient } else { self.neg(quotient) }

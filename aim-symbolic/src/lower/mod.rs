@@ -1,6 +1,7 @@
 //! Lowering: typed expressions become few operations on numbers. They are split into components and folded, their
 //! products are shared and their sums factored.
 
+mod combinations;
 pub(crate) mod components;
 pub(crate) mod factor;
 pub(crate) mod fold;
@@ -11,6 +12,7 @@ mod scales;
 mod selects;
 pub(crate) mod sides;
 
+use self::combinations::combine;
 use self::factor::factor;
 use self::fold::Fold;
 use self::products::{OpenProducts, share_products};
@@ -55,9 +57,18 @@ pub(crate) fn best_arrangements(
     effort: Effort,
 ) -> Vec<Vec<Scalar>> {
     let is_last = matches!(effort, Effort::Last { .. });
-    let mut all = try_arrangements(fold, &outputs, rules, effort, false);
+    let mut starts = vec![outputs];
+    if cfg!(not(aim_small)) && rules.has(&FACTOR) {
+        starts.extend(combine(fold, &starts[0]));
+    }
+    let mut all = Vec::new();
+    for start in &starts {
+        all.extend(try_arrangements(fold, start, rules, effort, false));
+    }
     if is_last && rules.has(&JOIN) && all.iter().any(|&(needed, _)| needed <= MOST_IN_LAST) {
-        all.extend(try_arrangements(fold, &outputs, rules, effort, true));
+        for start in &starts {
+            all.extend(try_arrangements(fold, start, rules, effort, true));
+        }
     }
     all.sort_by_key(|&(needed, _)| needed);
     let least = all.first().map_or(0, |&(needed, _)| needed);
@@ -71,7 +82,7 @@ pub(crate) fn best_arrangements(
     near
 }
 
-/// Returns the arrangements that were tried, each with its number of operations, or with 0 if it is the only one.
+/// Returns the arrangements that were tried, each with its number of operations.
 fn try_arrangements(
     fold: &mut Fold,
     outputs: &[Scalar],
@@ -117,7 +128,7 @@ fn try_arrangements(
         if rules.has(&FACTOR) {
             arrangement = factor(fold, &arrangement, factors, joins);
         }
-        let needed = if count > 1 { operations(&fold.g, &arrangement) } else { 0 };
+        let needed = operations(&fold.g, &arrangement);
         if needed < least {
             (best, least) = (arrangement.clone(), needed);
         }
