@@ -290,6 +290,101 @@ pub fn line_distance<T: Number>(x: &[T]) -> Vec<T> {
     [distance].into_iter().chain(by_p).chain(sub(by_b, by_p)).chain(neg(by_b)).collect()
 }
 
+/// The angular acceleration −I⁻¹ (w × I w) = R g of a free rigid body, where g = (k₀ b₁ b₂, k₁ b₂ b₀, k₂ b₀ b₁) by the
+/// angular velocity b = Rᵀ w in the body and k₀ = (j₁ − j₂)/j₀. With G = ∂g/∂b, the derivative by w is R G Rᵀ, and by
+/// the attitude it is R G [b]× − R [g]×. 204.
+pub fn gyroscopic<T: Number>(x: &[T]) -> Vec<T> {
+    let (q, w, j) = (&x[..4], vector(&x[4..]), vector(&x[7..]));
+    let twice = [q[0], q[1], q[2]].map(|c| c + c);
+    let square = |i: usize| q[i] * twice[i];
+    let (xx, yy, zz) = (square(0), square(1), square(2));
+    let (xy, xz, yz) = (q[0] * twice[1], q[0] * twice[2], q[1] * twice[2]);
+    let [wx, wy, wz] = twice.map(|c| q[3] * c);
+    let turn = [
+        [one::<T>() - (yy + zz), xy + wz, xz - wy],
+        [xy - wz, one::<T>() - (xx + zz), yz + wx],
+        [xz + wy, yz - wx, one::<T>() - (xx + yy)],
+    ];
+    let b = apply(turn, w);
+    let k = [(1, 2, 0), (2, 0, 1), (0, 1, 2)].map(|(i, l, own)| (j[i] - j[l]) / j[own]);
+    let by_next = [k[0] * b[2], k[1] * b[0], k[2] * b[1]];
+    let by_last = [k[0] * b[1], k[1] * b[2], k[2] * b[0]];
+    let g = [0, 1, 2].map(|i| by_next[i] * b[(i + 1) % 3]);
+    let value = apply_transposed(turn, g);
+    // Column i of R G, which row i − 1 of G has as the next and row i + 1 as the last.
+    let moved = [0, 1, 2].map(|i| {
+        let (next, last) = ((i + 1) % 3, (i + 2) % 3);
+        add(times(by_next[last], turn[last]), times(by_last[next], turn[next]))
+    });
+    let by_attitude = [0, 1, 2].map(|i| {
+        let (next, last) = ((i + 1) % 3, (i + 2) % 3);
+        let forward = sub(times(b[last], moved[next]), times(b[next], moved[last]));
+        add(forward, sub(times(g[next], turn[last]), times(g[last], turn[next])))
+    });
+    let by_velocity = [0, 1, 2].map(|i| apply_transposed(moved, [turn[0][i], turn[1][i], turn[2][i]]));
+    value.into_iter().chain(by_attitude.into_iter().chain(by_velocity).flatten()).collect()
+}
+
+/// μ tr E² + ½ λ (tr E)² of a tetrahedron, where 2 E = Fᵀ F − 1, F = D B and D are the edges. With the stress S = 2 μ E
+/// + λ tr E, the energy is ½ S : E and its derivative by F is F S, by D it is F S Bᵀ. 209.
+pub fn tetrahedron<T: Number>(x: &[T]) -> Vec<T> {
+    let [a, b, c, d] = [0, 3, 6, 9].map(|i| vector(&x[i..]));
+    let rest = [12, 15, 18].map(|i| vector(&x[i..]));
+    let (mu, lambda) = (x[21], x[22]);
+    let edges = [b, c, d].map(|p| sub(p, a));
+    let f = rest.map(|column| apply_transposed(edges, column));
+    let diagonal = f.map(|column| dot(column, column) - one::<T>());
+    let aside = [dot(f[1], f[2]), dot(f[2], f[0]), dot(f[0], f[1])];
+    let trace = diagonal[0] + diagonal[1] + diagonal[2];
+    let pressure = T::constant(0.5) * (lambda * trace);
+    let (stretch, shear) = (times(mu, diagonal).map(|c| c + pressure), times(mu, aside));
+    let both = dot(shear, aside);
+    let value = T::constant(0.25) * (dot(stretch, diagonal) + (both + both));
+    let stress = [[stretch[0], shear[2], shear[1]], [shear[2], stretch[1], shear[0]], [shear[1], shear[0], stretch[2]]];
+    let by_f = stress.map(|column| apply_transposed(f, column));
+    let row = |i: usize| [rest[0][i], rest[1][i], rest[2][i]];
+    let by_edges = [0, 1, 2].map(|i| apply_transposed(by_f, row(i)));
+    let by_a = neg(add(add(by_edges[0], by_edges[1]), by_edges[2]));
+    [value].into_iter().chain(by_a).chain(by_edges.into_iter().flatten()).collect()
+}
+
+/// The length of a Bézier curve. A point of the curve is the sum of the control points with Bernstein's weights, and
+/// its derivative the difference of the directions of its two sides, which has the same weights. 291.
+pub fn curve_length<T: Number>(x: &[T]) -> Vec<T> {
+    let control = [0, 2, 4, 6].map(|i| [x[i], x[i + 1]]);
+    let weights = |i: u8| {
+        let t = f64::from(i) / 8.0;
+        let rest = 1.0 - t;
+        [rest * rest * rest, 3.0 * t * rest * rest, 3.0 * t * t * rest, t * t * t].map(T::constant)
+    };
+    let sum = |terms: [T; 4]| terms[0] + terms[1] + terms[2] + terms[3];
+    let inner = (1..8)
+        .map(|i| [0, 1].map(|axis| sum([0, 1, 2, 3].map(|k| weights(i)[k] * control[k][axis]))))
+        .collect::<Vec<_>>();
+    let points: Vec<[T; 2]> = [control[0]].into_iter().chain(inner).chain([control[3]]).collect();
+    let mut lengths = Vec::new();
+    let mut directions = Vec::new();
+    for ends in points.windows(2) {
+        let side = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
+        let length = (side[0] * side[0] + side[1] * side[1]).sqrt();
+        lengths.push(length);
+        directions.push(side.map(|c| c / length));
+    }
+    let mut by_control = [directions[0].map(|c| -c), [T::constant(0.0); 2], [T::constant(0.0); 2], directions[7]];
+    let bends: Vec<[T; 2]> = directions.windows(2).map(|sides| [0, 1].map(|k| sides[0][k] - sides[1][k])).collect();
+    for (k, by) in by_control.iter_mut().enumerate() {
+        for (axis, by) in by.iter_mut().enumerate() {
+            let terms = (1..8).zip(&bends).map(|(i, bend)| weights(i)[k] * bend[axis]);
+            *by = match (k, terms.reduce(|a, b| a + b)) {
+                (0 | 3, Some(terms)) => *by + terms,
+                (_, terms) => terms.unwrap_or(*by),
+            };
+        }
+    }
+    let length = lengths.into_iter().reduce(|a, b| a + b);
+    length.into_iter().chain(by_control.into_iter().flatten()).collect()
+}
+
 /// Range and bearing of a landmark from a pose in the plane; r² is computed as r times r, and likewise its reciprocal.
 /// 13.
 pub fn bearing_and_range<T: Number>(x: &[T]) -> Vec<T> {

@@ -14,23 +14,26 @@ const FILE: &str = "../../../objectives/tests/it/by_hand.rs";
 const STATED: &str = include_str!("../../objectives/tests/it/by_hand.rs");
 const TABLE: [&str; 2] = ["<!-- derived -->\n", "<!-- /derived -->\n"];
 
-/// A problem, its derivation by hand in two number types, and the index of a rotation among its inputs.
+/// A problem, its derivation by hand in two number types, and the indices of a rotation and of a quaternion of length 1
+/// among its inputs.
 struct Problem {
     name: &'static str,
     title: &'static str,
     run: fn(&[f64]) -> Vec<f64>,
     counted: fn(&[Counted]) -> Vec<Counted>,
     rotation: Option<usize>,
+    quaternion: Option<usize>,
 }
 
 macro_rules! problems {
-    ($($name:ident $title:literal by $by_hand:ident $(eye at $rotation:literal)?;)*) => {
+    ($($name:ident $title:literal by $by_hand:ident $(eye at $rotation:literal)? $(quaternion at $quaternion:literal)?;)*) => {
         [$(Problem {
             name: stringify!($name),
             title: $title,
             run: by_hand::$by_hand,
             counted: by_hand::$by_hand,
             rotation: [$($rotation)?].first().copied(),
+            quaternion: [$($quaternion)?].first().copied(),
         },)*]
     };
 }
@@ -48,6 +51,9 @@ fn problems() -> impl Iterator<Item = Problem> {
         robust_registration "robust registration, any quaternion" by robust_registration;
         odometry "odometry in the plane" by odometry;
         line_distance "distance from a line" by line_distance;
+        gyroscopic "gyroscopic acceleration, Jacobian" by gyroscopic quaternion at 0;
+        tetrahedron "Saint Venant–Kirchhoff energy of a tetrahedron" by tetrahedron;
+        curve_length "length of a Bézier curve in eight steps" by curve_length;
         aim_by_quaternion "aim, joint turned by a quaternion" by aim_by_quaternion eye at 4;
         aim_by_rotation_vector "aim, joint turned by a rotation vector" by aim_by_rotation_vector eye at 3;
         aim_with_telescope "aim with a telescope" by aim_with_telescope eye at 3;
@@ -62,7 +68,7 @@ fn problems() -> impl Iterator<Item = Problem> {
 /// Compares the derived program with the derivation by hand at random inputs, and returns the operation counts of both:
 /// of the emitted C, without series, and by hand.
 fn compared(problem: &Problem, random: &mut Random) -> [usize; 2] {
-    let Problem { name, rotation, .. } = *problem;
+    let Problem { name, rotation, quaternion, .. } = *problem;
     let derived = Differentiated::from_file(FILE, STATED, name).expect("the file is compiled, too");
     let procedures = derived.procedures();
     let [procedure] = procedures.as_slice() else { panic!("{name} has no companions but the first") };
@@ -78,6 +84,10 @@ fn compared(problem: &Problem, random: &mut Random) -> [usize; 2] {
         inputs.iter_mut().for_each(|x| *x = random.within(2.0));
         if let Some(place) = rotation {
             inputs[place..place + 9].copy_from_slice(random.rotation().as_flattened());
+        }
+        if let Some(place) = quaternion {
+            let length = inputs[place..place + 4].iter().map(|c| c * c).sum::<f64>().sqrt();
+            inputs[place..place + 4].iter_mut().for_each(|c| *c /= length);
         }
         let by_hand = (problem.run)(&inputs);
         let mut found = vec![0.0; by_hand.len()];

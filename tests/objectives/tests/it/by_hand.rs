@@ -113,6 +113,43 @@ pub(crate) mod problems {
         (off - off.dot(way) / way.dot(way) * way).length()
     }
 
+    /// The angular acceleration of a free rigid body, by its attitude and its angular velocity in the world.
+    #[differentiate(wrt(tangent(q), w), budget = 207)]
+    pub(crate) fn gyroscopic(q: DQuat, w: DVec3, moments: DVec3) -> DVec3 {
+        let r = DMat3::from_quat(q);
+        let inertia = r * DMat3::from_diagonal(moments) * r.transpose();
+        -(inertia.inverse() * w.cross(inertia * w))
+    }
+
+    fn trace(m: DMat3) -> f64 {
+        m.x_axis.x + m.y_axis.y + m.z_axis.z
+    }
+
+    /// The Saint Venant–Kirchhoff energy of a tetrahedron, by its vertices.
+    #[differentiate(wrt(x), budget = 213)]
+    pub(crate) fn tetrahedron(x: [DVec3; 4], rest_inverse: DMat3, mu: f64, lambda: f64) -> f64 {
+        let f = DMat3::from_cols(x[1] - x[0], x[2] - x[0], x[3] - x[0]) * rest_inverse;
+        let strain = 0.5 * (f.transpose() * f - DMat3::IDENTITY);
+        mu * trace(strain * strain) + 0.5 * lambda * trace(strain).powi(2)
+    }
+
+    /// De Casteljau's algorithm.
+    fn on_curve(mut points: [DVec2; 4], t: f64) -> DVec2 {
+        for level in (1..4).rev() {
+            for i in 0..level {
+                points[i] = points[i].lerp(points[i + 1], t);
+            }
+        }
+        points[0]
+    }
+
+    /// The length of a Bézier curve, as that of a polygon of eight sides.
+    #[differentiate(wrt(control), budget = 279)]
+    pub(crate) fn curve_length(control: [DVec2; 4]) -> f64 {
+        let points: Vec<DVec2> = (0..=8).map(|i| on_curve(control, f64::from(i) / 8.0)).collect();
+        points.windows(2).map(|ends| ends[0].distance(ends[1])).sum()
+    }
+
     /// The aim of an eye whose joint is rotated by a quaternion.
     #[differentiate(wrt(q), budget = 96)]
     pub(crate) fn aim_by_quaternion(q: DQuat, eye: DRigid, target: DVec3) -> f64 {
