@@ -269,10 +269,60 @@ impl Map {
         match self {
             Self::Compose(pair) => {
                 let (outer, inner) = (pair.0.as_one(a), pair.1.columns(a));
-                inner.map(|column| outer.apply(a, column))
+                let columns = inner.map(|column| outer.apply(a, column));
+                if !self.is_product_of_matrices() || !self.is_symmetric(a) {
+                    return columns;
+                }
+                let [[xx, xy, xz], [_, yy, yz], [.., zz]] = columns.map(|column| a.parts(column));
+                [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]].map(|column| a.vector(column))
             }
             Self::Transposed(_) => self.as_one(a).columns(a),
             _ => [0, 1, 2].map(|axis| self.column(a, axis)),
+        }
+    }
+
+    /// Returns `true` if the map is known to be its own transpose: a product of A, a symmetric map, and the transpose
+    /// of A.
+    fn is_symmetric(&self, a: &mut Algebra) -> bool {
+        let mut factors = Vec::new();
+        self.factors(a, &mut factors);
+        let mirrored = factors.iter().zip(factors.iter().rev()).take(factors.len() / 2);
+        let [is_mirrored, is_even] =
+            [mirrored.into_iter().all(|(f, g)| f.is_transpose_of(a, g)), factors.len() % 2 == 0];
+        is_mirrored && (is_even || factors[factors.len() / 2].is_transpose_of(a, &factors[factors.len() / 2]))
+    }
+
+    /// Lists the factors of a product from the outermost to the innermost.
+    fn factors(&self, a: &mut Algebra, into: &mut Vec<Self>) {
+        match self {
+            Self::Compose(pair) => {
+                pair.0.factors(a, into);
+                pair.1.factors(a, into);
+            }
+            Self::Transposed(pair) => {
+                let factors = [&pair.1, &pair.0].map(|factor| factor.transpose(a));
+                factors.iter().for_each(|factor| factor.factors(a, into));
+            }
+            _ => into.push(self.clone()),
+        }
+    }
+
+    /// Returns `true` if the entries of both maps are known to be those of each other's transpose.
+    fn is_transpose_of(&self, a: &mut Algebra, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rotation(turn), Self::Rotation(back)) => a.g.transpose(*turn) == *back,
+            (Self::Diagonal(v), Self::Diagonal(w)) => v == w,
+            (Self::Columns(v), Self::Rows(w)) | (Self::Rows(v), Self::Columns(w)) => v == w,
+            (Self::Columns(v), Self::Columns(w)) | (Self::Rows(v), Self::Rows(w)) => {
+                let [v, w] = [v, w].map(|columns| columns.map(|column| a.parts(column)));
+                (0..9).all(|i| v[i / 3][i % 3] == w[i % 3][i / 3])
+            }
+            (Self::Inverse(m), Self::Inverse(n)) => {
+                let [m, n] =
+                    [m, n].map(|m| if m.transposed { Self::Rows(m.columns) } else { Self::Columns(m.columns) });
+                m.is_transpose_of(a, &n)
+            }
+            _ => false,
         }
     }
 
