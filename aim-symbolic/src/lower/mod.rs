@@ -57,18 +57,20 @@ pub(crate) fn best_arrangements(
     effort: Effort,
 ) -> Vec<Vec<Scalar>> {
     let is_last = matches!(effort, Effort::Last { .. });
-    let mut starts = vec![outputs];
-    if cfg!(not(aim_small)) && rules.has(&FACTOR) {
-        starts.extend(combine(fold, &starts[0]));
+    let mut outputs = outputs;
+    if is_last
+        && rules.has(&FACTOR)
+        && let Some(combined) = combine(fold, &outputs)
+    {
+        let [now, then] = [&outputs, &combined].map(|outputs| {
+            let first = try_arrangements(fold, outputs, rules, Effort::Compare, false);
+            first.first().map_or(0, |(_, arrangement)| operations(&fold.g, arrangement))
+        });
+        outputs = if then < now { combined } else { outputs };
     }
-    let mut all = Vec::new();
-    for start in &starts {
-        all.extend(try_arrangements(fold, start, rules, effort, false));
-    }
+    let mut all = try_arrangements(fold, &outputs, rules, effort, false);
     if is_last && rules.has(&JOIN) && all.iter().any(|&(needed, _)| needed <= MOST_IN_LAST) {
-        for start in &starts {
-            all.extend(try_arrangements(fold, start, rules, effort, true));
-        }
+        all.extend(try_arrangements(fold, &outputs, rules, effort, true));
     }
     all.sort_by_key(|&(needed, _)| needed);
     let least = all.first().map_or(0, |&(needed, _)| needed);
@@ -82,7 +84,7 @@ pub(crate) fn best_arrangements(
     near
 }
 
-/// Returns the arrangements that were tried, each with its number of operations.
+/// Returns the arrangements that were tried, each with its number of operations, or with 0 if it is the only one.
 fn try_arrangements(
     fold: &mut Fold,
     outputs: &[Scalar],
@@ -128,7 +130,7 @@ fn try_arrangements(
         if rules.has(&FACTOR) {
             arrangement = factor(fold, &arrangement, factors, joins);
         }
-        let needed = operations(&fold.g, &arrangement);
+        let needed = if count > 1 { operations(&fold.g, &arrangement) } else { 0 };
         if needed < least {
             (best, least) = (arrangement.clone(), needed);
         }

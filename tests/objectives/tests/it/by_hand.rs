@@ -144,7 +144,7 @@ pub(crate) mod problems {
     }
 
     /// The length of a Bézier curve, as that of a polygon of eight sides.
-    #[differentiate(wrt(control), budget = 279)]
+    #[differentiate(wrt(control), budget = 281)]
     pub(crate) fn curve_length(control: [DVec2; 4]) -> f64 {
         let points: Vec<DVec2> = (0..=8).map(|i| on_curve(control, f64::from(i) / 8.0)).collect();
         points.windows(2).map(|ends| ends[0].distance(ends[1])).sum()
