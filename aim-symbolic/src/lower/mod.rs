@@ -56,7 +56,7 @@ pub(crate) fn best_arrangements(
     rules: &Rules<'_>,
     effort: Effort,
 ) -> Vec<Vec<Scalar>> {
-    let is_last = matches!(effort, Effort::Last { .. });
+    let is_last = cfg!(not(aim_small)) && matches!(effort, Effort::Last { .. });
     let mut outputs = outputs;
     if is_last
         && rules.has(&FACTOR)

@@ -23,30 +23,16 @@ struct Scale {
 }
 
 /// Returns `a + k b`, for linear combinations sorted by index.
-fn combined(a: &[(usize, f64)], k: f64, b: &[(usize, f64)]) -> Vec<(usize, f64)> {
-    let (mut a, mut b) = (a.iter().copied().peekable(), b.iter().copied().peekable());
-    let mut all = Vec::new();
-    loop {
-        let (place, factor) = match (a.peek().copied(), b.peek().copied()) {
-            (None, None) => return all,
-            (Some((i, x)), Some((j, y))) if i == j => {
-                a.next();
-                b.next();
-                (i, x + k * y)
-            }
-            (Some((i, x)), other) if other.is_none_or(|(j, _)| i < j) => {
-                a.next();
-                (i, x)
-            }
-            (_, other) => {
-                b.next();
-                other.map_or((0, 0.0), |(j, y)| (j, k * y))
-            }
-        };
-        if factor != 0.0 {
-            all.push((place, factor));
+pub(super) fn combined<I: Copy + Ord>(a: &[(I, f64)], k: f64, b: &[(I, f64)]) -> Vec<(I, f64)> {
+    let mut all = a.to_vec();
+    for &(index, factor) in b {
+        match all.binary_search_by_key(&index, |&(known, _)| known) {
+            Ok(place) => all[place].1 += k * factor,
+            Err(place) => all.insert(place, (index, k * factor)),
         }
     }
+    all.retain(|&(_, factor)| factor != 0.0);
+    all
 }
 
 impl Scale {
@@ -82,8 +68,7 @@ const MOST_PRODUCTS: usize = 400;
 
 /// Returns `outputs`, which must be lowered, with constants where they cost least; `None` if nothing can be saved.
 pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>> {
-    let scalar = |node| if let Node::Scalar(s) = node { Some(s) } else { None };
-    let order: Vec<Scalar> = fold.g.order(outputs).into_iter().filter_map(scalar).collect();
+    let order = scalars_in_order(&fold.g, outputs);
     let products: Vec<Scalar> = order.iter().copied().filter(|&s| by_constant(&fold.g, s).is_some()).collect();
     if products.is_empty() || products.len() > MOST_PRODUCTS {
         return None;
@@ -117,8 +102,14 @@ pub(crate) fn scaled(fold: &mut Fold, outputs: &[Scalar]) -> Option<Vec<Scalar>>
     freed.then(|| Rebuild::outputs(fold, outputs, &mut scales))
 }
 
+/// Returns the scalars of lowered outputs, operands first.
+pub(super) fn scalars_in_order(g: &Graph, outputs: &[Scalar]) -> Vec<Scalar> {
+    let scalar = |node| if let Node::Scalar(s) = node { Some(s) } else { None };
+    g.order(outputs).into_iter().filter_map(scalar).collect()
+}
+
 /// Splits a product with a constant into the constant, the other operand, and `true` if the constant is a divisor.
-fn by_constant(g: &Graph, s: Scalar) -> Option<(f64, Scalar, bool)> {
+pub(super) fn by_constant(g: &Graph, s: Scalar) -> Option<(f64, Scalar, bool)> {
     let (c, a, over) = match g.scalar_node(s) {
         ScalarNode::Op(Op::Mul(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
             (Some(c), None) => (c, b, false),

@@ -26,3 +26,35 @@ fn a_positive_factor_that_is_no_length_does_not_cancel() {
         assert!((found - expected).abs() < 1e-15, "{found} instead of {expected}");
     }
 }
+
+/// Returns the number of operations of the derived program of a number of x and y, which the function states.
+fn operations(state: fn(&mut Graph, aim_symbolic::Scalar, aim_symbolic::Scalar) -> aim_symbolic::Scalar) -> usize {
+    let mut g = Graph::new();
+    let [x, y] = ["x", "y"].map(|name| g.input(name));
+    let stated = state(&mut g, x, y);
+    Program::derive::<Variable>(&g, &[stated], &[]).count().total()
+}
+
+/// x + ¼ (y − x), interpolated again with y, is a sum of two multiples. In x + 100 (y − x) the difference keeps digits
+/// that 100 y − 99 x would lose.
+#[test]
+fn combinations_are_multiplied_out_unless_they_lose_digits() {
+    let once = operations(|g, x, y| {
+        let (quarter, way) = (g.constant(0.25), g.sub(y, x));
+        let part = g.mul(quarter, way);
+        let between = g.add(x, part);
+        let way = g.sub(y, between);
+        let part = g.mul(quarter, way);
+        g.add(between, part)
+    });
+    assert_eq!(once, 3);
+    let far = operations(|g, x, y| {
+        let (large, way) = (g.constant(100.0), g.sub(y, x));
+        let part = g.mul(large, way);
+        let beyond = g.add(x, part);
+        let way = g.sub(y, beyond);
+        let part = g.mul(large, way);
+        g.add(beyond, part)
+    });
+    assert!(far > 3, "{far}");
+}

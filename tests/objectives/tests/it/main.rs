@@ -22,6 +22,7 @@ mod lengths;
 mod limits;
 mod lists;
 mod manifolds;
+mod matrices;
 mod meshes;
 mod natural;
 mod nested;
