@@ -286,7 +286,8 @@ rules! {
     STEP_AT_REST = "a step is zero": Scalar(rotations::step_at_rest);
     /// The rotation about a step, whose value is 0, turns nothing.
     TURN_AT_REST = "a turn by a step is none": Vector(rotations::turn_at_rest);
-    /// A rotation is undone by its transpose: R Rᵀ = 1.
+    /// A rotation is undone by its transpose: R Rᵀ = 1. It keeps cross products, so it is undone in them, too:
+    /// Rᵀ (v × R w) = Rᵀ v × w.
     UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);
     /// A term that is both added and subtracted drops out of the sum.
     CANCEL_TERMS = "cancel terms": Vector(sums::cancel_terms);
