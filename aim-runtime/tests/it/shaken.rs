@@ -147,3 +147,28 @@ fn a_skewed_pose_does_not_shake_the_head() {
         }
     }
 }
+
+/// If the animation turns the head once, faster than the acceleration can follow, the head is off by less than half of
+/// the turn, on either side, and soon back on its target. It is no shaking, even if the animation turns back later.
+#[test]
+fn a_brisk_turn_is_not_amplified() {
+    let smooth = |x: f32| x.clamp(0.0, 1.0).powi(2) * (3.0 - 2.0 * x.clamp(0.0, 1.0));
+    for hz in FRAME_RATES {
+        for (turn_deg, span_s) in [(15.0, 0.15), (28.0, 0.2), (28.0, 0.25), (50.0, 0.3_f32)] {
+            for back_s in [0.3, 9.0] {
+                let turn_at = |t: f32| {
+                    turn_deg * DEG * (smooth((t - 3.0) / span_s) - smooth((t - 3.0 - span_s - back_s) / span_s))
+                };
+                let (mut worst, mut late) = (0.0_f64, 0);
+                shaken(hz, 2.0, turn_at, |_, off| {
+                    worst = worst.max(off);
+                    late += usize::from(off > 3.0);
+                });
+                let case = format!("{turn_deg}° in {span_s} s, back after {back_s} s, at {hz} frames a second");
+                let late_s = late as f32 / hz;
+                assert!(worst < 0.5 * f64::from(turn_deg), "{case}: {worst}° off");
+                assert!(late_s < if back_s > 1.0 { 0.8 } else { 1.2 }, "{case}: off for {late_s} s");
+            }
+        }
+    }
+}

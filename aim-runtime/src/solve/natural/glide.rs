@@ -306,48 +306,51 @@ impl HeadGoal {
 
     /// Limits how a shaking goal is followed. `lasts` tells whether the goal's last change was within the acceleration.
     ///
-    /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow,
-    /// then following overshoots by v²/2a and shakes the head. A goal that turns back at once does the same. The higher
-    /// `slowdown` is, the more the head follows only the mean of the goal's velocity.
+    /// A goal shakes if it turns back while the head still follows its former velocity. The further it comes back, the
+    /// more the head follows only the mean of the goal's velocity.
+    ///
+    /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow, the
+    /// head overshoots by v²/2a. This lowers its pace, which would add to the overshoot, but is no shaking: after a
+    /// single turn, the mean would carry the head on where the goal stops.
     ///
     /// Returns the new `slowdown`, the feed-forward velocity that replaces `speed`, and whether its change is within the
     /// acceleration.
     #[cold]
     #[inline(never)]
-    fn damp_shaking(mut self, speed: Pair, change: Pair, lasts: bool, bounds: Bounds) -> (f32, Pair, bool) {
+    fn damp_shaking(mut self, mut speed: Pair, change: Pair, lasts: bool, bounds: Bounds) -> (f32, Pair, bool) {
         /// Time constant of the mean, seconds.
         const MEAN_S: f32 = 0.25;
-        /// Time of shaking after which it counts in full, seconds.
-        const SHAKEN_S: f32 = 0.1;
-        /// Overshoots from which movement begins to count as shaking, and from which it counts in full.
+        /// Time after which a goal that outruns the head counts in full, seconds.
+        const OUTRUN_S: f32 = 0.1;
+        /// The most that it counts. A higher `slowdown` is one of shaking.
+        const OUTRUN: f32 = 0.6;
+        /// Overshoots from which movement begins to count, and from which it counts in full.
         const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
-        /// Overshoot from which one reversal counts most, regardless of the frame rate.
-        const TURN_BACK_RAD: f32 = 14.0 * PI / 180.0;
-        /// The most that one reversal counts.
-        const TURN_BACK: f32 = 1.1;
+        /// Way back that counts as 1.
+        const TURN_BACK_RAD: f32 = 12.0 * PI / 180.0;
         let Bounds { dt, rate, acceleration, .. } = bounds;
         let most = Vec4::splat(acceleration * dt);
         let before = pair(self.feed_forward);
-        if !lasts {
-            let off = square(change - before);
-            // A goal faster than the head's rate has jumped instead.
-            let turns_back = change.x * before.x + change.y * before.y < 0.0 && square(change) <= rate * rate;
-            self.slowdown += if turns_back {
-                TURN_BACK * (off / (2.0 * acceleration * TURN_BACK_RAD)).at_most(1.0)
-            } else {
-                let overshoots = off.at_most(square(pair(self.velocity) - before)) / (2.0 * acceleration);
-                let counts = (overshoots - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
-                counts.at_least(0.0).at_most(1.0) * (dt / SHAKEN_S)
-            };
+        let along = change * before;
+        let turns_back = along.x + along.y < 0.0;
+        // A goal that is faster than the head's rate in one frame only has jumped instead.
+        if turns_back && (lasts || square(change) <= rate * rate) {
+            self.slowdown += length(change) * dt / TURN_BACK_RAD;
+        } else if !lasts && self.slowdown < OUTRUN {
+            let off = square(change - before).at_most(square(pair(self.velocity) - before));
+            let counts = (off / (2.0 * acceleration) - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
+            self.slowdown = (self.slowdown + counts.at_least(0.0).at_most(1.0) * (dt / OUTRUN_S)).at_most(OUTRUN);
         }
         if !(self.slowdown > 0.0) {
             return (self.slowdown, speed, is_near_to(speed, before, most));
         }
-        // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
-        // than forth would otherwise make the mean drift.
-        let counted = change * (3.0 * rate / length(change)).at_most(1.0);
-        let mean = before + (counted - before) * (dt / (dt + MEAN_S));
-        let speed = speed + (mean - speed) * self.slowdown.at_most(1.0);
+        if self.slowdown > OUTRUN {
+            // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
+            // than forth would otherwise make the mean drift.
+            let counted = change * (3.0 * rate / length(change)).at_most(1.0);
+            let mean = before + (counted - before) * (dt / (dt + MEAN_S));
+            speed += (mean - speed) * ((self.slowdown.at_most(1.0) - OUTRUN) / (1.0 - OUTRUN));
+        }
         // Without this limit, sudden changes in one direction only would push the head that way.
         (self.slowdown, before + (speed - before).max(-most).min(most), true)
     }
