@@ -88,7 +88,7 @@ impl Side {
         let (vector, square) = (a.scale(half, step), a.dot(step, step));
         let less = a.mul(eighth, square);
         let turn = [(u, w), (vector, a.sub(one, less))];
-        let turn = turn.map(|(u, w)| Quaternion { map: Map::identity(a), parts: Some((u, w)) });
+        let turn = turn.map(|(u, w)| Quaternion { map: Map::identity(a), parts: (u, w) });
         let [still, turn] = &turn;
         let parts = if self == Self::Left { turn.compose(a, still) } else { still.compose(a, turn) }.parts;
         (Quaternion { map: Map::Rotation(rotation), parts }, components)

@@ -453,14 +453,6 @@ messages! {
         "{kind} has no supported field `{name}`",
         "{help}";
 
-    quaternion_of_matrix() =>
-        "the components of a quaternion made from a matrix are not supported",
-        "build the quaternion from rotations about axes, or take it as an argument";
-
-    matrix_not_rotation() =>
-        "this matrix is not known to be a rotation",
-        "take a `Quat` as an argument, or build the matrix from rotations or from the matrix of a `Rigid`";
-
     numbers_expected(count: usize) => "expected an array of {count} numbers", "write the numbers in brackets";
 
     axis_not_unit(length: f64) =>

@@ -322,7 +322,7 @@ fn add_numbers(a: &mut Algebra, value: &Value, ty: &Type, numbers: &mut Vec<Scal
         (Value::Vector(v), Shape::Vector) => numbers.extend(a.parts(*v)),
         (Value::Four(parts), Shape::Four) => numbers.extend(parts),
         (Value::Quaternion(q), Shape::Quaternion) => {
-            let Some((u, w)) = q.parts else { return false };
+            let (u, w) = q.parts;
             numbers.extend(a.parts(u));
             numbers.push(w);
         }

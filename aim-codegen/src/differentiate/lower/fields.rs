@@ -33,7 +33,7 @@ impl Value {
             Self::Vector(v) => letter("xyz").map(|axis| Self::Scalar(a.component(*v, axis))),
             Self::Four(parts) => letter("xyzw").map(|axis| Self::Scalar(parts[axis])),
             Self::Quaternion(q) => {
-                let (u, w) = q.parts?;
+                let (u, w) = q.parts;
                 letter("xyzw").map(|axis| Self::Scalar(if axis == 3 { w } else { a.component(u, axis) }))
             }
             Self::Matrix(m) => column(name).filter(|&axis| axis < 3).map(|axis| Self::Vector(m.column(a, axis))),
@@ -121,7 +121,6 @@ impl Translation<'_> {
             return value;
         }
         match base {
-            Value::Quaternion(q) if q.parts.is_none() => self.refuse(member, messages::quaternion_of_matrix()),
             Value::Struct(of) => {
                 let known: Vec<&str> = of.fields.iter().map(|(name, _)| name.as_str()).collect();
                 self.refuse(member, messages::unknown_struct_field(&name, &of.name, &known))

@@ -51,7 +51,7 @@ impl Value {
             Self::Vector(v) => plain(&a.parts(*v)),
             Self::Four(parts) => plain(parts),
             Self::Quaternion(q) => {
-                let (u, w) = q.parts?;
+                let (u, w) = q.parts;
                 plain(&[a.parts(u).as_slice(), &[w]].concat())
             }
             Self::Matrix(m) => {

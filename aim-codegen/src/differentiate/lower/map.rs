@@ -389,18 +389,18 @@ fn about(a: &mut Algebra, v: Vector, u: Vector, [kept, along, aside]: [Scalar; 3
     a.add_vectors(sum, aside)
 }
 
-/// A quaternion: the map that it stands for, and its components if they are known.
+/// A quaternion: the map that it stands for, and its components.
 #[derive(Clone, Debug)]
 pub(crate) struct Quaternion {
     pub(crate) map: Map,
     /// Vector part and scalar part.
-    pub(crate) parts: Option<(Vector, Scalar)>,
+    pub(crate) parts: (Vector, Scalar),
 }
 
 impl Quaternion {
     /// Returns the quaternion with these parts, of any length.
     pub(crate) fn from_parts(u: Vector, w: Scalar) -> Self {
-        Self { map: Map::Spin(u, w), parts: Some((u, w)) }
+        Self { map: Map::Spin(u, w), parts: (u, w) }
     }
 
     /// Returns a quaternion of length 1 that does not depend on the variables.
@@ -409,30 +409,30 @@ impl Quaternion {
             (Some([x, y, z]), Some(w)) => Map::Rotation(a.g.basis(images(x, y, z, w))),
             _ => Map::Rotation(a.g.quaternion(u, w)),
         };
-        Self { map, parts: Some((u, w)) }
+        Self { map, parts: (u, w) }
     }
 
     pub(crate) fn identity(a: &mut Algebra) -> Self {
         let (u, w) = (a.number_vector([0.0; 3]), a.number(1.0));
-        Self { map: Map::identity(a), parts: Some((u, w)) }
+        Self { map: Map::identity(a), parts: (u, w) }
     }
 
     /// Returns the right-handed rotation about X, Y or Z.
     pub(crate) fn turn(a: &mut Algebra, axis: usize, radians: Scalar) -> Self {
         let unit = a.axis(axis);
         let parts = half_turn(a, unit, radians);
-        Self { map: Map::turn(a, axis, radians), parts: Some(parts) }
+        Self { map: Map::turn(a, axis, radians), parts }
     }
 
     pub(crate) fn about(a: &mut Algebra, axis: Vector, radians: Scalar) -> Self {
         let parts = half_turn(a, axis, radians);
-        Self { map: Map::Rotation(a.about(axis, radians)), parts: Some(parts) }
+        Self { map: Map::Rotation(a.about(axis, radians)), parts }
     }
 
     /// Normalises a quaternion that depends on the variables; `reciprocal` is 1 / its length.
     pub(crate) fn normalized(a: &mut Algebra, (u, w): (Vector, Scalar), reciprocal: Scalar) -> Self {
         let map = Map::Rotation(a.g.attitude(Attitude::Quaternion(u, w)));
-        Self { map, parts: Some((a.scale(reciprocal, u), a.mul(reciprocal, w))) }
+        Self { map, parts: (a.scale(reciprocal, u), a.mul(reciprocal, w)) }
     }
 
     /// Returns the rotation about an axis that depends on the variables.
@@ -455,39 +455,35 @@ impl Quaternion {
         let [w, sine] = [0, 1].map(|order| a.g.stumpff(Stumpff { hyperbolic: false, order }, square));
         let u = a.scale(sine, half);
         if a.varies(Node::Vector(turn)) {
-            return Self { map: Map::Rotation(a.g.attitude(Attitude::Turn(turn))), parts: Some((u, w)) };
+            return Self { map: Map::Rotation(a.g.attitude(Attitude::Turn(turn))), parts: (u, w) };
         }
         Self::unit(a, u, w)
     }
 
     /// Returns `self` where the condition holds, else `otherwise`.
     pub(crate) fn select(&self, a: &mut Algebra, condition: &Condition, otherwise: &Self) -> Self {
-        let parts = self.parts.zip(otherwise.parts).map(|((u, w), (v, x))| {
-            let vector = condition.select_vector(a, u, v);
-            (vector, condition.select(a, w, x))
-        });
-        let map = match parts {
-            Some((u, w)) if self.map.size() + otherwise.map.size() > MOST_BEFORE_QUATERNIONS => Map::Spin(u, w),
-            Some(_) => Map::branches(condition, &self.map, &otherwise.map),
-            None => Map::select(a, condition, &self.map, &otherwise.map),
+        let ((u, w), (v, x)) = (self.parts, otherwise.parts);
+        let (u, w) = (condition.select_vector(a, u, v), condition.select(a, w, x));
+        let map = if self.map.size() + otherwise.map.size() > MOST_BEFORE_QUATERNIONS {
+            Map::Spin(u, w)
+        } else {
+            Map::branches(condition, &self.map, &otherwise.map)
         };
-        Self { map, parts }
+        Self { map, parts: (u, w) }
     }
 
     pub(crate) fn conjugate(&self, a: &mut Algebra) -> Self {
-        Self { map: self.map.transpose(a), parts: self.parts.map(|(u, w)| (a.neg_vector(u), w)) }
+        Self { map: self.map.transpose(a), parts: (a.neg_vector(self.parts.0), self.parts.1) }
     }
 
     /// Returns `inner` followed by `self`.
     pub(crate) fn compose(&self, a: &mut Algebra, inner: &Self) -> Self {
-        let parts = self.parts.zip(inner.parts).map(|((u, w), (v, x))| {
-            let (wv, xu, uv) = (a.scale(w, v), a.scale(x, u), a.cross(u, v));
-            let vector = a.add_vectors(wv, xu);
-            let vector = a.add_vectors(vector, uv);
-            let (wx, dot) = (a.mul(w, x), a.dot(u, v));
-            (vector, a.sub(wx, dot))
-        });
-        Self { map: self.map.compose(a, &inner.map), parts }
+        let ((u, w), (v, x)) = (self.parts, inner.parts);
+        let (wv, xu, uv) = (a.scale(w, v), a.scale(x, u), a.cross(u, v));
+        let vector = a.add_vectors(wv, xu);
+        let vector = a.add_vectors(vector, uv);
+        let (wx, dot) = (a.mul(w, x), a.dot(u, v));
+        Self { map: self.map.compose(a, &inner.map), parts: (vector, a.sub(wx, dot)) }
     }
 }
 

@@ -61,7 +61,7 @@ fn sum(
         (Value::Scalar(x), Value::Four(w)) => Value::Four(w.map(|c| of_scalars(a, *x, c))),
         (Value::Matrix(m), Value::Matrix(n)) => Value::Matrix(m.zip(a, n, of_vectors)),
         (Value::Quaternion(q), Value::Quaternion(r)) => {
-            let ((u, w), (v, x)) = q.parts.zip(r.parts)?;
+            let ((u, w), (v, x)) = (q.parts, r.parts);
             Value::Quaternion(Quaternion::from_parts(of_vectors(a, u, v), of_scalars(a, w, x)))
         }
         _ => return None,
@@ -86,7 +86,7 @@ fn multiply(a: &mut Algebra, left: &Value, right: &Value) -> Option<Value> {
         (Value::Quaternion(q), Value::Vector(v)) => Value::Vector(q.map.apply(a, *v)),
         (Value::Quaternion(q), Value::Quaternion(r)) => Value::Quaternion(q.compose(a, r)),
         (Value::Quaternion(q), Value::Scalar(k)) => {
-            let (u, w) = q.parts?;
+            let (u, w) = q.parts;
             Value::Quaternion(Quaternion::from_parts(a.scale(*k, u), a.mul(*k, w)))
         }
         (Value::Matrix(m), Value::Vector(v)) => Value::Vector(m.apply(a, *v)),
@@ -342,10 +342,9 @@ pub(super) fn negate(a: &mut Algebra, operand: &Value) -> Option<Value> {
             Value::Square(square::scaled(a, minus, &m))
         }
         // q and −q are the same rotation.
-        Value::Quaternion(q) => Value::Quaternion(Quaternion {
-            map: q.map.clone(),
-            parts: q.parts.map(|(u, w)| (a.neg_vector(u), a.neg(w))),
-        }),
+        Value::Quaternion(q) => {
+            Value::Quaternion(Quaternion { map: q.map.clone(), parts: (a.neg_vector(q.parts.0), a.neg(q.parts.1)) })
+        }
         _ => return None,
     })
 }

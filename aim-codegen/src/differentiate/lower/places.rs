@@ -457,7 +457,7 @@ fn with_part(a: &mut Algebra, whole: &Value, step: &Step, part: Value) -> Option
             Value::Four(parts)
         }
         (Value::Quaternion(q), Value::Scalar(x)) => {
-            let (u, w) = q.parts?;
+            let (u, w) = q.parts;
             let place = place("xyzw")?;
             Value::Quaternion(if place == 3 {
                 Quaternion::from_parts(u, x)

@@ -1,11 +1,13 @@
 //! The exponential and the logarithm of rotations in their usual forms, at the identity and near it.
 
+use core::f64::consts::PI;
+
 use aim::glam::{DMat3, DQuat, DVec3, Mat3, Quat, Vec3};
 
 macro_rules! objectives {
-    ($real:ident, $vec3:ident, $quat:ident) => {
+    ($real:ident, $vec3:ident, $vec4:ident, $quat:ident, $mat3:ident) => {
         use aim::differentiate;
-        use aim::glam::{$quat, $vec3};
+        use aim::glam::{$mat3, $quat, $vec3, $vec4};
 
         /// The rotation by axis and angle.
         #[differentiate(wrt(w))]
@@ -84,15 +86,49 @@ macro_rules! objectives {
         pub(super) fn there_and_back(w: $vec3) -> $vec3 {
             $quat::from_scaled_axis(w).to_scaled_axis()
         }
+
+        /// The same through a matrix.
+        #[differentiate(wrt(w))]
+        pub(super) fn by_matrix(w: $vec3) -> $vec3 {
+            $quat::from_mat3(&$mat3::from_quat($quat::from_scaled_axis(w))).to_scaled_axis()
+        }
+
+        /// The logarithm of a rotation matrix.
+        #[differentiate(wrt(tangent(m)), check = true)]
+        pub(super) fn logarithm(m: $mat3) -> $vec3 {
+            $quat::from_mat3(&m).to_scaled_axis()
+        }
+
+        /// The components of the quaternion of any matrix.
+        #[differentiate(wrt(m), check = true)]
+        pub(super) fn components(m: $mat3) -> [$real; 4] {
+            $quat::from_mat3(&m).to_array()
+        }
+
+        /// The quaternion of a matrix in a product, and as a vector.
+        #[differentiate(wrt(tangent(m), q), check = true)]
+        pub(super) fn of_product(m: $mat3, q: $quat) -> $vec4 {
+            let product = $quat::from_mat3(&m) * $quat::from_vec4($vec4::from(q));
+            $vec4::from(product.lerp(q, 0.25))
+        }
     };
 }
 
 mod single {
-    objectives!(f32, Vec3, Quat);
+    objectives!(f32, Vec3, Vec4, Quat, Mat3);
 }
 
 mod double {
-    objectives!(f64, DVec3, DQuat);
+    use aim::glam::DAffine3;
+
+    objectives!(f64, DVec3, DVec4, DQuat, DMat3);
+
+    /// The logarithm of the motion from one transform to another.
+    #[differentiate(wrt(tangent(a), tangent(b)), check = true)]
+    pub(super) fn between(a: DAffine3, b: DAffine3) -> [DVec3; 2] {
+        let motion = a.inverse() * b;
+        [DQuat::from_affine3(&motion).to_scaled_axis(), motion.translation]
+    }
 }
 
 /// Returns the matrix [v]× of the cross product with v.
@@ -247,4 +283,27 @@ fn products_of_a_length_and_a_direction_have_the_vectors_derivative() {
             1e-5,
         );
     }
+}
+
+#[test]
+fn the_logarithm_of_a_matrix_is_that_of_its_quaternion() {
+    // Every component of the quaternion is the largest in one of them.
+    let directions = [DVec3::new(6.0, -2.0, 3.0), DVec3::new(-2.0, 6.0, 3.0), DVec3::new(-2.0, 3.0, 6.0)];
+    for (angle, direction) in ANGLES.into_iter().flat_map(|angle| directions.map(|direction| (angle, direction / 7.0))) {
+        let w = angle * direction;
+        let (value, (jacobian,)) = double::by_matrix_jacobian(w);
+        near("by matrix", angle, &numbers(value, jacobian), &numbers(w, DMat3::IDENTITY), 1e-12);
+        let (value, (jacobian,)) = single::by_matrix_jacobian(w.as_vec3());
+        let found = numbers(value.as_dvec3(), jacobian.as_dmat3());
+        near("by matrix", angle, &found, &numbers(w, DMat3::IDENTITY), 1e-5);
+    }
+    // In a rotation's own frame, ω changes the logarithm φ by ω + φ × ω / 2 + …, of which the last remains for half a turn.
+    for direction in directions.map(|direction| direction / 7.0) {
+        let w = PI * direction;
+        let (value, (jacobian,)) = double::logarithm_jacobian(DMat3::from_quat(DQuat::from_scaled_axis(w)));
+        let along = DMat3::from_cols(direction * direction.x, direction * direction.y, direction * direction.z);
+        near("half a turn", PI, &numbers(value, jacobian), &numbers(w, along + 0.5 * crossed(w)), 1e-12);
+    }
+    let (value, (jacobian,)) = double::logarithm_jacobian(DMat3::IDENTITY);
+    near("logarithm", 0.0, &numbers(value, jacobian), &numbers(DVec3::ZERO, DMat3::IDENTITY), 0.0);
 }

@@ -3,6 +3,7 @@
 use aim_symbolic::{Node, Scalar, Vector};
 
 use super::function::{CallError, functions};
+use super::quaternion::of_matrix;
 use crate::declare::report::text::Text;
 use crate::differentiate::lower::algebra::Algebra;
 use crate::differentiate::lower::map::{Affine, Map, Quaternion};
@@ -25,6 +26,10 @@ functions! {
     from_slice(numbers: Array) -> Four { scalars(numbers.get(..4).unwrap_or_default())? }
     from(numbers: Array) -> Four { scalars(&numbers)? }
     from(v: Four) -> Four { v }
+    from(q: Quaternion) -> Four {
+        let ([x, y, z], w) = (a.parts(q.parts.0), q.parts.1);
+        [x, y, z, w]
+    }
     from(parts: Tuple) -> Four {
         match parts.as_slice() {
             [Value::Vector(v), Value::Scalar(w)] => {
@@ -95,9 +100,12 @@ functions! {
         let numbers = scalars(&numbers)?;
         quaternion(a, numbers)
     }
-    from_mat3(m: Matrix) -> Quaternion { rotation_of(m)? }
-    from_mat3a(m: Matrix) -> Quaternion { rotation_of(m)? }
-    from_affine3(m: Affine) -> Quaternion { rotation_of(m.map)? }
+    from_mat3(m: Matrix) -> Quaternion { of_matrix(a, m) }
+    from_mat3a(m: Matrix) -> Quaternion { of_matrix(a, m) }
+    from_mat4(m: Homogeneous) -> Quaternion { of_matrix(a, m.map) }
+    from_affine3(m: Affine) -> Quaternion { of_matrix(a, m.map) }
+    from_affine3a(m: Affine) -> Quaternion { of_matrix(a, m.map) }
+    from_vec4(v: Four) -> Quaternion { quaternion(a, v) }
 }
 
 functions! {
@@ -267,11 +275,6 @@ fn quaternion(a: &mut Algebra, [x, y, z, w]: [Scalar; 4]) -> Quaternion {
     } else {
         Quaternion::from_parts(u, w)
     }
-}
-
-/// Returns the quaternion of a rotation, without its components.
-fn rotation_of(map: Map) -> Result<Quaternion, Text> {
-    if map.is_rotation() { Ok(Quaternion { map, parts: None }) } else { Err(messages::matrix_not_rotation()) }
 }
 
 /// Returns the columns of an `N`×`N` matrix.
