@@ -2,7 +2,7 @@
 
 use aim_symbolic::print::{Formula, Notation};
 use aim_symbolic::{Derivation, Graph, Program, Want};
-use syn::{Attribute, Item, ItemFn, Meta};
+use syn::{Attribute, Item, ItemFn, ItemMod, Meta};
 
 use super::arguments::{Argument, Arguments};
 use super::companion::{Companion, Derived};
@@ -139,9 +139,9 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         }
     };
     let mut functions = Vec::new();
-    collect_requested(&file.items, None, &mut functions);
+    collect_requested(&file.items, false, &mut functions);
     let all: Vec<String> = functions.iter().map(|found| found.function.sig.ident.to_string()).collect();
-    let Some(RequestedFunction { function, attribute, module }) =
+    let Some(RequestedFunction { function, attribute, beside, is_in_read_module }) =
         functions.into_iter().find(|found| found.function.sig.ident == name)
     else {
         let all: Vec<&str> = all.iter().map(String::as_str).collect();
@@ -153,7 +153,8 @@ fn derive(text: &str, name: &str, search: Search, report: &mut Report) -> Option
         _ => proc_macro2::TokenStream::new(),
     };
     let options = Options::parse(arguments, report).in_another_language();
-    let items = module.map(Items::of).unwrap_or_default();
+    // An attribute on the function itself sees only the constants beside it.
+    let items = if is_in_read_module { Items::of(beside) } else { Items::of(&constants_of(beside)) };
     let arguments = Arguments::check(&function.sig, &options, &items, report);
     let derived = Derived::all(function, &options, &arguments, &items, search, report)?;
     if derived.iter().any(|derived| !derived.kept_loops.is_empty()) {
@@ -197,25 +198,44 @@ fn parameter(name: &str, ty: &Type) -> (String, Option<usize>) {
     (format!("in_{name}"), (!matches!(ty.shape, Shape::Scalar)).then(|| ty.components()))
 }
 
-/// A function with the attribute, and the items of its module if the module has the attribute as well.
+/// Returns the constants among these items and in modules, and the imports that they may be named by.
+fn constants_of(items: &[Item]) -> Vec<Item> {
+    let constants = items.iter().filter_map(|item| match item {
+        Item::Const(_) | Item::Static(_) | Item::Use(_) => Some(item.clone()),
+        Item::Mod(inner) => {
+            let (brace, items) = inner.content.as_ref()?;
+            Some(Item::Mod(ItemMod { content: Some((*brace, constants_of(items))), ..inner.clone() }))
+        }
+        _ => None,
+    });
+    constants.collect()
+}
+
+/// A function with the attribute, and the items of its module.
 struct RequestedFunction<'f> {
     function: &'f ItemFn,
     attribute: &'f Attribute,
-    module: Option<&'f [Item]>,
+    beside: &'f [Item],
+    /// `true` if the module has the attribute as well.
+    is_in_read_module: bool,
 }
 
 /// Collects all functions with the attribute, including those in modules.
-fn collect_requested<'f>(items: &'f [Item], module: Option<&'f [Item]>, functions: &mut Vec<RequestedFunction<'f>>) {
-    for item in items {
+fn collect_requested<'f>(beside: &'f [Item], is_in_read_module: bool, functions: &mut Vec<RequestedFunction<'f>>) {
+    for item in beside {
         match item {
             Item::Fn(function) => {
                 let attribute = function.attrs.iter().find(|attribute| is_ours(attribute));
-                functions.extend(attribute.map(|attribute| RequestedFunction { function, attribute, module }));
+                functions.extend(attribute.map(|attribute| RequestedFunction {
+                    function,
+                    attribute,
+                    beside,
+                    is_in_read_module,
+                }));
             }
             Item::Mod(inner) => {
                 let items = inner.content.as_ref().map_or(&[][..], |(_, items)| items);
-                let module_items = inner.attrs.iter().any(is_ours).then_some(items);
-                collect_requested(items, module_items, functions);
+                collect_requested(items, inner.attrs.iter().any(is_ours), functions);
             }
             _ => {}
         }

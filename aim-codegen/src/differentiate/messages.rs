@@ -240,6 +240,11 @@ messages! {
         "the value of `{name}` is not visible to `#[differentiate]`",
         "{help}";
 
+    /// For functions in a file, which are emitted in another language.
+    constant_elsewhere(name: &str) =>
+        "the value of `{name}` is not visible to `aim generate`",
+        "define the `const` inside the function or next to it: constants of other files are only read in Rust, by the attribute";
+
     generic_unknown(name: &str) =>
         "the generic parameter `{name}` does not follow from the arguments of this function",
         "write it where the function is called, as in `pool::<4, 2>(x)`, or give the result a type, as in `let y: [f64; 2] = pool(x)`";

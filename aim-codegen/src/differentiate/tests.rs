@@ -275,6 +275,24 @@ fn functions_of_a_file_see_their_module() {
 }
 
 #[test]
+fn functions_of_a_file_see_the_constants_beside_them() {
+    let text = "use units::{self, KM}; const K: f64 = 2.0 * KM; mod units { pub const KM: f64 = 1e3; }
+        #[differentiate(wrt(x))] fn f(x: f64) -> f64 { (K + units::KM) * x }
+        mod inner { const N: usize = 2; #[differentiate(wrt(x))] fn g(x: [f64; N]) -> f64 { x[N - 1] } }
+        fn h(x: f64) -> f64 { x }
+        #[differentiate(wrt(x))] fn k(x: f64) -> f64 { h(x) }
+        #[differentiate(wrt(x))] fn l(x: f64) -> f64 { LIMIT * x }";
+    let f = Differentiated::from_file("f.rs", text, "f").expect("its constants are known");
+    let c = crate::emit::c::emit_procedures("of f.rs", &f.procedures());
+    assert!(c.contains("3000.0"), "{c}");
+    Differentiated::from_file("f.rs", text, "g").expect("its length is known");
+    let refused = Differentiated::from_file("f.rs", text, "k").expect_err("the attribute sees no other functions");
+    assert!(refused.to_string().contains("the body of `h`"), "{refused}");
+    let refused = Differentiated::from_file("f.rs", text, "l").expect_err("the constant is in another file");
+    assert!(refused.to_string().contains("next to it: constants of other files"), "{refused}");
+}
+
+#[test]
 fn each_companion_gets_a_lane_version() {
     let item = "fn f((v, flag): (Vec3, bool), &m: &Mat3, n: [u8; 2], q: Quat) -> f32 { v.x * m.x_axis.x * q.w }";
     let expansion = expand("wrt(q), hvp, lanes", item);

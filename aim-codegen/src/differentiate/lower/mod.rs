@@ -219,6 +219,10 @@ impl Translation<'_> {
                 Some(name) if self.frame.scope.lengths.iter().any(|known| name == known) => {
                     messages::generic_unknown(&name.to_string())
                 }
+                Some(name) if !self.reads_constants && name.to_string().starts_with(char::is_uppercase) => {
+                    let name = name.to_string();
+                    self.not_found_message(&name, messages::constant_elsewhere(&name))
+                }
                 Some(name) => {
                     let name = name.to_string();
                     self.not_found_message(&name, messages::outside_name(&name, &self.frame.names()))
