@@ -16,6 +16,7 @@ use super::methods::{self, CallError, Function};
 use super::paths::{path_text, type_and_name};
 use super::value::{Callable, LoopSequence, Scope, SequenceItems, Struct, Value};
 use super::{Translation, iterators, square, strip};
+use crate::differentiate::items::Structure;
 use crate::differentiate::messages;
 use crate::differentiate::names::{Meaning, segments};
 use crate::differentiate::types::{self, Shape};
@@ -335,14 +336,32 @@ impl Translation<'_> {
             let text = self.not_found_message(own, messages::unknown_function(&path_text(path)));
             return self.refuse(&path.path, text);
         };
-        let types: Vec<_> = structure.fields.iter().map(|(_, ty)| ty).collect();
-        let expected: Vec<_> =
-            self.within(structure.scope.clone(), |this| types.iter().map(|ty| this.expected(ty)).collect());
+        let of = self.constructed(&path.path, &name, expected);
+        let expected = self.field_types(structure, &of);
         let values = call.args.iter().enumerate().map(|(index, value)| {
             let value = self.expression_as(value, expected.get(index).unwrap_or(&Expected::Any));
             (index.to_string(), value)
         });
         Value::Struct(Rc::new(Struct { fields: values.collect(), name }))
+    }
+
+    /// Returns the type that a constructor's path makes: with the generic arguments in the path, or else those of the
+    /// expected type.
+    fn constructed(&mut self, path: &syn::Path, name: &str, expected: &Expected) -> Expected {
+        let written = syn::TypePath { attrs: Vec::new(), qself: None, path: path.clone() };
+        match self.expected(&syn::Type::Path(written)) {
+            Expected::Generic(name, known) => Expected::Generic(name, known),
+            _ if expected.name() == Some(name) => expected.clone(),
+            _ => Expected::Any,
+        }
+    }
+
+    /// Returns the types of a struct's fields, in the order of its declaration.
+    pub(super) fn field_types(&mut self, structure: &Structure, of: &Expected) -> Vec<Expected> {
+        self.within(structure.scope.clone(), |this| {
+            this.declare_arguments(structure, of);
+            structure.fields.iter().map(|(_, ty)| this.expected(ty)).collect()
+        })
     }
 
     /// Evaluates a call of a free function outside the module.
@@ -474,7 +493,7 @@ impl Translation<'_> {
     }
 
     /// Evaluates `Type { field: value, … }`.
-    pub(super) fn structure(&mut self, of: &ExprStruct) -> Value {
+    pub(super) fn structure(&mut self, of: &ExprStruct, expected: &Expected) -> Value {
         if let Some((ty, tag)) = self.variant(&segments(&of.path)) {
             let known = self.expected_fields(&ty, tag);
             let fields = of.fields.iter().map(|field| {
@@ -488,12 +507,13 @@ impl Translation<'_> {
         let name = self.resolved(&segments(&of.path));
         let structure = self.items.structure(&name);
         let declared = structure.map(|structure| structure.fields.as_slice()).unwrap_or_default();
+        let constructed = self.constructed(&of.path, &name, expected);
+        let types = structure.map_or_else(Vec::new, |structure| self.field_types(structure, &constructed));
         let mut fields: Vec<(String, Value)> = Vec::new();
         for field in &of.fields {
-            let ty = declared.iter().find(|(member, _)| *member == field.member).map(|(_, ty)| ty);
-            let scope = structure.map(|structure| structure.scope.clone()).unwrap_or_default();
-            let expected = self.within(scope, |this| this.expected_of(ty));
-            fields.push((name_of(&field.member), self.moved_value(&field.expr, &expected)));
+            let place = declared.iter().position(|(member, _)| *member == field.member);
+            let expected = place.map_or(&Expected::Any, |place| &types[place]);
+            fields.push((name_of(&field.member), self.moved_value(&field.expr, expected)));
         }
         if let Some(rest) = &of.rest {
             match self.expression_as(rest, &Expected::Named(name.clone())) {

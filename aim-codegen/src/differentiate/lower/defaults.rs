@@ -27,14 +27,12 @@ impl Translation<'_> {
                     if !structure.has_default {
                         return None;
                     }
-                    let scope = structure.scope.clone();
-                    let fields = structure.fields.iter().map(|(member, ty)| {
-                        let ty = self.within(scope.clone(), |this| {
-                            this.declare_arguments(structure, of);
-                            this.expected(ty)
-                        });
-                        Some((name_of(member), self.default_of(place, &ty)?))
-                    });
+                    let types = self.field_types(structure, of);
+                    let fields = structure
+                        .fields
+                        .iter()
+                        .zip(types)
+                        .map(|((member, _), ty)| Some((name_of(member), self.default_of(place, &ty)?)));
                     let fields = fields.collect::<Option<_>>()?;
                     return Some(Value::Struct(Rc::new(Struct { fields, name: name.clone() })));
                 }

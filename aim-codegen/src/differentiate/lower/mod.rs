@@ -127,7 +127,7 @@ impl Translation<'_> {
             }
             Expr::MethodCall(call) => self.method_call(call, expected),
             Expr::Call(call) => self.call(call, expected),
-            Expr::Struct(of) => self.structure(of),
+            Expr::Struct(of) => self.structure(of, expected),
             Expr::Field(field) => self.field(field),
             Expr::Index(index) => self.index(index),
             Expr::Range(range) => self.range(range),

@@ -646,6 +646,25 @@ same! {
             x * m.data[2][1] + y * n.data[1][0]
         }
     }
+    lengths_inferred_from_fields {
+        use std::array::from_fn;
+        use std::ops::{Add, Sub};
+        #[derive(Clone, Copy)]
+        struct V<const N: usize>([f64; N]);
+        struct Pair<T, const N: usize> { first: [T; N], second: V<N> }
+        impl<const N: usize> Add for V<N> { type Output = Self; fn add(self, o: Self) -> Self { V(from_fn(|i| self.0[i] + o.0[i])) } }
+        impl<const N: usize> Sub for V<N> { type Output = V<N>; fn sub(self, o: Self) -> V<N> { Self(from_fn(|i| self.0[i] - o.0[i])) } }
+        impl<const N: usize> Pair<f64, N> {
+            fn reversed(&self) -> Self { Pair { second: V(from_fn(|i| self.first[N - 1 - i])), first: from_fn(|i| self.second.0[i]) } }
+        }
+        fn ramp<const N: usize>(x: f64) -> V<N> { V(from_fn(|i| i as f64 * x)) }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let (u, v) = (V([x, y, 1.0]), V::<3>(from_fn(|i| x - i as f64 * y)));
+            let w: V<3> = V(from_fn(|i| y + i as f64));
+            let pair = Pair { first: [x, x * y, y], second: u + v - w }.reversed();
+            pair.first[0] * pair.second.0[0] + pair.first[2] - pair.second.0[1] + ramp::<4>(y).0[3]
+        }
+    }
     integers_rounded_by_a_cast_to_f32 {
         pub fn f(x: f64, y: f64) -> f64 { (16777217i32 as f32 as f64 - 16777216.0) * x + (-3i32) as f32 as f64 * y }
     }
