@@ -12,6 +12,8 @@ pub enum Draw {
     Below(u32),
     /// One truth value: 1 for true, −1 for false.
     Truth,
+    /// Three numbers: a random vector of length 1.
+    Direction,
     /// Four numbers: a random unit quaternion.
     Quaternion,
     /// One zero: a component of a step on a manifold.
@@ -41,8 +43,10 @@ const POINTS: usize = 256;
 /// The function takes `N` numbers and returns `R`; `variables` are the indices of the `V` numbers to differentiate by.
 /// `derivatives` returns, for each variable, the derivatives of all `R` results.
 ///
-/// A component is compared only where the differences of a full and a half step agree, so that the function is defined
-/// around the point without a kink nearby, and where the slope is not so steep that rounding dominates.
+/// A component is compared only where the function is defined and smooth around the point, and where the slope is not so
+/// steep that rounding dominates. Smooth means that the central differences of a full and a half step agree, and that the
+/// change of slope, from the step before the point to the one after it, halves with the step. At a kink close to the
+/// point that change stays the same, while the central differences agree on the mean of both slopes.
 ///
 /// # Panics
 /// Panics if a derivative differs from the difference quotient by more than the tolerance, or if no component could be
@@ -61,20 +65,25 @@ pub fn agree<const N: usize, const V: usize, const R: usize>(
         let point: [f64; N] = random.point(draws, if round % 2 == 0 { -2.0 } else { 0.125 });
         let (here, found) = (value(&point), derivatives(&point));
         for (&variable, found) in variables.iter().zip(&found) {
-            let slopes = |step: f64| -> [f64; R] {
+            // The slope, and the change of slope.
+            let slopes = |step: f64| -> [[f64; 2]; R] {
                 let [up, down] = [step, -step].map(|step| {
                     let mut moved = point;
                     moved[variable] += step;
                     value(&moved)
                 });
-                core::array::from_fn(|k| (up[k] - down[k]) / (2.0 * step))
+                core::array::from_fn(|k| [(up[k] - down[k]) / (2.0 * step), (up[k] + down[k] - 2.0 * here[k]) / step])
             };
             let (wide, narrow) = (slopes(step), slopes(0.5 * step));
             for k in 0..R {
-                let scale = tolerance * (1.0 + here[k].abs() + narrow[k].abs());
-                if (wide[k] - narrow[k]).abs() <= 0.25 * scale && narrow[k].abs() <= steepest {
+                let ([wide, wide_change], [narrow, narrow_change]) = (wide[k], narrow[k]);
+                let scale = tolerance * (1.0 + here[k].abs() + narrow.abs());
+                let is_smooth = [wide - narrow, wide_change - 2.0 * narrow_change]
+                    .iter()
+                    .all(|difference| difference.abs() <= 0.25 * scale);
+                if is_smooth && narrow.abs() <= steepest {
                     judged += 1;
-                    let expected = narrow[k] + (narrow[k] - wide[k]) / 3.0;
+                    let expected = narrow + (narrow - wide) / 3.0;
                     assert!(
                         (found[k] - expected).abs() <= scale,
                         "{name}, component {k}, by number {variable} of {point:?}: {}, by differences {expected}",
@@ -130,12 +139,16 @@ impl Random {
                 numbers[0] = if self.next() < 0.5 { 1.0 } else { -1.0 };
                 1
             }
+            Draw::Direction => {
+                numbers[..3].copy_from_slice(&self.unit::<3>());
+                3
+            }
             Draw::Quaternion => {
-                numbers[..4].copy_from_slice(&self.unit());
+                numbers[..4].copy_from_slice(&self.unit::<4>());
                 4
             }
             Draw::Rigid => {
-                let [x, y, z, w] = self.unit();
+                let [x, y, z, w] = self.unit::<4>();
                 let columns = [
                     [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
                     [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
@@ -149,14 +162,43 @@ impl Random {
         (numbers, count)
     }
 
-    /// Returns a random unit quaternion, by rejection from the unit ball.
-    fn unit(&mut self) -> [f64; 4] {
+    /// Returns a random direction, by rejection from the unit ball.
+    fn unit<const N: usize>(&mut self) -> [f64; N] {
         loop {
-            let numbers = [0; 4].map(|_| 2.0 * self.next() - 1.0);
+            let numbers = [0; N].map(|_| 2.0 * self.next() - 1.0);
             let square: f64 = numbers.iter().map(|x| x * x).sum();
             if (0.01..1.0).contains(&square) {
                 return numbers.map(|x| x / Scalar::sqrt(square));
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Compares the slope of a zigzag between −0.025 and 0.025, with kinks closer than a step to many of the points.
+    fn judge_zigzag(slope: impl Fn(bool) -> f64) {
+        let rises = |x: f64| 8.0 * x - (8.0 * x).floor() > 0.5;
+        let value = |at: &[f64; 1]| [0.025 / 8.0 * (8.0 * at[0] - (8.0 * at[0]).floor() - 0.5).abs()];
+        agree("zigzag", (&[Draw::Number], &[0], true), value, |at| [[slope(rises(at[0]))]]);
+    }
+
+    #[test]
+    fn a_kink_beside_a_point_is_not_compared() {
+        judge_zigzag(|rises| if rises { 0.025 } else { -0.025 });
+    }
+
+    #[test]
+    #[should_panic(expected = "by differences -0.025")]
+    fn a_wrong_slope_beside_kinks_is_found() {
+        judge_zigzag(|_| 0.025);
+    }
+
+    #[test]
+    fn axes_have_length_1() {
+        let turned = |&[x, y, z, angle]: &[f64; 4]| [(x * x + y * y + z * z) * angle];
+        agree("turned", (&[Draw::Direction, Draw::Number], &[3], false), turned, |_| [[1.0]]);
     }
 }

@@ -193,12 +193,13 @@ impl Arguments {
 
     /// Declares every number of the arguments as an input.
     pub(super) fn declare(&self, a: &mut Algebra) -> Declared {
-        let mut declared = Declared { values: Vec::new(), variables: Vec::new() };
+        let mut declared = Declared { values: Vec::new(), variables: Vec::new(), numbers: Vec::new() };
         let (mut variables, mut slices) = (Vec::new(), 0);
         for argument in &self.list {
             let named = argument.name.as_ref().map_or_else(String::new, |name| word_of(name).text);
             let numbers = (0..argument.ty.components()).map(|index| a.g.input(&format!("{named}_{index}")));
             let numbers: Vec<Scalar> = numbers.collect();
+            declared.numbers.push(numbers.clone());
             let mut inputs = Inputs::new(a, numbers, argument.varying_part, slices);
             declared.values.push(inputs.value(&argument.ty));
             slices = inputs.slices;
@@ -279,6 +280,8 @@ pub(super) struct Declared {
     pub(super) values: Vec<Value>,
     /// Inputs of each variable, or the components of its step, in the order of `wrt`.
     pub(super) variables: Vec<Vec<Scalar>>,
+    /// Numbers of each argument.
+    pub(super) numbers: Vec<Vec<Scalar>>,
 }
 
 /// Returns the name that emitted code gives an argument with a pattern.

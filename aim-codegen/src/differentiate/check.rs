@@ -3,14 +3,14 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::companion::Companion;
+use super::companion::{Companion, Derived};
 use super::emit::Companions;
 use super::manifold::{Side, VaryingPart};
 use super::types::{Precision, Shape, Type};
 
 impl Companions<'_> {
     /// Emits the test, for a function whose companion returns derivatives; `None` without a result.
-    pub(super) fn check(&self) -> Option<TokenStream> {
+    pub(super) fn check(&self, derived: &Derived) -> Option<TokenStream> {
         let (krate, function) = (self.krate, &self.item.sig.ident);
         let result = self.arguments.result.as_ref()?;
         let suffix = self.arguments.suffix(Companion::First)?;
@@ -18,7 +18,9 @@ impl Companions<'_> {
             (format_ident!("{function}_{suffix}"), format_ident!("{function}_{suffix}_agrees_with_differences"));
         let precision = self.arguments.precision();
         let (mut points, mut made, mut variables) = (Points::new(precision, krate), Vec::new(), Vec::new());
-        for argument in &self.arguments.list {
+        for (index, argument) in self.arguments.list.iter().enumerate() {
+            let axes = derived.unit_axes.iter().filter(|(argument, _)| *argument == index);
+            (points.component, points.unit_axes) = (0, axes.map(|(_, first)| *first).collect());
             let value = argument.ty.assemble(&mut |leaf| points.leaf_value(leaf, argument.varying_part));
             made.push(if argument.ty.borrowed { quote!(&#value) } else { value });
             variables.extend(argument.variable.map(|place| (place, core::mem::take(&mut points.variable_indices))));
@@ -119,11 +121,16 @@ struct Points<'a> {
     draws: Vec<TokenStream>,
     /// Indices of the numbers of the current argument that derivatives are taken with respect to.
     variable_indices: Vec<usize>,
+    /// Number of numbers of the current argument so far, without steps.
+    component: usize,
+    /// Indices among them at which vectors of length 1 begin.
+    unit_axes: Vec<usize>,
 }
 
 impl<'a> Points<'a> {
     fn new(precision: Precision, krate: &'a TokenStream) -> Self {
-        Self { precision, krate, count: 0, draws: Vec::new(), variable_indices: Vec::new() }
+        let (draws, variable_indices, unit_axes) = (Vec::new(), Vec::new(), Vec::new());
+        Self { precision, krate, count: 0, draws, variable_indices, component: 0, unit_axes }
     }
 
     /// Returns the expressions of the next `size` numbers, in the function's number type.
@@ -136,6 +143,8 @@ impl<'a> Points<'a> {
 
     /// Builds a value of a type that is not composed of others.
     fn leaf_value(&mut self, leaf: &Type, varying_part: VaryingPart) -> TokenStream {
+        let is_unit = self.unit_axes.contains(&self.component);
+        self.component += leaf.components();
         if let VaryingPart::Tangent(side) = varying_part
             && leaf.has_rotation()
         {
@@ -153,6 +162,7 @@ impl<'a> Points<'a> {
             }
             Shape::Quaternion if still => (quote!(Quaternion), 1),
             Shape::Rigid => (quote!(Rigid), 1),
+            Shape::Vector if still && is_unit => (quote!(Direction), 1),
             _ => (quote!(Number), size),
         };
         self.draws.extend(vec![draw; draws]);

@@ -128,4 +128,7 @@ pub(super) struct Derived {
     pub(super) wanted: Vec<Want>,
     pub(super) program: Program,
     pub(super) kept_loops: Rc<KeptLoops>,
+    /// Vectors among the arguments that are taken to have length 1: index of the argument, and of the vector's first
+    /// number in it.
+    pub(super) unit_axes: Rc<[(usize, usize)]>,
 }

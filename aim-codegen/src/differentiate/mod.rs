@@ -40,7 +40,7 @@ mod tests;
 
 use std::rc::Rc;
 
-use aim_symbolic::{Graph, Program, Scalar, Want};
+use aim_symbolic::{Graph, Program, Scalar, VectorNode, Want};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use syn::spanned::Spanned;
@@ -202,9 +202,8 @@ fn companions(function: &ItemFn, options: &Options, items: &Items, report: &mut 
         all.extend(companions.companion(companion, derived));
         all.extend(in_lanes.as_ref().and_then(|companions| companions.companion(companion, derived)));
     }
-    let wanted = derived.is_some() && checked(options, &arguments, report);
-    let check = wanted.then(|| companions.check());
-    let check = check.flatten();
+    let first = derived.as_ref().and_then(|derived| derived.first());
+    let check = first.filter(|_| checked(options, &arguments, report)).and_then(|first| companions.check(first));
     quote!(#all #check)
 }
 
@@ -238,7 +237,7 @@ impl Derived {
     ) -> Option<Vec<Self>> {
         let errors = report.count();
         let mut algebra = Algebra::new();
-        let Declared { values, variables } = arguments.declare(&mut algebra);
+        let Declared { values, variables, numbers: inputs } = arguments.declare(&mut algebra);
         let patterns = arguments.list.iter().map(|argument| &argument.pattern).zip(values);
         let mut translation = Translation::new(&mut algebra, report, items, Some(arguments.precision()));
         if options.may_keep_loops() {
@@ -274,6 +273,7 @@ impl Derived {
             report.error_in(&result.tokens, messages::wrong_result(&body.describe(), &result.tokens.to_string()));
             return None;
         }
+        let unit_axes: Rc<[(usize, usize)]> = unit_axes(&algebra, &inputs).into();
         let variables: Vec<Scalar> = variables.into_iter().flatten().collect();
         let vector = if let Value::Vector(v) = body { Some(v) } else { None };
         let mut flag = is_some.map(|is_some| algebra.number_of(&is_some));
@@ -301,7 +301,8 @@ impl Derived {
                 wanted.push(Want::Value(flag));
             }
             let program = search.program(&g, &wanted);
-            Self { companion, graph: g, wanted, program, kept_loops: kept_loops.clone() }
+            let (kept_loops, unit_axes) = (kept_loops.clone(), unit_axes.clone());
+            Self { companion, graph: g, wanted, program, kept_loops, unit_axes }
         };
         let first = derive(Companion::First);
         if let Some(budget) = &options.budget
@@ -312,6 +313,18 @@ impl Derived {
         let requested = options.companions.iter().map(|(companion, _)| derive(*companion));
         Some([first].into_iter().chain(requested).collect())
     }
+}
+
+/// Returns the vectors among the arguments that are taken to have length 1; `inputs` are the numbers of each argument.
+fn unit_axes(algebra: &Algebra, inputs: &[Vec<Scalar>]) -> Vec<(usize, usize)> {
+    let axes = algebra.unit_axes.iter().filter_map(|&axis| {
+        let VectorNode::Components(parts) = algebra.g.vector_node(axis) else { return None };
+        inputs
+            .iter()
+            .enumerate()
+            .find_map(|(argument, numbers)| Some((argument, numbers.windows(3).position(|numbers| numbers == parts)?)))
+    });
+    axes.collect()
 }
 
 /// Appends the numbers of a value; returns `true` if the value is of type `ty`.

@@ -22,6 +22,8 @@ pub(crate) struct Algebra {
     pub(crate) loops: Vec<KeptLoop>,
     /// Constants that companions read, by their paths.
     pub(crate) constants: Vec<syn::Path>,
+    /// Vectors that are taken to have length 1, as axes of rotations.
+    pub(crate) unit_axes: Vec<Vector>,
 }
 
 impl Deref for Algebra {
@@ -52,6 +54,7 @@ impl Algebra {
             extra_inputs: Vec::new(),
             loops: Vec::new(),
             constants: Vec::new(),
+            unit_axes: Vec::new(),
         }
     }
 
@@ -395,6 +398,7 @@ impl Algebra {
 
     /// Returns the right-handed rotation about an axis of length 1 that does not depend on the variables.
     pub(crate) fn about(&mut self, axis: Vector, radians: Scalar) -> Rotation {
+        self.unit_axes.push(axis);
         let (negative, radians) = self.unsigned_angle(radians);
         let angle = self.g.angle_of(radians);
         let rotation = self.g.about(axis, angle);

@@ -253,3 +253,27 @@ fn the_shortest_arc_is_that_of_glam() {
     // Opposite directions have no shortest arc.
     assert_eq!(arcs::arc_jacobian(one, -one, v), (v, (DMat3::ZERO, DMat3::ZERO)));
 }
+
+/// Axes among the arguments have length 1, also at the points of `check`.
+#[allow(dead_code, reason = "the check calls it")]
+mod axes {
+    use aim::differentiate;
+    use aim::glam::{DMat3, DQuat, DVec3};
+
+    #[differentiate(check = true)]
+    mod hinges {
+        use super::{DMat3, DQuat, DVec3};
+
+        pub(super) struct Hinge {
+            pub(super) at: DVec3,
+            pub(super) axis: DVec3,
+        }
+
+        #[differentiate(wrt(angles, p))]
+        pub(super) fn turned(angles: [f64; 3], p: DVec3, hinge: Hinge, (open, axes): (bool, [DVec3; 2])) -> DVec3 {
+            let q = DQuat::from_axis_angle(hinge.axis, angles[0]) * (p - hinge.at) + hinge.at;
+            let q = if open { q.rotate_axis(axes[0], angles[1]) } else { q };
+            DMat3::from_axis_angle(axes[1], angles[2]) * q
+        }
+    }
+}
