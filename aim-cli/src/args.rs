@@ -146,7 +146,7 @@ pub(crate) struct Generate {
     /// It has the attribute `#[differentiate(wrt(…))]` and is emitted in C or WGSL.
     #[arg(long, value_name = "NAME")]
     pub(crate) function: Option<String>,
-    /// The language to emit.
+    /// The language to emit; for a function, `c` or `wgsl`.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,
     /// Instead of code, list the rewriting rules with operation counts.

@@ -10,6 +10,11 @@ use crate::failure::{Failure, Result};
 
 /// Reads and checks a rig's TOML file.
 pub(crate) fn load_rig(path: &Path) -> Result<RigSpec> {
+    if ending(path) == "rs" {
+        let text = "a Rust file, not a rig; for one of its differentiated functions, use aim generate FILE --function NAME, \
+                    with --lang c or wgsl, or with --trace";
+        return Err(Failure::in_file(path, text));
+    }
     let text = read_text(path, "expected a rig declaration in TOML")?;
     Ok(aim_codegen::declare::from_toml(&path.display().to_string(), &text)?)
 }

@@ -21,8 +21,8 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
     let code = match (&arguments.function, arguments.lang) {
         (Some(function), Some(language)) => differentiated(&arguments.rig, function, language)?,
         (Some(function), None) => trace_of(&arguments.rig, function)?,
-        (None, Some(language)) => emit(&load_rig(&arguments.rig)?, language),
-        (None, None) => trace(&load_rig(&arguments.rig)?),
+        (None, Some(language)) => emit(&files::load_rig(&arguments.rig)?, language),
+        (None, None) => trace(&files::load_rig(&arguments.rig)?),
     };
     if let Some(existing) = &arguments.check {
         return check(existing, &code, arguments);
@@ -38,14 +38,6 @@ pub(super) fn run(arguments: &args::Generate) -> Result {
         }
         None => files::print(&code),
     }
-}
-
-/// Loads the rig. Rust files are rejected, because they are read for `--function` only.
-fn load_rig(path: &Path) -> Result<RigSpec> {
-    if files::ending(path) == "rs" {
-        return Err(Failure::in_file(path, "not a rig; name one of its differentiated functions with --function NAME"));
-    }
-    files::load_rig(path)
 }
 
 fn load_function(path: &Path, function: &str) -> Result<Differentiated> {

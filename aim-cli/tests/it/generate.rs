@@ -362,6 +362,9 @@ fn functions_that_cannot_be_written() {
     ] {
         place.refused(&format!("generate {arguments}"), words);
     }
+    for command in ["explain f.rs -o f.html", "count f.rs", "check f.rs"] {
+        place.refused(command, &["f.rs: a Rust file, not a rig", "--function NAME", "--trace"]);
+    }
     place.write("out.c", "");
     let stale = place.aim("generate f.rs --function spring --lang c --check out.c");
     let again = "aim generate f.rs --function spring --lang c -o out.c";
