@@ -274,6 +274,31 @@ fn functions_of_a_file_see_their_module() {
     assert!(Differentiated::from_file("f.rs", text, "g").is_err(), "it is outside of the module");
 }
 
+/// glam's own method comes before that of a trait, also if it is not supported.
+#[test]
+fn methods_of_traits_come_after_those_of_glam() {
+    let body = |method: &str| {
+        format!(
+            "#[differentiate] mod m {{ trait Own {{ fn {method}(self, other: Self) -> Self; }}
+            impl Own for DVec3 {{ fn {method}(self, other: Self) -> Self {{ self - other }} }}
+            impl Own for Vec3 {{ fn {method}(self, other: Self) -> Self {{ self - other }} }}
+            impl Own for Vec3A {{ fn {method}(self, other: Self) -> Self {{ self + other }} }}
+            #[differentiate(wrt(v))] fn f(v: DVec3) -> DVec3 {{ v.{method}(DVec3::X) }}
+            #[differentiate(wrt(v))] fn g(v: Vec3) -> Vec3 {{ v.{method}(Vec3::X) }} }}"
+        )
+    };
+    let refused = |method: &str, function: &str| {
+        Differentiated::from_file("f.rs", &body(method), function).map_err(|errors| errors.to_string()).err()
+    };
+    assert_eq!(refused("away_from", "f"), None);
+    let error = refused("away_from", "g").expect("`Vec3` and `Vec3A` are not told apart");
+    assert!(error.contains("`away_from` is ambiguous"), "{error}");
+    for method in ["slerp", "rotate_towards", "dot_into_vec"] {
+        let error = refused(method, "f").expect("it is glam's");
+        assert!(error.contains(&format!("`{method}` of a vector cannot be differentiated")), "{error}");
+    }
+}
+
 #[test]
 fn functions_of_a_file_see_the_constants_beside_them() {
     let text = "use units::{self, KM}; const K: f64 = 2.0 * KM; mod units { pub const KM: f64 = 1e3; }

@@ -104,10 +104,14 @@ pub(super) fn ends(name: &str) -> (f64, f64) {
     }
 }
 
-/// Returns the first type of this precision whose shape satisfies `is_it`.
-pub(super) fn named_like(precision: Option<Precision>, is_it: impl Fn(&Shape) -> bool) -> Option<&'static str> {
-    let fits = |precision_of: Precision| precision.is_none_or(|precision| precision == precision_of);
-    KNOWN.iter().find(|(_, shape, precision)| fits(*precision) && is_it(shape)).map(|(name, ..)| *name)
+/// Iterates over the types of this precision whose shape satisfies `is_it`.
+pub(super) fn named_like(
+    precision: Option<Precision>,
+    is_it: impl Fn(&Shape) -> bool,
+) -> impl Iterator<Item = &'static str> {
+    let fits = move |precision_of: Precision| precision.is_none_or(|precision| precision == precision_of);
+    let like = KNOWN.iter().filter(move |(_, shape, precision)| fits(*precision) && is_it(shape));
+    like.map(|(name, ..)| *name)
 }
 
 /// A type as the user wrote it.

@@ -14,6 +14,7 @@ use super::fields::name_of;
 use super::map::Quaternion;
 use super::methods::{self, CallError, Function};
 use super::paths::{path_text, type_and_name};
+use super::place_types::names_of_type;
 use super::value::{Callable, LoopSequence, Scope, SequenceItems, Struct, Value};
 use super::{Translation, iterators, square, strip};
 use crate::differentiate::items::Structure;
@@ -187,7 +188,20 @@ impl Translation<'_> {
         call: &ExprMethodCall,
     ) -> Option<Value> {
         let ty = self.type_name(receiver)?;
-        let several = self.own_functions(&ty, &call.method.to_string());
+        let several = match receiver {
+        let name = call.method.to_string();
+            Value::Struct(_) => self.own_functions(&ty, &name),
+            _ => {
+                let types = names_of_type(receiver, self.precision).map(|ty| self.own_functions(ty, &name));
+                let mut types = types.filter(|functions| !functions.is_empty());
+                let several = types.next()?;
+                if types.next().is_some() {
+                    drop(types);
+                    return Some(self.refuse(&call.method, messages::several_functions(&name)));
+                }
+                several
+            }
+        };
         let receiver = match several.as_slice() {
             [] => return None,
             [function] if function.changed.first() == Some(&true) && lent.is_some() => lent?,

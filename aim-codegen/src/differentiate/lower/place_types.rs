@@ -59,9 +59,14 @@ pub(super) fn type_of(value: &Value, precision: Option<Precision>) -> Expected {
         Value::Tuple(values) => Expected::Tuple(values.iter().map(|value| type_of(value, precision)).collect()),
         Value::Truth(_) => Expected::Named("bool".into()),
         Value::Integer(_) => Expected::Named("i64".into()),
-        value => types::named_like(precision, |shape| is_of(value, shape))
-            .map_or(Expected::Any, |name| Expected::Named(name.to_owned())),
+        value => names_of_type(value, precision).next().map_or(Expected::Any, |name| Expected::Named(name.to_owned())),
     }
+}
+
+/// Iterates over the names of a value's type, if it is a number or of glam: those with the same numbers, such as `Vec3`
+/// and `Vec3A`, are not told apart.
+pub(super) fn names_of_type(value: &Value, precision: Option<Precision>) -> impl Iterator<Item = &'static str> {
+    types::named_like(precision, |shape| is_of(value, shape))
 }
 
 impl Translation<'_> {

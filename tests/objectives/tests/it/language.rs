@@ -265,3 +265,58 @@ fn no_angle_between() {
     let (value, (by_q, _)) = functions::turned_jacobian(DQuat::IDENTITY, DQuat::IDENTITY, DMat3::IDENTITY);
     assert_eq!((value.0, by_q[0]), (0.0, DVec3::ZERO));
 }
+
+/// Traits of the module that are implemented for types of glam.
+#[allow(dead_code, reason = "the check calls it")]
+mod traits_of_glam {
+    use aim::differentiate;
+    use aim::glam::{DMat3, DVec3};
+
+    #[differentiate(check = true)]
+    mod ellipsoid {
+        use super::{DMat3, DVec3};
+
+        #[derive(Clone, Copy)]
+        pub(super) struct Geodetic {
+            pub(super) latitude: f64,
+            pub(super) height: f64,
+        }
+
+        impl From<Geodetic> for DVec3 {
+            fn from(of: Geodetic) -> Self {
+                let (sin, cos) = of.latitude.sin_cos();
+                Self::new(cos, 0.0, 0.99 * sin) + of.height * Self::new(cos, 0.0, sin)
+            }
+        }
+
+        trait Crossed {
+            const SIGN: f64;
+            fn crossed(self) -> DMat3;
+            fn twice(self, other: Self) -> Self;
+            fn squared(self) -> DMat3
+            where
+                Self: Sized,
+            {
+                let once = Self::SIGN * self.crossed();
+                once * once
+            }
+        }
+
+        impl Crossed for DVec3 {
+            const SIGN: f64 = -1.0;
+            fn crossed(self) -> DMat3 {
+                DMat3::from_cols(Self::new(0.0, self.z, -self.y), Self::new(-self.z, 0.0, self.x), self.cross(Self::Z))
+            }
+            fn twice(self, other: Self) -> Self {
+                self.squared() * other
+            }
+        }
+
+        #[differentiate(wrt(place, station))]
+        pub(super) fn across(place: Geodetic, station: Geodetic, p: DVec3) -> DVec3 {
+            let to: DVec3 = place.into();
+            let away = to - DVec3::from(station);
+            away.crossed() * p + p.twice(away) + DVec3::from([1.0, 2.0, away.x])
+        }
+    }
+}

@@ -101,14 +101,102 @@ const OF_NUMBERS: &[&str] = &[
 ];
 
 /// Returns `true` if the type may have an inherent method or function of this name.
+/// Shapes of glam's types.
+const GLAM_SHAPES: [Shape; 8] = [
+    Shape::Planar,
+    Shape::Vector,
+    Shape::Four,
+    Shape::Quaternion,
+    Shape::Matrix,
+    Shape::Square(2),
+    Shape::Square(4),
+    Shape::Rigid,
+];
+
+/// Methods and functions of glam's types that are in no table, besides conversions such as `as_vec3`.
+const OF_GLAM: &[&str] = &[
+    "abs_diff_eq",
+    "add_mat2",
+    "add_mat4",
+    "cmpeq",
+    "cmpge",
+    "cmpgt",
+    "cmple",
+    "cmplt",
+    "cmpne",
+    "col_mut",
+    "diagonal",
+    "div_euclid",
+    "div_scalar",
+    "dot_into_vec",
+    "fract_gl",
+    "from_cols_slice",
+    "from_euler",
+    "from_homogeneous",
+    "from_mat2",
+    "from_mat3_minor",
+    "from_mat3a_minor",
+    "from_mat4_minor",
+    "from_rotation_arc_2d",
+    "from_rotation_axes",
+    "from_rows",
+    "from_rows_array",
+    "from_rows_slice",
+    "from_scale_angle",
+    "from_scale_angle_translation",
+    "frustum_lh",
+    "frustum_rh",
+    "frustum_rh_gl",
+    "inverse_or_zero",
+    "is_finite",
+    "is_finite_mask",
+    "is_nan",
+    "is_nan_mask",
+    "is_near_identity",
+    "is_negative_bitmask",
+    "is_negative_mask",
+    "is_normalized",
+    "lerp_monotonic",
+    "map",
+    "max_position",
+    "min_position",
+    "mul_diagonal_scale",
+    "mul_transpose_vec2",
+    "mul_transpose_vec3a",
+    "mul_transpose_vec4",
+    "orthographic_lh",
+    "orthographic_rh",
+    "orthographic_rh_gl",
+    "perspective_infinite_reverse_lh",
+    "perspective_infinite_reverse_rh",
+    "perspective_rh_gl",
+    "project",
+    "project_point3a",
+    "rotate_angle",
+    "rotate_towards",
+    "select",
+    "set_row",
+    "slerp_long",
+    "smoothstep",
+    "sub_mat2",
+    "sub_mat4",
+    "to_euler",
+    "to_homogeneous",
+    "to_rows_array",
+    "to_scale_rotation_translation",
+    "transform_point2",
+    "transform_vector2",
+    "try_inverse",
+    "with_w",
+    "write_cols_to_slice",
+    "write_to_slice",
+];
+
 pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
     match shape {
-        // `from` is a trait function; its meaning depends on the implementing type.
-        Shape::Scalar => {
-            OF_NUMBERS.contains(&name)
-                || scalar::METHODS.iter().any(|function| function.name == name && name != "clone")
-        }
-        _ => true,
+        Shape::Scalar => OF_NUMBERS.contains(&name) || is_in(shape),
+        // Some functions are in the tables of one type only, although others have them, too.
+        _ => OF_GLAM.contains(&name) || name.starts_with("as_") || GLAM_SHAPES.iter().any(is_in),
     }
 }
 
@@ -204,13 +292,7 @@ mod tests {
             "Affine" => Value::Affine(Affine { map: matrix.clone(), translation: v }),
             _ => Value::Array(vec![Value::Scalar(x); 3]),
         };
-        use Shape::{Four, Matrix, Planar, Quaternion as Turn, Rigid, Scalar, Vector};
-        for function in [Scalar, Planar, Vector, Four, Turn, Matrix, Rigid, Shape::Square(2), Shape::Square(4)]
-            .iter()
-            .flat_map(functions_of)
-            .copied()
-            .flatten()
-        {
+        for function in [Shape::Scalar].iter().chain(&GLAM_SHAPES).flat_map(functions_of).copied().flatten() {
             let arguments: Vec<Value> = function.takes.iter().map(value).collect();
             if let Ok(found) = function.call(&mut a, &arguments) {
                 assert!(!found.is_unknown(), "{}", function.name);
