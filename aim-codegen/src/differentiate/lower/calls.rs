@@ -118,7 +118,9 @@ impl Translation<'_> {
         if let Some(value) = self.own_method(&receiver, (lent, has_effect), call) {
             return value;
         }
-        if let Value::Struct(of) = &receiver {
+        if let Value::Struct(of) = &receiver
+            && methods::methods_of(&receiver).is_empty()
+        {
             if call.method == "clone" {
                 return receiver;
             }

@@ -442,6 +442,13 @@ impl Translation<'_> {
         let value = match (&unary.op, &operand) {
             (UnOp::Deref(_), _) => Some(operand.clone()),
             (UnOp::Not(_), Value::Truth(condition)) => Some(Value::Truth(condition.clone().not())),
+            (UnOp::Not(_), Value::Struct(of)) if of.is_mask() => {
+                let parts = of.fields.iter().map(|(_, part)| match part {
+                    Value::Truth(condition) => Value::Truth(condition.clone().not()),
+                    other => other.clone(),
+                });
+                Some(Value::Struct(of.with(parts.collect())))
+            }
             (UnOp::Neg(_), _) => operators::negate(self.algebra, &operand),
             _ => None,
         };

@@ -25,7 +25,14 @@ pub(super) fn binary(a: &mut Algebra, operator: &BinOp, left: &Value, right: &Va
         BinOp::Mul(_) => multiply(a, left, right),
         BinOp::Div(_) => divide(a, left, right),
         BinOp::Rem(_) => remainder(a, left, right),
-        _ => compare(a, operator, left, right).map(Value::Truth),
+        _ => match (left, right) {
+            (Value::Struct(x), Value::Struct(y)) if x.is_mask() && y.is_mask() && is_of_bits(operator) => {
+                let pairs = x.fields.iter().zip(&y.fields);
+                let parts = pairs.map(|((_, x), (_, y))| compare(a, operator, x, y).map(Value::Truth));
+                Some(Value::Struct(x.with(parts.collect::<Option<_>>()?)))
+            }
+            _ => compare(a, operator, left, right).map(Value::Truth),
+        },
     }
 }
 

@@ -10,7 +10,7 @@ use super::{lists, square};
 
 impl Struct {
     /// Returns the same struct with other values in its fields.
-    fn with(&self, values: Vec<Value>) -> Rc<Self> {
+    pub(super) fn with(&self, values: Vec<Value>) -> Rc<Self> {
         let fields = self.fields.iter().zip(values).map(|((name, _), value)| (name.clone(), value)).collect();
         Rc::new(Self { name: self.name.clone(), fields })
     }

@@ -209,7 +209,15 @@ pub(crate) struct Struct {
     pub(crate) fields: Vec<(String, Value)>,
 }
 
+/// Name of the struct that stands for a mask, the result of comparing two vectors; no struct of a module has it.
+pub(crate) const MASK: &str = "glam::BVec";
+
 impl Struct {
+    /// Returns `true` for a mask.
+    pub(crate) fn is_mask(&self) -> bool {
+        self.name == MASK
+    }
+
     pub(crate) fn field(&self, name: &str) -> Option<&Value> {
         self.fields.iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
@@ -361,6 +369,7 @@ impl Value {
             Self::Tuple(values) if values.is_empty() => "`()`".into(),
             Self::Tuple(values) => format!("a tuple of length {}", values.len()),
             Self::Array(values) => format!("an array of length {}", values.len()),
+            Self::Struct(of) if of.is_mask() => "a mask".into(),
             Self::Struct(of) => format!("a `{}`", of.name),
             Self::Optional(_) => "an option".into(),
             Self::Ordering(_) => "an ordering".into(),

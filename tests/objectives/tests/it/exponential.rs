@@ -289,7 +289,8 @@ fn products_of_a_length_and_a_direction_have_the_vectors_derivative() {
 fn the_logarithm_of_a_matrix_is_that_of_its_quaternion() {
     // Every component of the quaternion is the largest in one of them.
     let directions = [DVec3::new(6.0, -2.0, 3.0), DVec3::new(-2.0, 6.0, 3.0), DVec3::new(-2.0, 3.0, 6.0)];
-    for (angle, direction) in ANGLES.into_iter().flat_map(|angle| directions.map(|direction| (angle, direction / 7.0))) {
+    for (angle, direction) in ANGLES.into_iter().flat_map(|angle| directions.map(|direction| (angle, direction / 7.0)))
+    {
         let w = angle * direction;
         let (value, (jacobian,)) = double::by_matrix_jacobian(w);
         near("by matrix", angle, &numbers(value, jacobian), &numbers(w, DMat3::IDENTITY), 1e-12);

@@ -320,3 +320,28 @@ mod traits_of_glam {
         }
     }
 }
+
+/// Masks: comparisons of vectors, number by number.
+#[allow(dead_code, reason = "the check calls it")]
+mod masks {
+    use aim::differentiate;
+    use aim::glam::{DMat3, DVec2, DVec3, DVec4, Vec3, Vec4Swizzles};
+
+    #[differentiate(wrt(a, b), check = true)]
+    pub(super) fn selected(a: DVec3, b: DVec3, w: DVec4) -> DVec3 {
+        let less = a.cmplt(b);
+        let least = DVec3::select(less, a, b * b);
+        let more = DVec4::select(w.cmpge(DVec4::ZERO), w, w * a.x).xyz();
+        let plane = DVec2::select(a.truncate().cmple(b.truncate()), a.truncate(), b.truncate() * a.y);
+        let all = if less.all() { a.dot(b) } else { 0.0 };
+        let any = if a.cmpgt(b).any() { a.x * b.y } else { 2.0 * a.x };
+        let second = if less.test(1) && !less.x { b.z } else { -b.z };
+        let turned = if (less & !b.cmpgt(a)).any() { 1e6 } else { a.z * a.z };
+        least + more + plane.extend(all + any) + (second + turned) * DMat3::from_cols(a, b, a).diagonal()
+    }
+
+    #[differentiate(wrt(a), check = true)]
+    pub(super) fn clamped(a: Vec3) -> Vec3 {
+        Vec3::select(a.cmpne(Vec3::ONE), a.min(Vec3::ONE), a)
+    }
+}

@@ -66,6 +66,7 @@ fn words(kind: &str) -> &'static str {
         "Square" => "a 2×2 or 4×4 matrix",
         "Homogeneous" => "a 4×4 matrix",
         "Tuple" => "a tuple",
+        "Struct" => "a mask",
         _ => "an array",
     }
 }

@@ -30,6 +30,7 @@ pub(super) fn methods_of(receiver: &Value) -> &'static [&'static [Function]] {
         Value::Homogeneous(_) => &[transform::HOMOGENEOUS, transform::SQUARE],
         Value::Four(_) => &[vector::FOUR],
         Value::Integer(_) => &[scalar::WHOLE],
+        Value::Struct(of) if of.is_mask() => &[vector::OF_MASKS],
         _ => &[],
     }
 }
@@ -100,7 +101,6 @@ const OF_NUMBERS: &[&str] = &[
     "to_int_unchecked",
 ];
 
-/// Returns `true` if the type may have an inherent method or function of this name.
 /// Shapes of glam's types.
 const GLAM_SHAPES: [Shape; 8] = [
     Shape::Planar,
@@ -192,7 +192,13 @@ const OF_GLAM: &[&str] = &[
     "write_to_slice",
 ];
 
+/// Returns `true` if the type may have an inherent method or function of this name.
 pub(super) fn is_of_type(shape: &Shape, name: &str) -> bool {
+    // `from`, `into` and `clone` are trait functions; their meaning depends on the implementing type.
+    if matches!(name, "from" | "into" | "clone") {
+        return false;
+    }
+    let is_in = |shape: &Shape| functions_of(shape).iter().copied().flatten().any(|function| function.name == name);
     match shape {
         Shape::Scalar => OF_NUMBERS.contains(&name) || is_in(shape),
         // Some functions are in the tables of one type only, although others have them, too.

@@ -29,6 +29,7 @@ functions! {
         let index = axis(a, index)?;
         m.transpose(a).column(a, index)
     }
+    diagonal(m: Matrix) = Vec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
     to_cols_array(m: Matrix) -> Array {
         m.columns(a).into_iter().flat_map(|column| a.parts(column)).map(Value::Scalar).collect()
     }

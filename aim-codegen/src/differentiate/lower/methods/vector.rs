@@ -1,7 +1,14 @@
 //! Methods of vectors.
 
-use super::function::functions;
-use crate::differentiate::lower::value::Value;
+use std::rc::Rc;
+
+use aim_symbolic::Scalar;
+
+use super::function::{CallError, evaluate, functions};
+use crate::differentiate::lower::algebra::Algebra;
+use crate::differentiate::lower::condition::Condition;
+use crate::differentiate::lower::value::{MASK, Struct, Value};
+use crate::differentiate::messages;
 
 functions! {
     /// Functions of vectors of two and of three: a third component of 0 stays 0.
@@ -107,6 +114,16 @@ functions! {
     to_vec3(v: Vector) -> Vector { v }
     into(v: Vector) -> Vector { v }
     to_array(v: Vector) -> Array { a.parts(v).map(Value::Scalar).to_vec() }
+    cmplt(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), "<")? }
+    cmple(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), "<=")? }
+    cmpgt(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), ">")? }
+    cmpge(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), ">=")? }
+    cmpeq(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), "==")? }
+    cmpne(v: Vector, w: Vector) -> Struct { compared(a, &Value::Vector(v), &Value::Vector(w), "!=")? }
+    select(mask: Struct, v: Vector, w: Vector) -> Vector {
+        let [x, y, z] = selected(a, &mask, &Value::Vector(v), &Value::Vector(w))?;
+        a.vector([x, y, z])
+    }
 }
 
 functions! {
@@ -144,6 +161,17 @@ functions! {
         let [x, y, _] = a.parts(v);
         vec![Value::Scalar(x), Value::Scalar(y)]
     }
+    cmplt(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), "<")? }
+    cmple(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), "<=")? }
+    cmpgt(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), ">")? }
+    cmpge(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), ">=")? }
+    cmpeq(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), "==")? }
+    cmpne(v: Planar, w: Planar) -> Struct { compared(a, &Value::Planar(v), &Value::Planar(w), "!=")? }
+    select(mask: Struct, v: Planar, w: Planar) -> Planar {
+        let [x, y] = selected(a, &mask, &Value::Planar(v), &Value::Planar(w))?;
+        let zero = a.number(0.0);
+        a.vector([x, y, zero])
+    }
 }
 
 functions! {
@@ -171,5 +199,58 @@ functions! {
     truncate(v: Four) = Vec3::new(v.x, v.y, v.z);
     to_array(v: Four) -> Array { v.map(Value::Scalar).to_vec() }
     into(v: Four) -> Four { v }
+    cmplt(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), "<")? }
+    cmple(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), "<=")? }
+    cmpgt(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), ">")? }
+    cmpge(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), ">=")? }
+    cmpeq(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), "==")? }
+    cmpne(v: Four, w: Four) -> Struct { compared(a, &Value::Four(v), &Value::Four(w), "!=")? }
+    select(mask: Struct, v: Four, w: Four) -> Four {
+        let [x, y, z, w] = selected(a, &mask, &Value::Four(v), &Value::Four(w))?;
+        [x, y, z, w]
+    }
     clone(v: Four) -> Four { v }
+}
+
+functions! {
+    /// Functions of masks, the results of comparisons of vectors.
+    OF_MASKS(a):
+    any(mask: Struct) -> Truth { conditions(&mask).into_iter().fold(Condition::Known(false), Condition::or) }
+    all(mask: Struct) -> Truth { conditions(&mask).into_iter().fold(Condition::Known(true), Condition::and) }
+    test(mask: Struct, index: Integer) -> Truth {
+        let index = a.known_index(&Value::Integer(index)).ok_or_else(messages::index_unknown)?;
+        conditions(&mask).get(index).cloned().ok_or_else(|| messages::index_outside("a mask"))?
+    }
+    clone(mask: Struct) -> Struct { mask }
+}
+
+/// Compares two vectors number by number.
+fn compared(a: &mut Algebra, v: &Value, w: &Value, operator: &str) -> Result<Rc<Struct>, CallError> {
+    let formula = format!("v {operator} w");
+    let parts = ["x", "y", "z", "w"].into_iter().map_while(|name| Some((name, v.field(a, name)?, w.field(a, name)?)));
+    let parts: Vec<_> = parts.collect();
+    let parts = parts.into_iter().map(|(name, v, w)| (name.to_owned(), evaluate(a, &formula, &["v", "w"], &[v, w])));
+    Ok(Rc::new(Struct { name: MASK.to_owned(), fields: parts.collect() }))
+}
+
+/// Selects each number of `v` where the mask holds, else that of `w`.
+fn selected<const N: usize>(a: &mut Algebra, mask: &Struct, v: &Value, w: &Value) -> Result<[Scalar; N], CallError> {
+    let conditions: [Condition; N] = conditions(mask).try_into().map_err(|_| CallError::Arguments)?;
+    let parts = conditions.iter().zip(["x", "y", "z", "w"]).map(|(condition, name)| {
+        match (v.field(a, name), w.field(a, name)) {
+            (Some(Value::Scalar(x)), Some(Value::Scalar(y))) => Some(condition.select(a, x, y)),
+            _ => None,
+        }
+    });
+    let parts: Option<Vec<Scalar>> = parts.collect();
+    parts.and_then(|parts| parts.try_into().ok()).ok_or(CallError::Arguments)
+}
+
+/// Returns the conditions of a mask; none for another struct.
+fn conditions(mask: &Struct) -> Vec<Condition> {
+    let conditions = mask.fields.iter().filter(|_| mask.is_mask()).filter_map(|(_, value)| match value {
+        Value::Truth(condition) => Some(condition.clone()),
+        _ => None,
+    });
+    conditions.collect()
 }
