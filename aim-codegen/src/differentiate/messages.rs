@@ -121,6 +121,18 @@ messages! {
         "`{found}` is not a supported type",
         "{help}";
 
+    /// For types of glam.
+    unsupported_type(name: &str)
+        where help = match name {
+            "Affine2" | "DAffine2" => "use a `Mat2` and a `Vec2` as its matrix and its translation",
+            "Affine3" => "use `Affine3A`",
+            "EulerRot" => "write the order where it is used, as in `Quat::from_euler(EulerRot::YXZ, yaw, pitch, roll)`",
+            name if name.starts_with("BVec") => "compare where the result is used, as in `Vec3::select(a.cmplt(b), a, b)`",
+            _ => "use arrays of integers, and convert them to numbers with `as`",
+        } =>
+        "`{name}` is not a supported type",
+        "{help}";
+
     slice(element: &str) =>
         "the length of this slice is unknown",
         "give it next to `wrt`, as in `lengths(values = 4)`, or take a reference to an array: `&[{element}; 4]`; \
@@ -535,6 +547,10 @@ const INSTEAD: &[(&str, &str)] = &[
     ("div_euclid", "write `((x - x.rem_euclid(y)) / y).round()`"),
     ("from_scale_rotation_translation", "scale the points and use `from_rotation_translation`"),
     ("from_scale", "multiply the vector by the scale"),
+    (
+        "to_scale_rotation_translation",
+        "a transform is assumed to be rigid, with scale 1: use its `translation`, and `Quat::from_affine3a(&t)` or `DQuat::from_affine3(&t)`",
+    ),
     (
         "to_euler",
         "compute the angles with `atan2` and `asin` from the rotated axes, as in `(q * Vec3::Z).x.atan2((q * Vec3::Z).z)`",

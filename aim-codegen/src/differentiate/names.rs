@@ -172,6 +172,16 @@ impl Names {
     }
 }
 
+/// Returns `true` for types of glam that are not supported.
+pub(super) fn is_unsupported(name: &str) -> bool {
+    let is_vector = || {
+        let (kind, size) = name.split_once("Vec").unwrap_or_default();
+        let kinds = ["B", "I", "U", "I8", "U8", "I16", "U16", "I64", "U64", "ISize", "USize"];
+        kinds.contains(&kind) && ["2", "3", "3A", "4", "4A"].contains(&size)
+    };
+    matches!(name, "Affine2" | "DAffine2" | "Affine3" | "EulerRot") || is_vector()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

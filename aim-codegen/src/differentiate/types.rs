@@ -8,7 +8,7 @@ use syn::{Ident, Member};
 use super::generic_arguments::{GenericArguments, generic_arguments, substitute, substituted};
 use super::items::{Enumeration, Items, Structure};
 use super::lower::Scope;
-use super::names::{Meaning, segments};
+use super::names::{self, Meaning, segments};
 use super::{lower, messages};
 use crate::declare::report::text::Text;
 pub(super) use crate::emit::Precision;
@@ -133,6 +133,13 @@ type TypeError = (TokenStream, Text);
 fn unknown(written: &syn::Type) -> TypeError {
     let known: Vec<&str> = KNOWN.iter().map(|(name, ..)| *name).collect();
     let tokens = quote!(#written);
+    let name = match written {
+        syn::Type::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()),
+        _ => None,
+    };
+    if let Some(name) = name.filter(|name| names::is_unsupported(name)) {
+        return (tokens, messages::unsupported_type(&name));
+    }
     let text = messages::unknown_type(&tokens.to_string(), &known);
     (tokens, text)
 }

@@ -76,10 +76,23 @@ fn calls(x: f32, v: Vec3, m: Mat3, n: i32) -> f32 {
     let a = x.next_down() + helper(x) * Outside::GAIN;
     let b = v.any_orthonormal_vector().x + x.next_up();
     let c = Quat::from_axis_angle(Vec3::ONE, x) * v;
-    let d = Quat::from_mat3(&m) * v;
+    let d = m.x_axis * DVec3::from(m).x;
     let e = (v % v).x + n.pow(n as u32) as f32;
     let f = (x as f64) as f32;
     a + b + c.x + d.y + e + f + [1.0, 2.0][n as u8 as usize]
+}
+
+#[differentiate(wrt(x))]
+fn types_of_glam(x: f32, m: Affine3A, q: Quat, v: Vec2) -> f32 {
+    let scaled = Affine2::from_scale(v * x).transform_point2(v);
+    let (scale, ..) = m.to_scale_rotation_translation();
+    let four = Vec4::from(m).x + Vec2::select(v.cmplt(Vec2::ONE), v, 1.0).x;
+    scaled.x + scale.x + four + Affine2::IDENTITY.translation.x
+}
+
+#[differentiate(wrt(x))]
+fn unsupported_type(x: f32, m: Affine2) -> f32 {
+    x
 }
 
 // One error: what uses the derivatives finds them.

@@ -189,9 +189,9 @@ impl Translation<'_> {
         (lent, has_effect): (Option<Value>, bool),
         call: &ExprMethodCall,
     ) -> Option<Value> {
+        let name = call.method.to_string();
         let ty = self.type_name(receiver)?;
         let several = match receiver {
-        let name = call.method.to_string();
             Value::Struct(_) => self.own_functions(&ty, &name),
             _ => {
                 let types = names_of_type(receiver, self.precision).map(|ty| self.own_functions(ty, &name));
@@ -596,9 +596,12 @@ impl Translation<'_> {
             Some(Ok(value)) => return value,
             Some(Err((CallError::Message(text), _))) if !written.is_empty() => return self.refuse(written, text),
             Some(Err((CallError::Message(text) | CallError::Refused(text), _))) => text,
-            Some(Err((CallError::Arguments, function))) => {
+            Some(Err((CallError::Arguments, _))) => {
                 let found: Vec<String> = arguments[usize::from(of_a_method)..].iter().map(Value::describe).collect();
-                let text = messages::wrong_arguments(function.name, &function.takes(of_a_method), &found.join(", "));
+                let named = tables.iter().copied().flatten().filter(|known| known.name == function);
+                let mut takes: Vec<String> = named.map(|known| known.takes(of_a_method)).collect();
+                takes.dedup();
+                let text = messages::wrong_arguments(function, &takes.join(", or "), &found.join(", "));
                 return self.refuse_any(&arguments.iter().collect::<Vec<_>>(), *name, text);
             }
             None => unknown(),

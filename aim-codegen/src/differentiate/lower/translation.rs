@@ -14,7 +14,7 @@ use crate::declare::report::text::Text;
 use crate::declare::tree::Notation;
 use crate::differentiate::items::Items;
 use crate::differentiate::messages;
-use crate::differentiate::names::segments;
+use crate::differentiate::names::{self, segments};
 use crate::emit::Precision;
 
 /// Maximum number of loop iterations and recursive calls together.
@@ -183,6 +183,9 @@ impl<'a> Translation<'a> {
 
     /// Returns the message about a name that was not found; `otherwise` unless there is a more specific one.
     pub(super) fn not_found_message(&self, name: &str, otherwise: Text) -> Text {
+        if let Some(ty) = name.split("::").find(|ty| names::is_unsupported(ty)) {
+            return messages::unsupported_type(ty);
+        }
         match name {
             "Ok" | "Err" => messages::no_result_value(name),
             _ if self.items.is_conditional(name) => messages::conditional_item(name),
