@@ -540,7 +540,10 @@ const INSTEAD: &[(&str, &str)] = &[
     ("checked_sub", "write `(n >= m).then(|| n - m)` for unsigned integers, `Some(n - m)` for signed ones"),
     ("into", "give the result a type, as in `let r: Radians = x.into();`, or call `Radians::from(x)`"),
     ("saturating_add", "write `n + m`: sums of integers are assumed not to overflow"),
-    ("saturating_sub", "write `n.max(m) - m` for unsigned integers, `n - m` for signed ones"),
+    (
+        "saturating_sub",
+        "the type of this integer is not known: write `n.max(m) - m` if it is unsigned, `n - m` if it is signed",
+    ),
     ("wrapping_add", "write `n + m`: sums of integers are assumed not to overflow"),
     ("wrapping_mul", "write `n * m`: products of integers are assumed not to overflow"),
     ("wrapping_sub", "write `n - m`; for an index that wraps around, `(n + len - m) % len`"),

@@ -89,6 +89,11 @@ pub(super) fn is_integer(name: &str) -> bool {
     INTEGERS.contains(&name)
 }
 
+/// Returns `true` if the type with this name is an unsigned integer type.
+pub(super) fn is_unsigned(name: &str) -> bool {
+    is_integer(name) && name.starts_with('u')
+}
+
 /// Returns the smallest and the largest number of an integer type. The ends of wide types are infinite, because no
 /// count reaches them.
 pub(super) fn ends(name: &str) -> (f64, f64) {

@@ -128,7 +128,8 @@ fn steps(x: f32, n: i32, m: i32) -> f32 {
 fn bits(x: f32, n: usize) -> f32 {
     let last = n & 1;
     let high = 200 << 1;
-    let before = n.saturating_sub(1);
+    let signed: i32 = -1;
+    let before = n.saturating_sub(1) + signed.saturating_sub(3) as usize;
     let known = 1 / (3 - 3);
     x * (last + high + before + known) as f32
 }

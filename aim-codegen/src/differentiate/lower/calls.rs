@@ -131,6 +131,9 @@ impl Translation<'_> {
         if let Some(turbofish) = &call.turbofish {
             return self.refuse(turbofish, messages::no_generics());
         }
+        if let Some(value) = self.saturating_difference(call, &receiver, expected) {
+            return value;
+        }
         let (function, tables, kind) = (call.method.to_string(), methods::methods_of(&receiver), receiver.describe());
         self.apply(&Callee { name: &call.method, function, tables, kind }, Some(receiver), &call.args)
     }

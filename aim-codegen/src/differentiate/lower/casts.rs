@@ -2,12 +2,13 @@
 
 use aim_symbolic::{Op, Scalar, ScalarNode};
 use quote::ToTokens;
+use syn::Expr;
 
 use super::condition::Condition;
 use super::expected::Expected;
 use super::extents::Extents;
 use super::value::Value;
-use super::{NEAR, Translation, methods};
+use super::{NEAR, Translation, methods, strip};
 use crate::differentiate::names::segments;
 use crate::differentiate::{messages, types};
 use crate::emit::Precision;
@@ -47,6 +48,47 @@ impl Translation<'_> {
     fn is_nearly_whole(&self, x: Scalar) -> bool {
         let known = self.algebra.known(x).filter(|_| self.precision == Some(Precision::Single));
         known.is_some_and(|x| x.fract() != 0.0 && (x - x.round()).abs() <= NEAR * x.abs())
+    }
+
+    /// Evaluates `n.saturating_sub(m)`, which depends on the type of the integers: a difference of unsigned ones is at
+    /// least 0. `None` for any other call, and if neither the type is known nor that the difference is not negative.
+    pub(super) fn saturating_difference(
+        &mut self,
+        call: &syn::ExprMethodCall,
+        receiver: &Value,
+        expected: &Expected,
+    ) -> Option<Value> {
+        let (Value::Integer(n), "saturating_sub", Some(m)) =
+            (receiver, call.method.to_string().as_str(), call.args.first())
+        else {
+            return None;
+        };
+        let is_unsigned = expected.name().is_some_and(types::is_unsigned) || self.is_unsigned(&call.receiver, *n);
+        let m = match self.expression(m) {
+            Value::Integer(m) => m,
+            other => return other.is_unknown().then_some(Value::Unknown),
+        };
+        let difference = self.algebra.sub(*n, m);
+        if Extents::new(self.algebra, self.frame.facts()).of(difference).least >= 0.0 {
+            return Some(Value::Integer(difference));
+        }
+        let (is_less, zero) = (Condition::less(self.algebra, *n, m), self.algebra.number(0.0));
+        is_unsigned.then(|| Value::Integer(is_less.select(self.algebra, zero, difference)))
+    }
+
+    /// Returns `true` if an integer is known to be of an unsigned type, by its expression or by its argument's type.
+    fn is_unsigned(&self, expression: &Expr, n: Scalar) -> bool {
+        let by_expression = match strip(expression) {
+            Expr::MethodCall(call) => call.method == "len" || call.method == "count",
+            Expr::Cast(cast) => match &*cast.ty {
+                syn::Type::Path(path) => types::is_unsigned(&self.resolved(&segments(&path.path))),
+                _ => false,
+            },
+            Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(number), .. }) => types::is_unsigned(number.suffix()),
+            _ => false,
+        };
+        let is_extra = self.algebra.extra_inputs.iter().any(|(_, input)| *input == n);
+        by_expression || !is_extra && self.algebra.extent_of_input(n).is_some_and(|(least, _)| least == 0.0)
     }
 
     /// Returns `true` if a whole number certainly fits this type.

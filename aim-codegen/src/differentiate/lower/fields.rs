@@ -6,6 +6,7 @@ use syn::{Expr, ExprField, ExprIndex, Member};
 
 use super::algebra::Algebra;
 use super::condition::Condition;
+use super::expected::Expected;
 use super::iterators::ranks;
 use super::value::Value;
 use super::{Translation, is_place, lists, square, strip};
@@ -134,7 +135,11 @@ impl Translation<'_> {
         if let Expr::Range(range) = strip(&index.index) {
             return self.slice(&base, range);
         }
-        let (place, has_effect) = self.tracked(|this| this.expression(&index.index));
+        let expected = match base {
+            Value::Array(_) | Value::List(_) | Value::Slice(_) => Expected::Named("usize".into()),
+            _ => Expected::Any,
+        };
+        let (place, has_effect) = self.tracked(|this| this.expression_as(&index.index, &expected));
         if has_effect && is_place(&index.expr) {
             // A place is read after its index has been evaluated.
             let read = self.still_place(&index.expr);

@@ -283,7 +283,7 @@ impl Translation<'_> {
 
     /// Returns the step to an element of an array; `None` after an error.
     pub(super) fn step(&mut self, index: &Expr) -> Option<Step> {
-        let value = self.expression(index);
+        let value = self.expression_as(index, &Expected::Named("usize".into()));
         match (self.algebra.known_index(&value), &value) {
             (Some(known), _) => Some(Step::Index(known)),
             (None, Value::Integer(chosen)) => Some(Step::Computed(*chosen)),

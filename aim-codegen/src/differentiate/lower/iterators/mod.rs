@@ -355,7 +355,7 @@ impl Translation<'_> {
 
     /// Returns an argument that is a known whole number; `None` after an error.
     pub(super) fn known_count(&mut self, argument: &Expr) -> Option<usize> {
-        let value = self.expression(argument);
+        let value = self.expression_as(argument, &Expected::Named("usize".into()));
         let known = self.algebra.known_index(&value);
         if known.is_none() {
             self.refuse_known(&value, argument, messages::index_unknown());

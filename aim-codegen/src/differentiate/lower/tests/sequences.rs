@@ -281,6 +281,19 @@ same! {
                 + if [1, 2, 3].contains(&cell) { 5.0 } else { 0.0 }
         }
     }
+    saturating_differences {
+        fn before(values: &[f64], n: usize) -> f64 { values[n.saturating_sub(1)] }
+        pub fn f(x: f64, y: f64) -> f64 {
+            let values = [x, y, x * y, 1.0];
+            let mut sums = [0.0; 4];
+            for i in 0..values.len() {
+                sums[i.saturating_sub(2)] += (i + 1) as f64 * before(&values, i) - values[(i + 1).saturating_sub(i)];
+            }
+            let last: usize = values.len().saturating_sub(5);
+            let cell = (x.floor() as u8).saturating_sub(2) as f64 + (y.floor() as i32 as usize).saturating_sub(7) as f64;
+            sums[0] + x * sums[1] + values[last] + if x >= 0.0 && y >= 0.0 { cell } else { 0.0 }
+        }
+    }
     lists_whose_length_depends_on_arguments {
         fn outliers(values: &[f64], limit: f64) -> Vec<f64> {
             let mut all = Vec::new();
