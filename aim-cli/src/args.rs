@@ -146,7 +146,9 @@ pub(crate) struct Generate {
     /// It has the attribute `#[differentiate(wrt(…))]` and is emitted in C or WGSL.
     #[arg(long, value_name = "NAME")]
     pub(crate) function: Option<String>,
-    /// The language to emit; for a function, `c` or `wgsl`.
+    /// The language to emit.
+    ///
+    /// A function is emitted in C and WGSL only: in Rust, the attribute writes its derivatives.
     #[arg(long, value_enum, required_unless_present = "trace")]
     pub(crate) lang: Option<Language>,
     /// Instead of code, list the rewriting rules with operation counts.
