@@ -134,7 +134,7 @@ impl Vanishing {
                 let length = Length::of(g, number, &[base]).filter(|length| length.base == base)?;
                 let others = length.others.iter().map(|&(factor, _)| factor);
                 let kept: Vec<Scalar> = divisors.iter().copied().chain(others).collect();
-                let (s, common) = common_factors(g, s, &kept);
+                let (s, common) = common_factors(g, s, base, &kept);
                 let (order, series) = Expansion::new(&length).near_zero(g, s)?;
                 let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
                 Some(Self::new(length, order, Rest::Series { common, of: s, number, series }))
@@ -354,13 +354,14 @@ impl Vanishing {
     }
 }
 
-/// Splits off the factors, other than divisors, that all terms of a sum share. Returns the rest, and the factors with
-/// their powers in halves.
-fn common_factors(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> (Scalar, Vec<(Scalar, i32)>) {
+/// Splits off the factors, other than divisors and what depends on the base, that all terms of a sum share. Returns the
+/// rest, and the factors with their powers in halves.
+fn common_factors(g: &mut Graph, s: Scalar, base: Scalar, divisors: &[Scalar]) -> (Scalar, Vec<(Scalar, i32)>) {
     let (mut rest, mut common) = (s, Vec::new());
     let first = terms(g, s).first().and_then(|&term| Product::of(g, term)).filter(|_| parts(g, s).is_some());
     let bases = first.map_or(Vec::new(), |first| first.powers.iter().map(|&(base, _)| base).collect());
-    let bases: Vec<Scalar> = bases.into_iter().filter(|base| !divisors.contains(base)).collect();
+    let is_free = |factor: &Scalar| !divisors.contains(factor) && !depends_on(g, *factor, base);
+    let bases: Vec<Scalar> = bases.into_iter().filter(is_free).collect();
     let orders = orders(g, s, &bases, &mut { MOST_SUMS }).unwrap_or_default();
     for (base, order) in bases.into_iter().zip(orders).filter(|&(_, order)| is_order(order)) {
         if let Some(without) = over(g, rest, base, order, &mut { MOST_SUMS }) {
