@@ -10,7 +10,7 @@ pub(super) struct Length {
     /// Other factors and their powers in halves.
     pub(super) others: Vec<(Scalar, i32)>,
     pub(super) base: Scalar,
-    /// 1 if the length is the root of the base, 2 if it is the base itself.
+    /// 1 if the length is the root of the base, 2 if it is the base itself, 4 if it is its square.
     pub(super) halves: i32,
 }
 
@@ -22,13 +22,28 @@ impl Length {
 
     /// Splits off one of the `divisors` if it is a factor of `s`; else splits `s` into a constant and the rest.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
-        if let Some(mut product) = Product::of(g, s)
-            && let Some(&base) = divisors.iter().find(|&&base| base != s && [1, 2].contains(&product.power_of(base)))
-        {
-            let halves = product.remove(base);
-            return Some(Self { coefficient: product.coefficient, others: product.powers, base, halves });
-        }
-        Self::of_constant(g, s)
+        Self::of_power(g, s, divisors, &[1, 2]).or_else(|| Self::of_constant(g, s))
+    }
+
+    /// Splits off one of the `divisors` if `s` has one of these powers of it, in halves.
+    pub(super) fn of_power(g: &mut Graph, s: Scalar, divisors: &[Scalar], powers: &[i32]) -> Option<Self> {
+        let mut product = Product::of(g, s)?;
+        let &base = divisors.iter().find(|&&base| base != s && powers.contains(&product.power_of(base)))?;
+        let halves = product.remove(base);
+        Some(Self { coefficient: product.coefficient, others: product.powers, base, halves })
+    }
+
+    /// Returns the same length by one of the factors of its base, if that is a product.
+    pub(super) fn of_product(g: &mut Graph, length: &Self) -> Option<Self> {
+        let mut product = Product::of(g, length.base).filter(|_| length.others.is_empty() && length.coefficient == 1.0)?;
+        let &(base, halves) = product.powers.iter().find(|&&(factor, halves)| factor != length.base && halves > 0)?;
+        product.remove(base);
+        let coefficient = if length.halves == 1 { product.coefficient.sqrt() } else { product.coefficient };
+        let part = |halves: i32| halves * length.halves / 2;
+        let is_whole = |halves: i32| halves * length.halves % 2 == 0;
+        let is_found = product.coefficient > 0.0 && [2, 4].contains(&halves) && product.powers.iter().all(|&(_, halves)| is_whole(halves));
+        let others = product.powers.iter().map(|&(factor, halves)| (factor, part(halves))).collect();
+        is_found.then_some(Self { coefficient, others, base, halves: part(halves) })
     }
 
     fn of_constant(g: &mut Graph, mut s: Scalar) -> Option<Self> {
@@ -54,7 +69,8 @@ impl Length {
     }
 
     pub(super) fn square(&self, g: &mut Graph) -> Scalar {
-        let mut square = if self.halves == 1 { self.base } else { g.mul(self.base, self.base) };
+        let mut square = self.base;
+        (1..self.halves).for_each(|_| square = g.mul(square, self.base));
         if self.coefficient.abs() != 1.0 {
             let factor = g.constant(self.coefficient * self.coefficient);
             square = g.mul(factor, square);

@@ -1,5 +1,7 @@
 //! [`Product`]: an expression as a product of powers.
 
+use rustc_hash::FxHashMap;
+
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Limit on the number of parts; longer products are not analysed.
@@ -7,6 +9,9 @@ const MOST_PARTS: usize = 48;
 
 /// Limit on the depth to which numbers are searched for whether they may be negative.
 const DEEPEST_LENGTH: u32 = 6;
+
+/// Limit on the number of nodes in which lengths are stated as products.
+const MOST_NODES: usize = 200;
 
 /// Limit on powers, in halves; products with higher powers are not analysed.
 const HIGHEST_POWER: i32 = 64;
@@ -19,7 +24,7 @@ impl Graph {
 
     fn is_length_within(&self, s: Scalar, depth: u32) -> bool {
         match self.scalar_node(s) {
-            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) => true,
+            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) | ScalarNode::Arc(0, ..) => true,
             ScalarNode::Op(Op::Constant(c)) => c.value() > 0.0,
             ScalarNode::Dot(v, w) => v == w,
             ScalarNode::Op(Op::Mul(a, b)) if a == b => true,
@@ -99,6 +104,31 @@ impl Graph {
         }
         components.resize(3, self.constant(0.0));
         Some(self.components([components[0], components[1], components[2]]))
+    }
+
+    /// Returns `s` with each length and square in it stated as the product of factors that it is: |k v| as k |v|, the root
+    /// of a sum of squares as a length.
+    pub(super) fn with_lengths_stated(&mut self, s: Scalar) -> Scalar {
+        self.stated_within(s, &mut FxHashMap::default())
+    }
+
+    fn stated_within(&mut self, s: Scalar, known: &mut FxHashMap<Scalar, Scalar>) -> Scalar {
+        if known.contains_key(&s) || known.len() >= MOST_NODES {
+            return known.get(&s).copied().unwrap_or(s);
+        }
+        known.insert(s, s);
+        let stated = match self.scalar_node(s) {
+            ScalarNode::Norm(_) | ScalarNode::Dot(..) | ScalarNode::Op(Op::Sqrt(_)) => {
+                Product::of(self, s).and_then(|product| product.stated(self)).unwrap_or(s)
+            }
+            ScalarNode::Op(op) => {
+                let op = op.map(|part| self.stated_within(part, known));
+                self.intern_scalar(ScalarNode::Op(op))
+            }
+            _ => s,
+        };
+        known.insert(s, stated);
+        stated
     }
 
     /// Returns (1 − a)(1 + a) if `s` is 1 − a².
@@ -212,13 +242,7 @@ impl Product {
             }
             // A guarded reciprocal of a negative number is 0, so this holds only for lengths.
             ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
-            ScalarNode::Op(Op::Sqrt(a)) => match g.as_square(a) {
-                Some(v) => self.times_square(g, v, halves / 2, whole)?,
-                None => {
-                    let a = g.one_minus_square(a).unwrap_or(a);
-                    self.power(a, halves / 2);
-                }
-            },
+            ScalarNode::Op(Op::Sqrt(a)) => self.times_plain(g, a, halves / 2, whole)?,
             ScalarNode::Norm(v) => self.times_square(g, v, halves / 2, whole)?,
             ScalarNode::Dot(v, w) if v == w => self.times_square(g, v, halves, whole)?,
             ScalarNode::Dot(v, w) if v != w && halves == 2 => {
@@ -236,11 +260,18 @@ impl Product {
                     }
                 }
             }
-            _ => {
-                let s = g.one_minus_square(s).unwrap_or(s);
-                self.power(s, halves);
-            }
+            _ => self.times_plain(g, s, halves, whole)?,
         }
+        Some(())
+    }
+
+    /// Multiplies by a power of `s`, in halves, as a square if it is a sum of squares.
+    fn times_plain(&mut self, g: &mut Graph, s: Scalar, halves: i32, whole: &[Scalar]) -> Option<()> {
+        if let Some(v) = g.as_square(s) {
+            return self.times_square(g, v, halves, whole);
+        }
+        let s = g.one_minus_square(s).unwrap_or(s);
+        self.power(s, halves);
         Some(())
     }
 

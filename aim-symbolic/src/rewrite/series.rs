@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::length::Length;
 use crate::ir::smooth::factorial;
-use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff, VectorNode};
 
 /// The number of coefficients of a series.
 const TERMS: usize = 30;
@@ -94,19 +94,29 @@ impl Series {
         all.iter().all(|c| c.size.is_finite()).then_some(Self(all))
     }
 
-    /// Returns aᵖ, by the recurrence k a₀ bₖ = Σ (p j − k + j) aⱼ bₖ₋ⱼ.
-    fn raised(&self, p: f64) -> Option<Self> {
-        let (a, first) = (&self.0, self.at_zero());
-        if first == 0.0 || (first < 0.0 && p.fract() != 0.0) {
+    /// Returns aᵖ, by the recurrence k a₀ bₖ = Σ (p j − k + j) aⱼ bₖ₋ⱼ. A root is not negative, so that √u² is u only if
+    /// `u` is a length.
+    fn raised(&self, p: f64, is_length: bool) -> Option<Self> {
+        let order = self.order()?;
+        let power = real(order) * p;
+        let is_whole = |number: f64| number.fract() == 0.0;
+        if order > 0 && !(power > 0.0 && is_whole(power) && (is_length || is_whole(p) || is_whole(0.5 * power))) {
             return None;
         }
-        Self::following(first.powf(p), |k, b| {
+        let a: [Coefficient; TERMS] = core::array::from_fn(|k| self.0.get(k + order).copied().unwrap_or_default());
+        let first = a[0].value;
+        if first < 0.0 && !is_whole(p) {
+            return None;
+        }
+        let raised = Self::following(first.powf(p), |k, b| {
             sum(1..k + 1, |j| a[j].times(b[k - j]).scaled((p * real(j) - real(k - j)) / (real(k) * first)))
-        })
+        })?;
+        let shifted = |k: usize| if real(k) < power { Coefficient::default() } else { raised.0[k - power as usize] };
+        Some(if order == 0 { raised } else { Self(core::array::from_fn(shifted)) })
     }
 
     fn over(&self, other: &Self) -> Option<Self> {
-        Some(self.times(&other.raised(-1.0)?))
+        Some(self.times(&other.raised(-1.0, false)?))
     }
 
     fn derivative(&self) -> Self {
@@ -154,7 +164,7 @@ impl Series {
             Function::Ln if first > 0.0 => self.derivative().over(self)?.integral(first.ln()),
             Function::Asin | Function::Acos if first.abs() < 1.0 => {
                 let square = self.times(self).scaled(-1.0).plus(&Self::constant(1.0));
-                let slope = self.derivative().times(&square.raised(-0.5)?);
+                let slope = self.derivative().times(&square.raised(-0.5, false)?);
                 if function == Function::Asin {
                     slope.integral(first.asin())
                 } else {
@@ -187,6 +197,10 @@ impl Series {
             result = result.times(&argument).plus(&Self::constant(coefficient));
         }
         Some(result)
+    }
+
+    fn is_constant(&self) -> bool {
+        self.0[1..].iter().all(|c| c.is_zero())
     }
 
     /// Returns the lowest power with a nonzero coefficient; `None` if all coefficients are 0.
@@ -254,75 +268,108 @@ impl Term {
     }
 }
 
-/// Computes series of expressions in a number u, a multiple c of a length r times powers of other factors fᵢ. They are
-/// variables, too, so an expression has a series only if it is homogeneous: with r = u/(c Π fᵢᵖ), a product of powers of
-/// the fᵢ and a function of u alone. `a (a + r)` is a² (1 + u) for u = r/a.
+/// Computes series of expressions in u, the square root or the first power of a number, a multiple c of a power of a
+/// base times powers of other factors fᵢ. They are variables, too, so an expression has a series only if it is
+/// homogeneous: a product of powers of the fᵢ and a function of u alone. `a (a + r)` is a² (1 + u) for u = r/a.
 pub(super) struct Expansion<'a> {
     number: &'a Length,
-    known: FxHashMap<Scalar, Option<Term>>,
+    /// The power of u that is the number: 1 or 2. If it is 2, u itself is unknown and only even functions are found.
+    exponent: i32,
+    /// u is not negative.
+    is_length: bool,
+    known: FxHashMap<Scalar, Term>,
     /// Bound on u up to which every select so far takes the same branch as at 0.
     reach: f64,
 }
 
 impl<'a> Expansion<'a> {
-    pub(super) fn new(number: &'a Length) -> Self {
-        Self { number, known: FxHashMap::default(), reach: f64::INFINITY }
+    pub(super) fn new(number: &'a Length, exponent: i32, is_length: bool) -> Self {
+        Self { number, exponent, is_length, known: FxHashMap::default(), reach: f64::INFINITY }
     }
 
-    /// Returns the lowest power of the series of `s`, and the series from that power on. `None` if the series is 0, if
-    /// `s` depends on another variable, or if it has no series.
+    /// Returns the lowest power of the number in the series of `s`, and the series from that power on. `None` if the
+    /// series is 0, if `s` depends on another variable, or if it has no series.
     pub(super) fn near_zero(mut self, g: &Graph, s: Scalar) -> Option<(usize, NearZero)> {
         let Term { series, degrees } = self.of(g, s)?;
-        let (coefficients, radius) = series.near_zero();
+        let (mut coefficients, radius) = series.near_zero();
+        let (mut order, mut radius) = (series.order()?, radius.min(self.reach));
+        let is_root = |(&(factor, _), degree): (&(Scalar, i32), &i32)| degree % 2 != 0 && !g.is_length(factor);
+        if self.number.others.iter().zip(&degrees).any(is_root) {
+            return None;
+        }
+        if self.exponent == 2 {
+            if order % 2 != 0 || coefficients.iter().skip(1).step_by(2).any(|&c| c != 0.0) {
+                return None;
+            }
+            order /= 2;
+            radius *= radius;
+            // u² is the size of the number.
+            let signs = (0..).map(|k| self.number.coefficient.signum().powi(k)).skip(order);
+            coefficients = coefficients.iter().step_by(2).zip(signs).map(|(c, sign)| c * sign).collect();
+        }
         let degrees = self.number.others.iter().zip(degrees).map(|(&(factor, _), degree)| (factor, degree));
-        let near = NearZero { coefficients, radius: radius.min(self.reach), degrees: degrees.collect() };
-        Some((series.order()?, near))
+        Some((order, NearZero { coefficients, radius, degrees: degrees.collect() }))
     }
 
     /// Returns the series of `s`; `None` if `s` depends on another variable or has no series.
     fn of(&mut self, g: &Graph, s: Scalar) -> Option<Term> {
-        let mut open = vec![(s, false)];
-        while let Some((s, has_parts)) = open.pop() {
-            if self.known.contains_key(&s) {
-                continue;
-            }
-            let given = self.given(g, s);
-            if has_parts || given.is_some() {
-                let found = given.or_else(|| self.find(g, s));
+        let mut open = vec![s];
+        while let Some(&s) = open.last() {
+            if !self.known.contains_key(&s) {
+                let given = self.given(g, s);
+                let parts = if given.is_some() { Vec::new() } else { self.parts(g, s)? };
+                let count = open.len();
+                open.extend(parts.into_iter().filter(|part| !self.known.contains_key(part)));
+                if self.known.len() + open.len() > MOST_NODES {
+                    return None;
+                }
+                if open.len() > count {
+                    continue;
+                }
+                let found = given.or_else(|| self.find(g, s))?;
                 if let ScalarNode::Op(Op::SelectLess(a, b, ..)) = g.scalar_node(s) {
-                    self.reach = self.reach.min(self.reach_of_branch(a, b));
+                    self.reach = self.reach.min(self.reach_of_branch(a, b).unwrap_or(f64::INFINITY));
                 }
                 self.known.insert(s, found);
-                continue;
             }
-            if self.known.len() + open.len() > MOST_NODES {
-                return None;
-            }
-            open.push((s, true));
-            match g.scalar_node(s) {
-                ScalarNode::Op(op) => open.extend(op.operands().map(|part| (part, false))),
-                ScalarNode::Stumpff(_, part) => open.push((part, false)),
-                _ => {}
-            }
+            open.pop();
         }
-        self.known_of(s).cloned()
+        self.known.get(&s).cloned()
+    }
+
+    /// Returns the parts of `s` from which its series is computed: of a select the comparison, then the branch that is
+    /// taken near 0.
+    fn parts(&self, g: &Graph, s: Scalar) -> Option<Vec<Scalar>> {
+        let components = |v| match g.vector_node(v) {
+            VectorNode::Components(c) => Some(c),
+            _ => None,
+        };
+        Some(match g.scalar_node(s) {
+            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => match [a, b].map(|part| self.known.get(&part)) {
+                [Some(first), Some(second)] => {
+                    let [first, second] = [first.plain()?.at_zero(), second.plain()?.at_zero()];
+                    vec![(first != second).then_some(if first < second { then } else { otherwise })?]
+                }
+                _ => vec![a, b],
+            },
+            ScalarNode::Op(op) => op.operands().collect(),
+            ScalarNode::Stumpff(_, part) | ScalarNode::Reciprocal(part) => vec![part],
+            ScalarNode::Norm(v) => components(v)?.to_vec(),
+            ScalarNode::Dot(v, w) => [components(v)?, components(w)?].concat(),
+            _ => return None,
+        })
     }
 
     /// Returns a bound on u up to which a < b has the same result as at 0: the variable part of a − b is at most half
     /// of its constant part.
-    fn reach_of_branch(&self, a: Scalar, b: Scalar) -> f64 {
-        let (Some(a), Some(b)) = (self.known_of(a), self.known_of(b)) else { return f64::INFINITY };
-        let margin = a.series.plus(&b.series.scaled(-1.0));
+    fn reach_of_branch(&self, a: Scalar, b: Scalar) -> Option<f64> {
+        let margin = self.known.get(&a)?.series.plus(&self.known.get(&b)?.series.scaled(-1.0));
         let (coefficients, mut reach) = margin.near_zero();
         let varies = |u: f64| coefficients.iter().skip(1).rfold(0.0, |sum, c| u * (sum + c.abs()));
         while margin.at_zero() != 0.0 && varies(reach) > 0.5 * margin.at_zero().abs() {
             reach *= 0.5;
         }
-        reach
-    }
-
-    fn known_of(&self, s: Scalar) -> Option<&Term> {
-        self.known.get(&s)?.as_ref()
+        Some(reach)
     }
 
     /// Returns the length, its square or one of the other factors; `None` for other expressions.
@@ -336,20 +383,35 @@ impl<'a> Expansion<'a> {
         };
         let Length { coefficient, others, base, halves } = self.number;
         if let Some(power) = power_of(*base) {
-            let exponent = power / halves;
-            let series = Series::power(usize::try_from(exponent).ok()?).scaled(coefficient.powi(-exponent));
-            let degrees = others.iter().map(|(_, power)| -power * exponent).collect();
-            return (power % halves == 0).then_some(Term { series, degrees });
+            // The power of u. With it goes the same power of the other factors' roots.
+            let exponent = power * self.exponent / halves;
+            let is_whole = |power: i32| (power * self.exponent) % halves == 0;
+            let is_found = is_whole(power) && others.iter().all(|(_, other)| (other * exponent) % self.exponent == 0);
+            let size = if self.exponent == 2 { coefficient.abs().sqrt() } else { *coefficient };
+            let series = Series::power(usize::try_from(exponent).ok()?).scaled(size.powi(-exponent));
+            let degrees = others.iter().map(|(_, power)| -power * exponent / self.exponent).collect();
+            return is_found.then_some(Term { series, degrees });
         }
         let (place, power) = (0..).zip(others).find_map(|(place, &(factor, _))| Some((place, power_of(factor)?)))?;
         let degrees = (0..others.len()).map(|other| if other == place { power } else { 0 }).collect();
         Some(Term { series: Series::constant(1.0), degrees })
     }
 
-    /// Computes the series of `s` from those of its operands.
+    /// Returns the product of two vectors of these components.
+    fn dot(&self, a: [Scalar; 3], b: [Scalar; 3]) -> Option<Term> {
+        let mut products = a.iter().zip(&b).map(|(a, b)| self.known.get(a)?.times(self.known.get(b)?, 1));
+        let first = products.next()?;
+        products.fold(first, |sum, product| sum?.plus(&product?, 1.0))
+    }
+
+    /// Computes the series of `s` from those of its parts.
     fn find(&self, g: &Graph, s: Scalar) -> Option<Term> {
-        let of = |s: Scalar| self.known_of(s);
+        let of = |s: Scalar| self.known.get(&s);
         let plain = |s: Scalar| of(s)?.plain();
+        let components = |v| match g.vector_node(v) {
+            VectorNode::Components(c) => Some(c),
+            _ => None,
+        };
         let series = match g.scalar_node(s) {
             ScalarNode::Op(Op::Add(a, b)) => return of(a)?.plus(of(b)?, 1.0),
             ScalarNode::Op(Op::Sub(a, b)) => return of(a)?.plus(of(b)?, -1.0),
@@ -359,21 +421,20 @@ impl<'a> Expansion<'a> {
                 let Term { series, degrees } = of(a)?.clone();
                 return Some(Term { series: series.scaled(-1.0), degrees });
             }
-            ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => {
-                // The branch that is taken near 0.
-                let [a, b] = [plain(a)?.at_zero(), plain(b)?.at_zero()];
-                return (a != b).then(|| of(if a < b { then } else { otherwise }))?.cloned();
-            }
+            ScalarNode::Op(Op::SelectLess(..)) => return of(self.parts(g, s)?[0]).cloned(),
+            ScalarNode::Dot(v, w) => return self.dot(components(v)?, components(w)?),
+            ScalarNode::Norm(v) => self.dot(components(v)?, components(v)?)?.plain()?.raised(0.5, self.is_length)?,
             ScalarNode::Op(Op::Constant(c)) => Series::constant(c.value()),
-            ScalarNode::Op(Op::Sqrt(a)) => plain(a)?.raised(0.5)?,
+            ScalarNode::Op(Op::Tiny) => Series::constant(0.0),
+            ScalarNode::Op(Op::Sqrt(a)) => plain(a)?.raised(0.5, self.is_length)?,
             ScalarNode::Op(Op::Call(function, a)) => plain(a)?.call(function)?,
             ScalarNode::Op(Op::Atan2(y, x)) => plain(y)?.atan2(plain(x)?)?,
-            ScalarNode::Op(Op::Pow(a, b)) => match (g.constant_of(a), g.constant_of(b)) {
-                (_, Some(b)) => plain(a)?.raised(b)?,
-                (Some(a), _) if a > 0.0 => plain(b)?.scaled(a.ln()).exp()?,
-                _ => return None,
+            ScalarNode::Op(Op::Pow(a, b)) => match (plain(a)?, plain(b)?) {
+                (a, b) if b.is_constant() => a.raised(b.at_zero(), self.is_length)?,
+                (a, b) => a.call(Function::Ln)?.times(b).exp()?,
             },
             ScalarNode::Stumpff(function, a) => plain(a)?.stumpff(function)?,
+            ScalarNode::Reciprocal(a) if plain(a)?.at_zero() > 0.0 => plain(a)?.raised(-1.0, false)?,
             _ => return None,
         };
         Some(Term { series, degrees: vec![0; self.number.others.len()] })

@@ -8,7 +8,7 @@ use super::length::Length;
 use super::product::{Product, parts, terms};
 use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
-use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff, VectorNode};
 
 /// Limit on the number of sums that are visited.
 const MOST_SUMS: usize = 64;
@@ -69,17 +69,13 @@ impl Vanishing {
     /// Finds how `s` vanishes: a known function by its argument, or a sum in which every term has a power of a divisor,
     /// by each such divisor.
     pub(super) fn of(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        Self::within(g, s, divisors, MOST_NESTED)
-    }
-
-    fn within(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32) -> Vec<Self> {
-        let found = Self::of_functions(g, s, divisors, depth);
+        let found = Self::of_functions(g, s, divisors, MOST_NESTED, false);
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
     }
 
     /// Finds how `s` vanishes like [`of`](Self::of), and also by power series in one of the divisors.
     pub(super) fn of_any(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let mut found = Self::of_functions(g, s, divisors, MOST_NESTED);
+        let mut found = Self::of_functions(g, s, divisors, MOST_NESTED, true);
         let series = Self::of_series(g, s, divisors);
         found.extend(series.filter(|series| found.iter().all(|function| function.base() != series.base())));
         if found.is_empty() { Self::of_sum(g, s, divisors) } else { found }
@@ -126,31 +122,40 @@ impl Vanishing {
     }
 
     fn of_series(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
+        let s = g.with_lengths_stated(s);
         let varies = |g: &Graph, &&base: &&Scalar| base != s && depends_on(g, s, base);
         let bases: Vec<Scalar> = divisors.iter().filter(|base| varies(g, base)).copied().collect();
         bases.into_iter().find_map(|base| {
-            let numbers = [base, root(g, base)].into_iter().chain(multiples(g, s, base));
-            numbers.into_iter().find_map(|number| {
-                let length = Length::of(g, number, &[base]).filter(|length| length.base == base)?;
+            let plain = [base, root(g, base)].map(|number| (number, Length::of(g, number, &[base])));
+            let plain = plain.into_iter().filter_map(|(number, length)| Some((number, length?, 1)));
+            let multiples = multiples(g, s, base).into_iter();
+            let multiples = multiples.flat_map(|(number, length)| [1, 2].map(|power| (number, length.clone(), power)));
+            plain.chain(multiples).filter(|(_, length, _)| length.base == base).find_map(|(number, length, power)| {
                 let others = length.others.iter().map(|&(factor, _)| factor);
                 let kept: Vec<Scalar> = divisors.iter().copied().chain(others).collect();
                 let (s, common) = common_factors(g, s, base, &kept);
-                let (order, series) = Expansion::new(&length).near_zero(g, s)?;
+                let is_length = power == 2 || g.is_length(number);
+                let inside = Length::of_product(g, &length).unwrap_or_else(|| length.clone());
+                let (order, series) = Expansion::new(&inside, power, is_length).near_zero(g, s)?;
                 let order = i32::try_from(order).ok().filter(|&order| order > 0)?;
                 Some(Self::new(length, order, Rest::Series { common, of: s, number, series }))
             })
         })
     }
 
-    /// Finds how a function vanishes: by its argument, and by what the argument vanishes with, down to this depth.
-    fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32) -> Vec<Self> {
+    /// Finds how a function vanishes: by its argument, and by what the argument vanishes with, down to this depth; with
+    /// `any` also by power series of the argument.
+    fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32, any: bool) -> Vec<Self> {
         let Some(outer) = Self::of_function(g, s, divisors) else { return Vec::new() };
         let argument = outer.length.base;
         let mut found: Vec<Self> = Vec::new();
         if outer.length.halves == 2 && depth > 0 {
-            let mut insides = Self::within(g, argument, divisors, depth - 1);
-            if insides.is_empty() && parts(g, argument).is_none() {
-                insides = Self::of_terms(g, argument, divisors);
+            let mut insides = Self::of_functions(g, argument, divisors, depth - 1, any);
+            if insides.is_empty() {
+                insides = if parts(g, argument).is_some() { Self::of_sum } else { Self::of_terms }(g, argument, divisors);
+            }
+            if insides.is_empty() && any {
+                insides.extend(Self::of_series(g, argument, divisors));
             }
             for inside in insides {
                 let base = inside.base();
@@ -189,8 +194,9 @@ impl Vanishing {
             },
             ScalarNode::Op(Op::Atan2(y, x)) => one(Length::of(g, y, divisors)?, Rest::Arc(x)),
             ScalarNode::Op(Op::Sub(a, b)) => {
-                if let Some(found) = Self::limit_of_stumpff(g, a, b, divisors) {
-                    return Some(found);
+                let found = Self::limit_of_stumpff(g, a, b, divisors).or_else(|| Self::power_from_one(g, a, b));
+                if found.is_some() {
+                    return found;
                 }
                 let (length, negative, function) = Self::difference(g, a, b)
                     .map(|(length, function)| (length, false, function))
@@ -231,6 +237,22 @@ impl Vanishing {
         let length = Length::of(g, s, divisors)?;
         let negative = negative != function.hyperbolic;
         (limit == 1.0 / factorial(function.order)).then_some(Self { negative, ..Self::new(length, 1, rest) })
+    }
+
+    /// aᵖ − 1 = eʷ − 1 with w = p ln a
+    fn power_from_one(g: &mut Graph, a: Scalar, b: Scalar) -> Option<Self> {
+        let (power, one, negative) = if g.constant_of(a).is_some() { (b, a, true) } else { (a, b, false) };
+        let ScalarNode::Op(Op::Pow(a, p)) = g.scalar_node(power) else { return None };
+        if g.constant_of(one) != Some(1.0) || g.constant_of(p).is_some() {
+            return None;
+        }
+        let base = g.call(Function::Ln, a);
+        let (number, of) = (g.mul(p, base), g.sub(power, one));
+        let exponential = g.call(Function::Exp, number);
+        let rest = g.sub(exponential, one);
+        let (_, series) = Expansion::new(&Length::plain(number, 2), 1, false).near_zero(g, rest)?;
+        let length = Length { others: vec![(p, 2)], ..Length::plain(base, 2) };
+        Some(Self { negative, ..Self::new(length, 1, Rest::Series { common: Vec::new(), of, number, series }) })
     }
 
     /// Returns the power of the base, in halves.
@@ -372,6 +394,21 @@ fn common_factors(g: &mut Graph, s: Scalar, base: Scalar, divisors: &[Scalar]) -
     (rest, common)
 }
 
+/// Returns the numbers of which `s` is a function.
+fn operands(g: &Graph, s: Scalar) -> Vec<Scalar> {
+    let components = |v| match g.vector_node(v) {
+        VectorNode::Components(c) => c.to_vec(),
+        _ => Vec::new(),
+    };
+    match g.scalar_node(s) {
+        ScalarNode::Op(op) => op.operands().collect(),
+        ScalarNode::Stumpff(_, argument) | ScalarNode::Reciprocal(argument) => vec![argument],
+        ScalarNode::Norm(v) => components(v),
+        ScalarNode::Dot(v, w) => [components(v), components(w)].concat(),
+        _ => Vec::new(),
+    }
+}
+
 /// Returns `true` if `s` depends on `base` or on its root.
 fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
     let (mut known, mut open) = (FxHashSet::default(), vec![s]);
@@ -385,36 +422,31 @@ fn depends_on(g: &Graph, s: Scalar, base: Scalar) -> bool {
             return true;
         }
         if known.len() < MOST_PARTS && known.insert(s) {
-            match g.scalar_node(s) {
-                ScalarNode::Op(op) => open.extend(op.operands()),
-                ScalarNode::Stumpff(_, argument) => open.push(argument),
-                _ => {}
-            }
+            open.extend(operands(g, s));
         }
     }
     false
 }
 
-/// Returns the products in `s` of this factor with others, those with fewest others first.
-fn multiples(g: &mut Graph, s: Scalar, factor: Scalar) -> Vec<Scalar> {
-    let mut found: Vec<(usize, Scalar)> = Vec::new();
+/// Returns the products in `s` of this factor or its square with others, those with fewest others first.
+fn multiples(g: &mut Graph, s: Scalar, factor: Scalar) -> Vec<(Scalar, Length)> {
+    let mut found: Vec<(Scalar, Length)> = Vec::new();
     let (mut known, mut open) = (FxHashSet::default(), vec![s]);
     while let Some(s) = open.pop().filter(|_| known.len() < MOST_PARTS) {
-        let ScalarNode::Op(op) = g.scalar_node(s) else { continue };
         if !known.insert(s) {
             continue;
         }
-        open.extend(op.operands());
-        if matches!(op, Op::Mul(..) | Op::Div(..) | Op::Neg(..))
-            && let Some(length) = Length::of(g, s, &[factor])
-            && length.base == factor
+        open.extend(operands(g, s));
+        if matches!(g.scalar_node(s), ScalarNode::Op(Op::Mul(..) | Op::Div(..) | Op::Neg(..)))
+            && let Some(length) = Length::of_power(g, s, &[factor], &[1, 2, 4])
             && !length.others.is_empty()
         {
-            found.push((length.others.len(), s));
+            found.push((s, length));
         }
     }
-    found.sort_by_key(|&(others, _)| others);
-    found.into_iter().map(|(_, s)| s).take(MOST_NUMBERS).collect()
+    found.sort_by_key(|(_, length)| (length.halves, length.others.len()));
+    found.truncate(MOST_NUMBERS);
+    found
 }
 
 fn root(g: &mut Graph, square: Scalar) -> Scalar {

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use aim_symbolic::Function::{Acos, Asin, Cosh, Exp, Floor, Ln, Sinh, Tan, Tanh};
-use aim_symbolic::Scalar;
+use aim_symbolic::{Op, Scalar, ScalarNode};
 
 use super::function::{CallError, evaluate, functions};
 use crate::declare::report::text::Text;
@@ -47,7 +47,18 @@ functions! {
     cosh(x: Scalar) -> Scalar { a.call(Cosh, x) }
     tanh(x: Scalar) -> Scalar { a.call(Tanh, x) }
     asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x.clamp(-1.0, 1.0) * x.clamp(-1.0, 1.0)).sqrt()", ASINH])? }
-    acosh(x: Scalar) = (x - 1.0 + (x - 1.0).sqrt() * (x + 1.0).sqrt()).ln_1p();
+    acosh(x: Scalar) -> Scalar {
+        // 1 + d loses the digits of a small d.
+        let d = [0, 1].into_iter().find_map(|side| match a.g.scalar_node(x) {
+            ScalarNode::Op(Op::Add(p, q)) if a.constant_of([p, q][side]) == Some(1.0) => Some([q, p][side]),
+            _ => None,
+        });
+        let formula = |d: &str, twice: &str| format!("({d} + ({d}).sqrt() * ({twice}).sqrt()).ln_1p()");
+        match d {
+            Some(d) => number(a, &formula("x", "x + 2.0"), d)?,
+            None => number(a, &formula("x - 1.0", "x + 1.0"), x)?,
+        }
+    }
     atanh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0", "0.5 * ((1.0 + x) / (1.0 - x)).ln()"])? }
     floor(x: Scalar) -> Scalar { a.call(Floor, x) }
     ceil(x: Scalar) = -(-x).floor();
@@ -156,7 +167,12 @@ fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Sc
             x * if square < 0.0625 {{ {c} * r * series }} else {{ closed(far) / far }}
         }}"
     );
-    match evaluate(a, &formula, &["x"], &[Value::Scalar(x)]) {
+    number(a, &formula, x)
+}
+
+/// Evaluates a formula of one number.
+fn number(a: &mut Algebra, formula: &str, x: Scalar) -> Result<Scalar, CallError> {
+    match evaluate(a, formula, &["x"], &[Value::Scalar(x)]) {
         Value::Scalar(value) => Ok(value),
         _ => Err(CallError::Arguments),
     }
@@ -177,10 +193,7 @@ fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Sca
 
 /// Returns |x|.
 fn size(a: &mut Algebra, x: Scalar) -> Result<Scalar, CallError> {
-    match evaluate(a, "x.abs()", &["x"], &[Value::Scalar(x)]) {
-        Value::Scalar(size) => Ok(size),
-        _ => Err(CallError::Arguments),
-    }
+    number(a, "x.abs()", x)
 }
 
 /// Returns a number that must be known, and not negative.
