@@ -35,13 +35,16 @@ impl Length {
 
     /// Returns the same length by one of the factors of its base, if that is a product.
     pub(super) fn of_product(g: &mut Graph, length: &Self) -> Option<Self> {
-        let mut product = Product::of(g, length.base).filter(|_| length.others.is_empty() && length.coefficient == 1.0)?;
+        let mut product =
+            Product::of(g, length.base).filter(|_| length.others.is_empty() && length.coefficient == 1.0)?;
         let &(base, halves) = product.powers.iter().find(|&&(factor, halves)| factor != length.base && halves > 0)?;
         product.remove(base);
         let coefficient = if length.halves == 1 { product.coefficient.sqrt() } else { product.coefficient };
         let part = |halves: i32| halves * length.halves / 2;
         let is_whole = |halves: i32| halves * length.halves % 2 == 0;
-        let is_found = product.coefficient > 0.0 && [2, 4].contains(&halves) && product.powers.iter().all(|&(_, halves)| is_whole(halves));
+        let is_found = product.coefficient > 0.0
+            && [2, 4].contains(&halves)
+            && product.powers.iter().all(|&(_, halves)| is_whole(halves));
         let others = product.powers.iter().map(|&(factor, halves)| (factor, part(halves))).collect();
         is_found.then_some(Self { coefficient, others, base, halves: part(halves) })
     }

@@ -24,7 +24,9 @@ impl Graph {
 
     fn is_length_within(&self, s: Scalar, depth: u32) -> bool {
         match self.scalar_node(s) {
-            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) | ScalarNode::Arc(0, ..) => true,
+            ScalarNode::Norm(_) | ScalarNode::Op(Op::Sqrt(_) | Op::Call(Function::Exp, _)) | ScalarNode::Arc(0, ..) => {
+                true
+            }
             ScalarNode::Op(Op::Constant(c)) => c.value() > 0.0,
             ScalarNode::Dot(v, w) => v == w,
             ScalarNode::Op(Op::Mul(a, b)) if a == b => true,

@@ -150,17 +150,19 @@ impl Vanishing {
         let argument = outer.length.base;
         let mut found: Vec<Self> = Vec::new();
         if outer.length.halves == 2 && depth > 0 {
-            let mut insides = Self::of_functions(g, argument, divisors, depth - 1, any);
+            let others: Vec<Scalar> = divisors.iter().copied().filter(|&base| base != argument).collect();
+            let mut insides = Self::of_functions(g, argument, &others, depth - 1, any);
             if insides.is_empty() {
-                insides = if parts(g, argument).is_some() { Self::of_sum } else { Self::of_terms }(g, argument, divisors);
+                insides =
+                    if parts(g, argument).is_some() { Self::of_sum } else { Self::of_terms }(g, argument, &others);
             }
             if insides.is_empty() && any {
-                insides.extend(Self::of_series(g, argument, divisors));
+                insides.extend(Self::of_series(g, argument, &others));
             }
             for inside in insides {
                 let base = inside.base();
-                let is_new = base != argument && found.iter().all(|found| found.base() != base);
-                if is_new && inside.halves() > 0 && divisors.contains(&base) {
+                let is_new = found.iter().all(|found| found.base() != base);
+                if is_new && inside.halves() > 0 && others.contains(&base) {
                     found.push(Self { inside: Some(Box::new(inside)), ..outer.clone() });
                 }
             }

@@ -24,6 +24,8 @@ pub(crate) struct Algebra {
     pub(crate) constants: Vec<syn::Path>,
     /// Vectors that are taken to have length 1, as axes of rotations.
     pub(crate) unit_axes: Vec<Vector>,
+    /// Vector parts of quaternions of length 1, by their scalar parts.
+    pub(crate) unit_parts: HashMap<Scalar, Vector>,
 }
 
 impl Deref for Algebra {
@@ -55,6 +57,7 @@ impl Algebra {
             loops: Vec::new(),
             constants: Vec::new(),
             unit_axes: Vec::new(),
+            unit_parts: HashMap::new(),
         }
     }
 

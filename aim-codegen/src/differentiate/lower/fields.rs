@@ -8,6 +8,7 @@ use super::algebra::Algebra;
 use super::condition::Condition;
 use super::expected::Expected;
 use super::iterators::ranks;
+use super::map::Map;
 use super::value::Value;
 use super::{Translation, is_place, lists, square, strip};
 use crate::differentiate::messages;
@@ -35,6 +36,9 @@ impl Value {
             Self::Four(parts) => letter("xyzw").map(|axis| Self::Scalar(parts[axis])),
             Self::Quaternion(q) => {
                 let (u, w) = q.parts;
+                if matches!(q.map, Map::Rotation(_)) {
+                    a.unit_parts.insert(w, u);
+                }
                 letter("xyzw").map(|axis| Self::Scalar(if axis == 3 { w } else { a.component(u, axis) }))
             }
             Self::Matrix(m) => column(name).filter(|&axis| axis < 3).map(|axis| Self::Vector(m.column(a, axis))),

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use aim_symbolic::Function::{Acos, Asin, Cosh, Exp, Floor, Ln, Sinh, Tan, Tanh};
-use aim_symbolic::{Op, Scalar, ScalarNode};
+use aim_symbolic::{Node, Op, Scalar, ScalarNode};
 
 use super::function::{CallError, evaluate, functions};
 use crate::declare::report::text::Text;
@@ -22,7 +22,16 @@ functions! {
     }
     tan(x: Scalar) -> Scalar { a.call(Tan, x) }
     asin(x: Scalar) -> Scalar { a.call(Asin, x) }
-    acos(x: Scalar) -> Scalar { a.call(Acos, x) }
+    acos(x: Scalar) -> Scalar {
+        // Of a quaternion of length 1, w = √(1 − |u|²).
+        match a.unit_parts.get(&x).copied().filter(|_| a.varies(Node::Scalar(x))) {
+            Some(u) => {
+                let length = a.norm(u);
+                a.atan2(length, x)
+            }
+            None => a.call(Acos, x),
+        }
+    }
     atan(x: Scalar) = x.atan2(1.0);
     atan2(y: Scalar, x: Scalar) -> Scalar { a.atan2(y, x) }
     powi(x: Scalar, exponent: Integer) -> Scalar {
