@@ -126,15 +126,21 @@ impl Vanishing {
         let varies = |g: &Graph, &&base: &&Scalar| base != s && depends_on(g, s, base);
         let bases: Vec<Scalar> = divisors.iter().filter(|base| varies(g, base)).copied().collect();
         bases.into_iter().find_map(|base| {
-            let plain = [base, root(g, base)].map(|number| (number, Length::of(g, number, &[base])));
-            let plain = plain.into_iter().filter_map(|(number, length)| Some((number, length?, 1)));
-            let multiples = multiples(g, s, base).into_iter();
-            let multiples = multiples.flat_map(|(number, length)| [1, 2].map(|power| (number, length.clone(), power)));
-            plain.chain(multiples).filter(|(_, length, _)| length.base == base).find_map(|(number, length, power)| {
+            let root = root(g, base);
+            // Where a root is taken, the base is not negative.
+            let is_length = g.is_length(base) || depends_on(g, s, root);
+            let mut numbers = vec![(base, Length::plain(base, 2), 1)];
+            if is_length {
+                numbers.push((root, Length::plain(base, 1), 1));
+            }
+            for (number, length) in multiples(g, s, base) {
+                numbers.extend([1, 2].map(|power| (number, length.clone(), power)));
+            }
+            numbers.into_iter().find_map(|(number, length, power)| {
+                let is_length = if power == 1 { g.is_length(number) } else { is_length && length.halves == 2 };
                 let others = length.others.iter().map(|&(factor, _)| factor);
                 let kept: Vec<Scalar> = divisors.iter().copied().chain(others).collect();
                 let (s, common) = common_factors(g, s, base, &kept);
-                let is_length = power == 2 || g.is_length(number);
                 let inside = Length::of_product(g, &length).unwrap_or_else(|| length.clone());
                 let (order, series) = Expansion::new(&inside, power, is_length).near_zero(g, s)?;
                 let order = i32::try_from(order).ok().filter(|&order| order > 0)?;

@@ -190,14 +190,18 @@ impl<T: Oracle> Evaluation<T> {
                     Function::Asin | Function::Acos => (T::constant(1.0) - a * a).is_zero(),
                     Function::Ln => a.is_zero(),
                 };
-                a.call(function)
+                let value = a.call(function);
+                // The arc over its sine is a length.
+                self.no_length |= function == Function::Asin && !(value * a).is_length();
+                value
             }
             ScalarNode::Op(Op::Atan2(y, x)) => {
                 let (y, x) = (self.scalar(g, y), self.scalar(g, x));
                 self.singular |= (y * y + x * x).is_zero();
                 // A fraction has a sign of its own.
-                self.no_length |= !(y * y).sqrt().is_length();
-                y.atan2(x)
+                let value = y.atan2(x);
+                self.no_length |= !(y * y).sqrt().is_length() || !(value * y).is_length();
+                value
             }
             ScalarNode::Op(Op::Pow(a, b)) => {
                 let (a, b) = (self.scalar(g, a), self.scalar(g, b));

@@ -194,10 +194,14 @@ fn or_number(a: &mut Algebra, x: Scalar, y: Scalar, formula: &str) -> Result<Sca
         [_, true] => return Ok(x),
         _ => {}
     }
-    match evaluate(a, formula, &["x", "y"], &[Value::Scalar(x), Value::Scalar(y)]) {
-        Value::Scalar(value) => Ok(value),
-        _ => Err(CallError::Arguments),
+    let Value::Scalar(value) = evaluate(a, formula, &["x", "y"], &[Value::Scalar(x), Value::Scalar(y)]) else {
+        return Err(CallError::Arguments);
+    };
+    // Its scalar part is never beyond ±1.
+    if let Some(&u) = a.unit_parts.get(&x).filter(|_| a.constant_of(y).is_some_and(|end| end.abs() == 1.0)) {
+        a.unit_parts.insert(value, u);
     }
+    Ok(value)
 }
 
 /// Returns |x|.
