@@ -405,6 +405,13 @@ impl Candidate<'_> {
         self.arrange(Effort::Last { rival });
     }
 
+    /// Returns `true` if slopes were replaced by expressions with their limits. Taken forward, they are sums whose limits
+    /// are not found.
+    fn has_limits_of_slopes(&self) -> bool {
+        let of_slopes = self.log.applied.iter().skip(self.log.before_sweeps);
+        of_slopes.into_iter().any(|done| LIMITS.rules.contains(&done.rule))
+    }
+
     /// Returns the rivals that take a derivative forward: by the variables on which the arguments of sines and cosines
     /// depend, since these are each other's derivatives, or with `others` by the remaining numbers.
     fn forward_changes(&self, others: bool) -> Vec<Change> {
@@ -419,7 +426,8 @@ impl Candidate<'_> {
         let arguments: Vec<Node> = g.order(&self.outputs).iter().filter_map(is_turn).collect();
         let turns = |x: &Variable| arguments.iter().any(|&a| g.depends_on(a, &[*x]));
         let is_number = |x: &Variable| matches!(x, Variable::Input(_));
-        let is_chosen = |x: &Variable| if others { is_number(x) && !turns(x) } else { turns(x) };
+        let has_limits = self.has_limits_of_slopes();
+        let is_chosen = |x: &Variable| !has_limits && if others { is_number(x) && !turns(x) } else { turns(x) };
         let by = self.problem.variables().into_iter().filter(is_chosen).take(MOST_SIDES);
         by.map(|x| -> Change {
             Box::new(move |c| {
@@ -464,7 +472,9 @@ impl Candidate<'_> {
         let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
         let mut rivals: Vec<Change> = Vec::new();
         for sweep in self.problem.sweeps() {
-            rivals.push(Box::new(move |c| c.sweep = sweep));
+            if sweep != Sweep::Forward || !self.has_limits_of_slopes() {
+                rivals.push(Box::new(move |c| c.sweep = sweep));
+            }
         }
         if cfg!(not(aim_small)) {
             rivals.extend(self.forward_changes(false));

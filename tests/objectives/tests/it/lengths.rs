@@ -90,6 +90,12 @@ in_both_precisions! {
         falloff = |l, k| { let t = (l / k).min(1.0); 1.0 - t * t * (3.0 - 2.0 * t) }, -6.0 / (k * k);
         ring = |l, k| if l > 1.0 && l < 2.0 { k * (2.0 - l).powi(3) } else { k - l * l }, -2.0;
         truncated = |l, k| l.min(k).powi(2), 2.0;
+        artanh = |l, k| (k * l).atanh().powi(2), 2.0 * k * k;
+        arsinh = |l, k| (l / k).asinh().powi(2), 2.0 / (k * k);
+        logarithmic = |l, k| (k * l).ln_1p().powi(2), 2.0 * k * k;
+        ratio = |l, k| k * (0.5 * ((1.0 + l) / (1.0 - l)).ln()).powi(2), 2.0 * k;
+        arcosh = |l, _k| l.cosh().acosh().powi(2), 2.0;
+        hyperbolic = |l, k| (1.0 + k * l * l).acosh().powi(2), 4.0 * k;
     }
     fields {
         drag = |v, l, m| v.normalize() * (m * l + l * l), m;

@@ -30,3 +30,4 @@ mod powers;
 mod quotients;
 mod roots;
 mod rotations;
+mod spellings;
