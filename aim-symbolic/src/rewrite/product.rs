@@ -81,6 +81,14 @@ impl Graph {
         }
     }
 
+    /// Returns the components of a vector that is stated by them.
+    pub(super) fn stated_components(&self, v: Vector) -> Option<[Scalar; 3]> {
+        match self.vector_node(v) {
+            VectorNode::Components(c) => Some(c),
+            _ => None,
+        }
+    }
+
     /// Returns the vector of these components, without their signs, in the order of their first use, zeros last.
     fn sorted(&mut self, components: [Scalar; 3]) -> Vector {
         let mut components = components.map(|c| match self.scalar_node(c) {

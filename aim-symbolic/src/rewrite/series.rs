@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 
 use super::length::Length;
 use crate::ir::smooth::factorial;
-use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff, VectorNode};
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
 /// The number of coefficients of a series.
 const TERMS: usize = 30;
@@ -98,21 +98,20 @@ impl Series {
     /// `u` is a length.
     fn raised(&self, p: f64, is_length: bool) -> Option<Self> {
         let order = self.order()?;
-        let power = real(order) * p;
-        let is_whole = |number: f64| number.fract() == 0.0;
-        if order > 0 && !(power > 0.0 && is_whole(power) && (is_length || is_whole(p) || is_whole(0.5 * power))) {
+        let power = (0..TERMS).find(|&k| real(k) == real(order) * p)?;
+        let is_whole = p.fract() == 0.0;
+        if order > 0 && !is_length && !is_whole && power % 2 != 0 {
             return None;
         }
         let a: [Coefficient; TERMS] = core::array::from_fn(|k| self.0.get(k + order).copied().unwrap_or_default());
         let first = a[0].value;
-        if first < 0.0 && !is_whole(p) {
+        if first < 0.0 && !is_whole {
             return None;
         }
         let raised = Self::following(first.powf(p), |k, b| {
             sum(1..k + 1, |j| a[j].times(b[k - j]).scaled((p * real(j) - real(k - j)) / (real(k) * first)))
         })?;
-        let shifted = |k: usize| if real(k) < power { Coefficient::default() } else { raised.0[k - power as usize] };
-        Some(if order == 0 { raised } else { Self(core::array::from_fn(shifted)) })
+        Some(if power == 0 { raised } else { raised.times(&Self::power(power)) })
     }
 
     fn over(&self, other: &Self) -> Option<Self> {
@@ -340,10 +339,7 @@ impl<'a> Expansion<'a> {
     /// Returns the parts of `s` from which its series is computed: of a select the comparison, then the branch that is
     /// taken near 0.
     fn parts(&self, g: &Graph, s: Scalar) -> Option<Vec<Scalar>> {
-        let components = |v| match g.vector_node(v) {
-            VectorNode::Components(c) => Some(c),
-            _ => None,
-        };
+        let components = |v| g.stated_components(v);
         Some(match g.scalar_node(s) {
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => match [a, b].map(|part| self.known.get(&part)) {
                 [Some(first), Some(second)] => {
@@ -408,10 +404,7 @@ impl<'a> Expansion<'a> {
     fn find(&self, g: &Graph, s: Scalar) -> Option<Term> {
         let of = |s: Scalar| self.known.get(&s);
         let plain = |s: Scalar| of(s)?.plain();
-        let components = |v| match g.vector_node(v) {
-            VectorNode::Components(c) => Some(c),
-            _ => None,
-        };
+        let components = |v| g.stated_components(v);
         let series = match g.scalar_node(s) {
             ScalarNode::Op(Op::Add(a, b)) => return of(a)?.plus(of(b)?, 1.0),
             ScalarNode::Op(Op::Sub(a, b)) => return of(a)?.plus(of(b)?, -1.0),

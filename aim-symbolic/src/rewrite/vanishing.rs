@@ -8,7 +8,7 @@ use super::length::Length;
 use super::product::{Product, parts, terms};
 use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
-use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff, VectorNode};
+use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
 /// Limit on the number of sums that are visited.
 const MOST_SUMS: usize = 64;
@@ -404,10 +404,7 @@ fn common_factors(g: &mut Graph, s: Scalar, base: Scalar, divisors: &[Scalar]) -
 
 /// Returns the numbers of which `s` is a function.
 fn operands(g: &Graph, s: Scalar) -> Vec<Scalar> {
-    let components = |v| match g.vector_node(v) {
-        VectorNode::Components(c) => c.to_vec(),
-        _ => Vec::new(),
-    };
+    let components = |v| g.stated_components(v).map_or(Vec::new(), |c| c.to_vec());
     match g.scalar_node(s) {
         ScalarNode::Op(op) => op.operands().collect(),
         ScalarNode::Stumpff(_, argument) | ScalarNode::Reciprocal(argument) => vec![argument],
