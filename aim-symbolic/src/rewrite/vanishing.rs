@@ -202,7 +202,8 @@ impl Vanishing {
             },
             ScalarNode::Op(Op::Atan2(y, x)) => one(Length::of(g, y, divisors)?, Rest::Arc(x)),
             ScalarNode::Op(Op::Sub(a, b)) => {
-                let found = Self::limit_of_stumpff(g, a, b, divisors).or_else(|| Self::power_from_one(g, a, b));
+                let found =
+                    Self::limit_of_stumpff(g, a, b, divisors).or_else(|| Self::power_from_one(g, a, b, divisors));
                 if found.is_some() {
                     return found;
                 }
@@ -248,18 +249,19 @@ impl Vanishing {
     }
 
     /// aᵖ − 1 = eʷ − 1 with w = p ln a
-    fn power_from_one(g: &mut Graph, a: Scalar, b: Scalar) -> Option<Self> {
+    fn power_from_one(g: &mut Graph, a: Scalar, b: Scalar, divisors: &[Scalar]) -> Option<Self> {
         let (power, one, negative) = if g.constant_of(a).is_some() { (b, a, true) } else { (a, b, false) };
         let ScalarNode::Op(Op::Pow(a, p)) = g.scalar_node(power) else { return None };
         if g.constant_of(one) != Some(1.0) || g.constant_of(p).is_some() {
             return None;
         }
-        let base = g.call(Function::Ln, a);
-        let (number, of) = (g.mul(p, base), g.sub(power, one));
+        let logarithm = g.call(Function::Ln, a);
+        let (number, of) = (g.mul(p, logarithm), g.sub(power, one));
         let exponential = g.call(Function::Exp, number);
         let rest = g.sub(exponential, one);
         let (_, series) = Expansion::new(&Length::plain(number, 2), 1, false).near_zero(g, rest)?;
-        let length = Length { others: vec![(p, 2)], ..Length::plain(base, 2) };
+        let (base, other) = if divisors.contains(&p) { (p, logarithm) } else { (logarithm, p) };
+        let length = Length { others: vec![(other, 2)], ..Length::plain(base, 2) };
         Some(Self { negative, ..Self::new(length, 1, Rest::Series { common: Vec::new(), of, number, series }) })
     }
 

@@ -71,6 +71,16 @@ macro_rules! objectives {
         }
 
         #[differentiate(wrt(x), hessian)]
+        fn cube_root(x: $real) -> $real {
+            ((1.0 + x).cbrt() - 1.0) / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
+        fn rise(x: $real) -> $real {
+            (x.hypot(1.0) - 1.0) / x
+        }
+
+        #[differentiate(wrt(x), hessian)]
         fn size(x: $real) -> $real {
             x.abs()
         }
@@ -161,6 +171,8 @@ macro_rules! objectives {
                 "(x.exp() - 1.0) / x" => exponential_hessian(x),
                 "(1.0 + x).ln() / x" => of_logarithm_hessian(x),
                 "(x.sin() - x * x.cos()) / x.powi(3)" => bessel_hessian(x),
+                "((1.0 + x).cbrt() - 1.0) / x" => cube_root_hessian(x),
+                "(x.hypot(1.0) - 1.0) / x" => rise_hessian(x),
                 "x.abs()" => size_hessian(x),
                 "x.signum()" => sign_hessian(x),
                 "x.max(0.0)" => largest_hessian(x),
@@ -219,7 +231,7 @@ fn single_of(x: f64) -> f32 {
 #[test]
 fn limits_are_as_documented() {
     let rows = rows("## Limits");
-    assert_eq!(rows.len(), 13);
+    assert_eq!(rows.len(), 15);
     for (expression, cells) in rows {
         let x = number(cells[0]);
         let double = double::derived(expression, x).expect("each expression is a function here");

@@ -137,6 +137,9 @@ in_both_precisions! {
         third_power = |x, _k| ((1.0 + x).powf(1.0 / 3.0) - 1.0) / x, [1.0 / 3.0, -1.0 / 9.0];
         power = |x, k| ((1.0 + x).powf(k) - 1.0) / x, [k, 0.5 * k * (k - 1.0)];
         annuity = |x, k| (1.0 - (1.0 + x).powf(-k)) / x, [k, -0.5 * k * (k + 1.0)];
+        box_cox = |x, k| ((2.0 + k).powf(x) - 1.0) / x, [(2.0 + k).ln(), 0.5 * (2.0 + k).ln().powi(2)];
+        nested = |x, k| { let b = (1.0 - (-3.0 * x).exp()) / x; k * (b - 3.0) / x }, [-4.5 * k, 4.5 * k];
+        log_of_length = |x, _k| x.hypot(1.0).ln() / (x * x), [0.5, 0.0];
         rise = |x, _k| (x.hypot(1.0) - 1.0) / x, [0.0, 0.5];
         common = |x, _k| { let u = x.sin(); (u - u * x.cos()) / x.powi(3) }, [0.5, 0.0];
     }
