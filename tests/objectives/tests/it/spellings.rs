@@ -179,9 +179,10 @@ fn numbers_that_vanish_beside_others_have_their_limits() {
 
 #[test]
 fn the_root_of_a_square_is_not_negative() {
-    for x in [-0.1_f64, -0.3, 0.2] {
+    for single in [-0.1_f32, -0.3, 0.2] {
+        let x = f64::from(single);
         let expected = (1.0 + x * x).acosh() / x;
-        let (value, single) = (double::of_size_gradient(x).0, single::of_size_gradient(x as f32).0);
+        let (value, single) = (double::of_size_gradient(x).0, single::of_size_gradient(single).0);
         assert!((value - expected).abs() < 1e-13 && (f64::from(single) - expected).abs() < 1e-5, "{value} at {x}");
     }
 }
@@ -208,9 +209,9 @@ fn angles_by_the_scalar_part_have_their_slopes_at_the_identity() {
     assert_eq!(double::clamped_log_jacobian(DQuat::IDENTITY), (DVec3::ZERO, (unit(1.0),)));
     assert_eq!(single::half_log_jacobian(Quat::IDENTITY), (Vec3::ZERO, (Mat3::from_diagonal(Vec3::splat(0.5)),)));
     assert_eq!(single::clamped_log_jacobian(Quat::IDENTITY), (Vec3::ZERO, (Mat3::IDENTITY,)));
-    let twice = [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]];
-    assert_eq!(double::squared_angle_hessian(DQuat::IDENTITY, DQuat::IDENTITY).2, twice);
-    assert_eq!(single::squared_angle_hessian(Quat::IDENTITY, Quat::IDENTITY).2, twice.map(|row| row.map(|c| c as f32)));
+    let twice = DMat3::from_diagonal(DVec3::splat(2.0));
+    assert_eq!(double::squared_angle_hessian(DQuat::IDENTITY, DQuat::IDENTITY).2, twice.to_cols_array_2d());
+    assert_eq!(single::squared_angle_hessian(Quat::IDENTITY, Quat::IDENTITY).2, twice.as_mat3().to_cols_array_2d());
 }
 
 #[test]
