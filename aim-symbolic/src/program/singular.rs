@@ -49,12 +49,19 @@ impl Graph {
                 Node::Vector(v) => self.singular_vector(v, |part| active.contains(Node::Vector(part))),
             };
             if let Some((at, convention)) = singular
+                && !matches!(at, Condition::NoLength(v) if self.is_never_zero_vector(v))
                 && !found.iter().any(|known| known.at == at)
             {
                 found.push(Singular { at, convention });
             }
         }
         found
+    }
+
+    /// Returns `true` if a component is a constant other than 0.
+    fn is_never_zero_vector(&self, v: Vector) -> bool {
+        let VectorNode::Components(c) = self.vector_node(v) else { return false };
+        c.into_iter().any(|c| self.constant_of(c).is_some_and(|c| c != 0.0))
     }
 
     fn singular_scalar(&mut self, s: Scalar, active: impl Fn(Scalar) -> bool) -> Option<(Condition, &'static str)> {

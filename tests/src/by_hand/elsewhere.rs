@@ -292,7 +292,7 @@ pub fn line_distance<T: Number>(x: &[T]) -> Vec<T> {
 
 /// The angular acceleration −I⁻¹ (w × I w) = R g of a free rigid body, where g = (k₀ b₁ b₂, k₁ b₂ b₀, k₂ b₀ b₁) by the
 /// angular velocity b = Rᵀ w in the body and k₀ = (j₁ − j₂)/j₀. With G = ∂g/∂b, the derivative by w is R G Rᵀ, and by
-/// the attitude it is R G [b]× − R [g]×. 204.
+/// the attitude it is R (G B − A), where B and A are the matrices of b × and g ×. 204.
 pub fn gyroscopic<T: Number>(x: &[T]) -> Vec<T> {
     let (q, w, j) = (&x[..4], vector(&x[4..]), vector(&x[7..]));
     let twice = [q[0], q[1], q[2]].map(|c| c + c);
