@@ -177,6 +177,18 @@ pub(super) fn terms(g: &Graph, sum: Scalar) -> Vec<Scalar> {
     terms
 }
 
+/// Returns the numbers of which `s` is a function, those of vectors where they are stated by their components.
+pub(super) fn operands(g: &Graph, s: Scalar) -> Vec<Scalar> {
+    let components = |v| g.stated_components(v).map_or(Vec::new(), |c| c.to_vec());
+    match g.scalar_node(s) {
+        ScalarNode::Op(op) => op.operands().collect(),
+        ScalarNode::Stumpff(_, argument) | ScalarNode::Reciprocal(argument) => vec![argument],
+        ScalarNode::Norm(v) => components(v),
+        ScalarNode::Dot(v, w) => [components(v), components(w)].concat(),
+        _ => Vec::new(),
+    }
+}
+
 /// A product of a coefficient and powers of factors.
 #[derive(Clone, Debug)]
 pub(super) struct Product {

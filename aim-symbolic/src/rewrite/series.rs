@@ -4,6 +4,7 @@
 use rustc_hash::FxHashMap;
 
 use super::length::Length;
+use super::product::operands;
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
@@ -339,7 +340,6 @@ impl<'a> Expansion<'a> {
     /// Returns the parts of `s` from which its series is computed: of a select the comparison, then the branch that is
     /// taken near 0.
     fn parts(&self, g: &Graph, s: Scalar) -> Option<Vec<Scalar>> {
-        let components = |v| g.stated_components(v);
         Some(match g.scalar_node(s) {
             ScalarNode::Op(Op::SelectLess(a, b, then, otherwise)) => match [a, b].map(|part| self.known.get(&part)) {
                 [Some(first), Some(second)] => {
@@ -348,11 +348,7 @@ impl<'a> Expansion<'a> {
                 }
                 _ => vec![a, b],
             },
-            ScalarNode::Op(op) => op.operands().collect(),
-            ScalarNode::Stumpff(_, part) | ScalarNode::Reciprocal(part) => vec![part],
-            ScalarNode::Norm(v) => components(v)?.to_vec(),
-            ScalarNode::Dot(v, w) => [components(v)?, components(w)?].concat(),
-            _ => return None,
+            _ => operands(g, s),
         })
     }
 

@@ -5,7 +5,7 @@ use rustc_hash::FxHashSet;
 
 use super::cases::{comparisons, distinguished};
 use super::length::Length;
-use super::product::{Product, parts, terms};
+use super::product::{Product, operands, parts, terms};
 use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
@@ -402,18 +402,6 @@ fn common_factors(g: &mut Graph, s: Scalar, base: Scalar, divisors: &[Scalar]) -
         }
     }
     (rest, common)
-}
-
-/// Returns the numbers of which `s` is a function.
-fn operands(g: &Graph, s: Scalar) -> Vec<Scalar> {
-    let components = |v| g.stated_components(v).map_or(Vec::new(), |c| c.to_vec());
-    match g.scalar_node(s) {
-        ScalarNode::Op(op) => op.operands().collect(),
-        ScalarNode::Stumpff(_, argument) | ScalarNode::Reciprocal(argument) => vec![argument],
-        ScalarNode::Norm(v) => components(v),
-        ScalarNode::Dot(v, w) => [components(v), components(w)].concat(),
-        _ => Vec::new(),
-    }
 }
 
 /// Returns `true` if `s` depends on `base` or on its root.
