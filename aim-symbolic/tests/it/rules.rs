@@ -1,6 +1,6 @@
 //! Properties of single rules.
 
-use aim_symbolic::{Function, Graph, Program, Variable, rules};
+use aim_symbolic::{Function, Graph, Program, Scalar, Variable, rules};
 
 #[test]
 fn every_rule_has_an_explanation() {
@@ -28,33 +28,31 @@ fn a_positive_factor_that_is_no_length_does_not_cancel() {
 }
 
 /// Returns the number of operations of the derived program of a number of x and y, which the function states.
-fn operations(state: fn(&mut Graph, aim_symbolic::Scalar, aim_symbolic::Scalar) -> aim_symbolic::Scalar) -> usize {
+fn operations(state: fn(&mut Graph, Scalar, Scalar) -> Scalar) -> usize {
     let mut g = Graph::new();
     let [x, y] = ["x", "y"].map(|name| g.input(name));
     let stated = state(&mut g, x, y);
     Program::derive::<Variable>(&g, &[stated], &[]).count().total()
 }
 
+/// Returns b + k (y − b) for b = x + k (y − x).
+fn interpolated_twice(g: &mut Graph, x: Scalar, y: Scalar, factor: f64) -> Scalar {
+    let factor = g.constant(factor);
+    let mut between = x;
+    for _ in 0..2 {
+        let way = g.sub(y, between);
+        let part = g.mul(factor, way);
+        between = g.add(between, part);
+    }
+    between
+}
+
 /// x + ¼ (y − x), interpolated again with y, is a sum of two multiples. In x + 100 (y − x) the difference keeps digits
 /// that 100 y − 99 x would lose.
 #[test]
 fn combinations_are_multiplied_out_unless_they_lose_digits() {
-    let once = operations(|g, x, y| {
-        let (quarter, way) = (g.constant(0.25), g.sub(y, x));
-        let part = g.mul(quarter, way);
-        let between = g.add(x, part);
-        let way = g.sub(y, between);
-        let part = g.mul(quarter, way);
-        g.add(between, part)
-    });
+    let once = operations(|g, x, y| interpolated_twice(g, x, y, 0.25));
     assert_eq!(once, 3);
-    let far = operations(|g, x, y| {
-        let (large, way) = (g.constant(100.0), g.sub(y, x));
-        let part = g.mul(large, way);
-        let beyond = g.add(x, part);
-        let way = g.sub(y, beyond);
-        let part = g.mul(large, way);
-        g.add(beyond, part)
-    });
+    let far = operations(|g, x, y| interpolated_twice(g, x, y, 100.0));
     assert!(far > 3, "{far}");
 }
