@@ -18,7 +18,7 @@ pub(crate) const FORWARD_STEEP_RAD: f32 = 45.0 * PI / 180.0;
 const VERTICAL_RAD: [f32; 2] = [75.0 * PI / 180.0, 85.0 * PI / 180.0];
 /// Elevations, up or down, radians. Beyond the first, directions to the side are [turned to](Bearings::turned) with a
 /// smaller heading than their own; beyond the second, even directions behind are turned to through the front.
-pub(crate) const BY_THE_FRONT_RAD: [f32; 2] = [45.0 * PI / 180.0, 66.0 * PI / 180.0];
+pub(crate) const BY_THE_FRONT_RAD: [f32; 2] = [45.0 * PI / 180.0, 60.0 * PI / 180.0];
 
 /// Returns heading and pitch of a direction with components along forward, left and up. The heading is 0 for straight
 /// up and straight down.
@@ -99,8 +99,9 @@ impl Bearings {
 
     /// Returns heading and elevation of `from`, then the angles by which a person turns to the unit direction `to`: the
     /// nearer to the zenith it is, the smaller the heading, and straight up is approached from the front. That heading
-    /// is atan2(left, forward + 3w), where w = max(0, cos 45° − cos ε)² / cos 45°. Above 66°, even directions behind
-    /// are turned to through the front.
+    /// is atan2(left, forward + 3d·(d/cos 45° − min(forward, 0))), where d = max(0, cos 45° − cos ε). Above about 60°,
+    /// even directions behind are turned to through the front. The elevation is measured in the vertical plane of that
+    /// heading, so it exceeds ±90° there.
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn turned(&self, from: Vec3A, to: Vec3A) -> [Vec4; 2] {
         const STEEP_COS: f32 = core::f32::consts::FRAC_1_SQRT_2;
@@ -108,9 +109,16 @@ impl Bearings {
         const AHEAD: f32 = 3.0;
         let [from, to] = [from, to].map(|direction| self.rows * direction);
         let [from_level, level] = [from, to].map(|v| math::root(v.x * v.x + v.y * v.y));
-        let short = (STEEP_COS - level).at_least(0.0);
-        let ahead = Vec4::new(from.x, from_level, to.x + AHEAD * short * short / STEEP_COS, level);
-        let both = trig::atan2_of_4(Vec4::new(from.y, from.z, to.y, to.z), ahead);
+        // Forward and left components for the heading, and the level and upward ones for the elevation, at any scale.
+        let (mut forward, mut along, mut up) = (to.x, level, to.z);
+        if level < STEEP_COS {
+            let short = STEEP_COS - level;
+            forward += AHEAD * short * (short / STEEP_COS - to.x.at_most(0.0));
+            along = to.x * forward + to.y * to.y;
+            up *= math::root(forward * forward + to.y * to.y);
+        }
+        let ahead = Vec4::new(from.x, from_level, forward, along);
+        let both = trig::atan2_of_4(Vec4::new(from.y, from.z, to.y, up), ahead);
         [both, both.zwzw()]
     }
 

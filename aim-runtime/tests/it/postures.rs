@@ -4,7 +4,7 @@
 use crate::common::*;
 use crate::natural::{at, thug};
 use aim_runtime::glam::{Mat3A, Quat, Vec3};
-use aim_runtime::{Budgets, Joint, LimitsFrom, Pose, Role, Status};
+use aim_runtime::{Budgets, Joint, LimitsFrom, Pose, Role, Settings, Status};
 
 /// Near the zenith a target's heading is ill-conditioned. The head looks up rather than aside, on whichever side the
 /// target passes, and small movements of the target turn it little.
@@ -119,6 +119,47 @@ fn a_head_that_cannot_nod_stands_still() {
             let most = now.iter().zip(&before).map(|(now, before)| (now - before).abs()).fold(0.0, f32::max);
             assert!(most < 1e-3 * DEG, "{:?} after {:?}", now, before);
             before = now;
+        }
+    }
+}
+
+/// A target that passes over the head and on behind it is looked up to until it is low enough to turn round to: the head
+/// does not sink to the target's elevation in front.
+#[test]
+fn a_head_does_not_sink_below_a_target_that_passes_over_it() {
+    for aside in [-0.1, 0.0, 0.05_f32] {
+        for leads in [false, true] {
+            let mut rig = thug();
+            for info in &mut rig.infos[1..] {
+                *info = info.with_pitch(-60.0 * DEG, 60.0 * DEG);
+            }
+            let settings = Settings::default().with_effector(usize::from(leads));
+            let pose = Pose::new(upright(&rig));
+            let mut raised = |angle: f32| {
+                rig.snap_with(&pose, over(aside, angle), &settings);
+                rig.joints[1..].iter().map(|joint| joint.pitch() / DEG).sum::<f32>()
+            };
+            let most = raised(90.0);
+            for angle in [95.0, 100.0, 105.0, 110.0, 115.0] {
+                let now = raised(angle);
+                assert!(now > most - 3.0, "{aside}, {angle}°: the head is raised by {now}° after {most}°");
+            }
+        }
+    }
+}
+
+/// A target behind and high up that bobs, as it does for a character who walks away from it, does not make the head turn
+/// round and back.
+#[test]
+fn a_head_does_not_swing_below_a_target_that_bobs_high_behind_it() {
+    for side in [-178.0, 175.0_f32] {
+        let mut rig = thug();
+        let pose = Pose::new(upright(&rig));
+        for step in 0..300 {
+            let elevation = 67.0 + 4.0 * (step as f32 / 10.0).sin();
+            rig.aim(&pose, at(side, elevation), 1.0 / 60.0);
+            let turned: f32 = rig.joints[1..].iter().map(|joint| joint.heading() / DEG).sum();
+            assert!(turned.abs() < 20.0, "{side}°, {step}: the head turns by {turned}°");
         }
     }
 }
