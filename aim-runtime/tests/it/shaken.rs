@@ -1,9 +1,9 @@
-//! A head without eyes, which must itself stay on the target, while its animation shakes it.
+//! A head whose animation shakes it. Without eyes, it must itself stay on the target.
 #![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "frames are counted")]
 
 use crate::common::*;
 use crate::natural::{FRAME_RATES, aim, at, thug};
-use aim_runtime::glam::{Mat3A, Quat, Vec3};
+use aim_runtime::glam::{Affine3A, Mat3A, Quat, Vec3};
 use aim_runtime::{Role, Settings};
 
 /// Returns the thug's joints as head, neck and chest: without eyes, the head leads.
@@ -115,6 +115,37 @@ fn jerks_of_the_body_do_not_reverse_the_head() {
             .fold([0.0_f32; 2], |[most, least], gain| [most.max(gain), least.min(gain)]);
         assert!(peaks[0] < 0.6 && peaks[1] > -0.6, "{peaks:?} of the acceleration at {hz} frames a second");
         assert!(worst < 0.4 * f64::from(jerk_deg_s / hz), "{worst}° off at {hz} frames a second");
+    }
+}
+
+/// Nods of the animation, with 30 keys a second, do not swing a head with eyes between the extremes of its acceleration.
+/// The eyes keep the target meanwhile.
+#[test]
+fn nods_of_the_animation_do_not_reverse_a_head_with_eyes() {
+    const ACCELERATION: f32 = 1200.0 * DEG;
+    let (hz, keys_hz) = (60.0_f32, 30.0_f32);
+    for nods_hz in [1.2, 1.7] {
+        let (mut rig, target) = (thug(), at(50.0, 0.0));
+        let mut pitches = Vec::new();
+        for frame in 0..(6.0 * hz) as usize {
+            let t = frame as f32 / hz;
+            let key = (keys_hz * t).floor();
+            let [from, to] = [key, key + 1.0].map(|key| (std::f32::consts::TAU * key / keys_hz * nods_hz).sin());
+            let nod = 11.0 * DEG * (from + (to - from) * (keys_hz * t - key));
+            let mut pose = upright(&rig);
+            let neck = Affine3A::from_translation(pose[1].translation.into());
+            for joint in &mut pose[..2] {
+                *joint = neck * Affine3A::from_rotation_x(nod) * neck.inverse() * *joint;
+            }
+            let outcome = aim(&mut rig, &pose, target, 1.0 / hz, &Settings::default());
+            if t > 2.0 {
+                pitches.push(rig.joints[1].pitch());
+                assert!(outcome.remaining < 0.5 * DEG, "{nods_hz} Hz, {t} s: {}° off", outcome.remaining / DEG);
+            }
+        }
+        let gains = pitches.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]) * hz * hz / ACCELERATION);
+        let [most, least] = gains.fold([0.0_f32; 2], |[most, least], gain| [most.max(gain), least.min(gain)]);
+        assert!(most < 0.5 && least > -0.5, "{nods_hz} Hz: {least}…{most} of the acceleration");
     }
 }
 

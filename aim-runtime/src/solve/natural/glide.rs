@@ -222,8 +222,8 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
 /// offset. Returns the feed-forward velocity at the start of the frame, and the jump of the goal.
 ///
 /// - A change of the goal's velocity is followed at once up to `part` of the acceleration.
-/// - A velocity that lasts, from its second frame on, is followed up to the rate, without a step in the region's own
-///   velocity.
+/// - If `part` is 1, a velocity that lasts, from its second frame on, is followed up to the rate, without a step in the
+///   region's own velocity.
 /// - A jump becomes offset entirely, and so does a hop from which the goal returns.
 /// - A sudden change within the acceleration, as at an animation key, is followed over two frames. Alternating ones
 ///   would otherwise drive the head from one end of its acceleration to the other.
@@ -250,10 +250,11 @@ pub(super) fn split_goal_motion(
     // The goal hops if its velocities in two frames lie on either side of the feed-forward velocity.
     let gain = change - last_feed_forward;
     let hops = (gain * (last_velocity - last_feed_forward)).cmplt(Vec4::ZERO);
+    let within = |part: f32| gain.max(most * -part).min(most * part);
     let gain = match (lasts, head_goal.is_accelerating) {
-        (true, true) => gain,
-        (true, false) => gain.max(most * -AT_ONCE).min(most * AT_ONCE),
-        (false, _) => Vec4::select(hops, Vec4::ZERO, gain.max(most * -part).min(most * part)),
+        (true, true) if part == 1.0 => gain,
+        (true, _) => within(part.min(AT_ONCE)),
+        (false, _) => Vec4::select(hops, Vec4::ZERO, within(part)),
     };
     head_goal.is_accelerating = !is_near_to(change, last_feed_forward, most * GAINS);
     let mut speed = last_feed_forward;

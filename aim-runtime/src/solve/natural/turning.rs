@@ -338,8 +338,9 @@ impl<const C: usize> Gaze<'_, C> {
             (head_goal, glide) = head_goal.fade([before, goal], glide, dt);
         } else if is_head {
             let jump;
-            // An eye compensates for what its head does not follow.
-            let part = if self.has_eye() { 1.0 / 3.0 } else { 1.0 };
+            // An eye compensates for what its head does not follow. Less than half of the acceleration either way is no
+            // full reversal.
+            let part = if self.has_eye() { 0.45 } else { 1.0 };
             [begins, jump] = split_goal_motion(&mut head_goal, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye() {
                 let jump_lag = jump_lag_after(motion.memory.jump_lag(), jump).at_most(length(glide.offset));
