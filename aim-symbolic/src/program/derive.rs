@@ -210,6 +210,19 @@ impl<'a> Problem<'a> {
         }))
     }
 
+    /// Returns the vectors whose components are all variables.
+    fn vectors_of(self, variables: &[Variable]) -> Vec<Vec<Variable>> {
+        let components = |node: Node| match node {
+            Node::Vector(v) => match self.g.vector_node(v) {
+                VectorNode::Components(c) => Some(c.map(Variable::Input).to_vec()),
+                _ => None,
+            },
+            Node::Scalar(_) => None,
+        };
+        let all = self.g.order(&self.stated()).into_iter().filter_map(components);
+        all.filter(|c| c.iter().all(|x| variables.contains(x))).collect()
+    }
+
     /// Returns the rules that the problem or the choices switch off.
     fn off(self, choices: &Choices) -> Vec<Rule> {
         self.without.iter().chain(&choices.without).copied().collect()
@@ -412,8 +425,9 @@ impl Candidate<'_> {
         of_slopes.into_iter().any(|done| LIMITS.rules.contains(&done.rule))
     }
 
-    /// Returns the rivals that take a derivative forward: by the variables on which the arguments of sines and cosines
-    /// depend, since these are each other's derivatives, or with `others` by the remaining numbers.
+    /// Returns the rivals that take derivatives forward: by the variables on which the arguments of sines and cosines
+    /// depend, since these are each other's derivatives, or with `others` by the remaining numbers; and by all components
+    /// of a vector, whose slopes share what those of a single one would compute in addition.
     fn forward_changes(&self, others: bool) -> Vec<Change> {
         let g = &self.g;
         let is_turn = |node: &Node| match *node {
@@ -428,11 +442,17 @@ impl Candidate<'_> {
         let is_number = |x: &Variable| matches!(x, Variable::Input(_));
         let has_limits = self.has_limits_of_slopes();
         let is_chosen = |x: &Variable| !has_limits && if others { is_number(x) && !turns(x) } else { turns(x) };
-        let by = self.problem.variables().into_iter().filter(is_chosen).take(MOST_SIDES);
-        by.map(|x| -> Change {
+        let variables = self.problem.variables();
+        let alone = variables.iter().filter(|x| is_chosen(x)).take(MOST_SIDES).map(|&x| vec![x]);
+        let vectors =
+            if (others || !self.is_small()) && !has_limits { self.problem.vectors_of(&variables) } else { Vec::new() };
+        let by = vectors.into_iter().take(MOST_SIDES).chain(alone);
+        by.map(|by| -> Change {
             Box::new(move |c| {
-                if !c.forward.contains(&x) {
-                    c.forward.push(x);
+                for &x in &by {
+                    if !c.forward.contains(&x) {
+                        c.forward.push(x);
+                    }
                 }
             })
         })

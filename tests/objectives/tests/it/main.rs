@@ -3,6 +3,7 @@
 mod aiming;
 mod branches;
 mod by_hand;
+mod chains;
 mod companions;
 mod constants;
 mod counted;
