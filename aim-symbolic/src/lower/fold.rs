@@ -122,7 +122,8 @@ impl Fold {
             (Some(a), None) => self.sub(b, a),
             (None, Some(b)) => self.sub(a, b),
             (None, None) => {
-                let sum = self.multiples(a, b, 1.0).or_else(|| self.sum_of_sides(a, b, false, Join::Alike));
+                let sum = self.multiples(a, b, 1.0).or_else(|| self.restored(a, b)).or_else(|| self.restored(b, a));
+                let sum = sum.or_else(|| self.sum_of_sides(a, b, false, Join::Alike));
                 sum.unwrap_or_else(|| {
                     let (a, b) = self.ordered(a, b);
                     self.g.add(a, b)
@@ -164,6 +165,14 @@ impl Fold {
                 self.neg(difference)
             }
             (None, None) => self.g.sub(a, b),
+        }
+    }
+
+    /// (a − b) + b = a
+    fn restored(&self, difference: Scalar, b: Scalar) -> Option<Scalar> {
+        match self.g.scalar_node(difference) {
+            ScalarNode::Op(Op::Sub(a, subtracted)) if subtracted == b && self.constants => Some(a),
+            _ => None,
         }
     }
 

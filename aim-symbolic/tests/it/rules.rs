@@ -56,3 +56,14 @@ fn combinations_are_multiplied_out_unless_they_lose_digits() {
     let far = operations(|g, x, y| interpolated_twice(g, x, y, 100.0));
     assert!(far > 3, "{far}");
 }
+
+/// (x − y) + y is x: in 1 − s + s, as the sine and cosine of a half of an angle have it, too.
+#[test]
+fn a_subtracted_term_that_is_added_again_drops_out() {
+    let left = operations(|g, x, y| {
+        let (product, difference) = (g.mul(x, y), g.sub(x, y));
+        let restored = g.add(difference, y);
+        g.add(product, restored)
+    });
+    assert_eq!(left, 2);
+}
