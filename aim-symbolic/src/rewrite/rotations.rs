@@ -1,7 +1,7 @@
 //! Rules that move rotations to where they cancel or cost least: [`ROTATIONS`](crate::rewrite::rules::ROTATIONS).
 
 use crate::rewrite::scaling::{factors, scaled};
-use crate::rewrite::sums::{is_sum, sum, terms};
+use crate::rewrite::sums::{MOST_TERMS, is_sum, sum, terms};
 use crate::{
     Attitude, Function, Graph, Op, Plane, Rotation, RotationNode, Scalar, ScalarNode, Stumpff, Unit, Vector, VectorNode,
 };
@@ -215,6 +215,58 @@ pub(crate) fn undo_rotation(g: &mut Graph, v: Vector) -> Option<Vector> {
         }
         VectorNode::Rotate(first, core) => (first == rotation).then_some(core),
         _ => None,
+    }
+}
+
+/// `Rᵀ (a + k (R b + c)) = Rᵀ a + k b + k Rᵀ c`
+pub(crate) fn undo_in_sum(g: &mut Graph, v: Vector) -> Option<Vector> {
+    let (outer, inner) = leading(g, v)?;
+    if !is_sum(g, inner) {
+        return None;
+    }
+    let rotation = g.transpose(outer);
+    let spread = Spread { g, rotation, left: MOST_TERMS }.terms(inner, false, None)?;
+    let inner = sum(g, &spread);
+    Some(turned_back(g, rotation, inner))
+}
+
+/// Takes multiples of sums apart in which a term has this rotation.
+struct Spread<'g> {
+    g: &'g mut Graph,
+    rotation: Rotation,
+    /// The number of terms that may still be visited.
+    left: usize,
+}
+
+impl Spread<'_> {
+    /// Returns the signed terms of k v if one of them has the rotation: `k (R a + b) = R (k a) + k b`
+    fn terms(&mut self, v: Vector, negative: bool, k: Option<Scalar>) -> Option<Vec<(bool, Vector)>> {
+        self.left = self.left.checked_sub(1)?;
+        match self.g.vector_node(v) {
+            VectorNode::Rotate(own, core) if own == self.rotation => {
+                let core = self.times(k, core);
+                Some(vec![(negative, self.g.rotate(own, core))])
+            }
+            VectorNode::Scale(factor, inner) => {
+                let k = k.map_or(factor, |k| self.g.mul(k, factor));
+                self.terms(inner, negative, Some(k))
+            }
+            _ if is_sum(self.g, v) => {
+                let mut has_rotation = false;
+                let mut all = Vec::new();
+                for (sign, term) in terms(self.g, v) {
+                    let spread = self.terms(term, sign != negative, k);
+                    has_rotation |= spread.is_some();
+                    all.extend(spread.unwrap_or_else(|| vec![(sign != negative, self.times(k, term))]));
+                }
+                has_rotation.then_some(all)
+            }
+            _ => None,
+        }
+    }
+
+    fn times(&mut self, k: Option<Scalar>, v: Vector) -> Vector {
+        k.map_or(v, |k| self.g.scale(k, v))
     }
 }
 

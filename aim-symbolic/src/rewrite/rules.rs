@@ -144,6 +144,7 @@ pub const ROTATIONS: RuleSet = RuleSet {
         FOLD_ZERO,
         SPLIT_COMPOSITION,
         UNDO_ROTATION,
+        UNDO_IN_SUM,
         CANCEL_TERMS,
         COMMON_ROTATION,
         OPERATION_ON_ROTATED,
@@ -289,6 +290,8 @@ rules! {
     /// A rotation is undone by its transpose: R Rᵀ = 1. It keeps cross products, so it is undone in them, too:
     /// Rᵀ (v × R w) = Rᵀ v × w.
     UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);
+    /// Where one term of a sum is rotated, rotating the sum back undoes that: Rᵀ (a + k (R b + c)) = Rᵀ a + k b + k Rᵀ c.
+    UNDO_IN_SUM = "undo the rotation of a term": Vector(rotations::undo_in_sum);
     /// A term that is both added and subtracted drops out of the sum.
     CANCEL_TERMS = "cancel terms": Vector(sums::cancel_terms);
     /// A rotation is linear, so two vectors with the same rotation can be added first and rotated once.

@@ -4,7 +4,7 @@ use crate::{Graph, Vector, VectorNode};
 
 /// Approximate limit on the number of terms into which a sum is expanded. Without it, shared partial sums could double
 /// the number at each level.
-const MOST_TERMS: usize = 64;
+pub(crate) const MOST_TERMS: usize = 64;
 
 /// Returns the terms of a sum with their signs (`true` = subtracted).
 pub(crate) fn terms(g: &Graph, v: Vector) -> Vec<(bool, Vector)> {
