@@ -178,6 +178,7 @@ fn rule(g: &Graph, whole: Node, part: Option<Node>) -> &'static str {
             VectorNode::Neg(_) => SIGN,
             VectorNode::Scale(..) => PRODUCT,
             VectorNode::Motion(..) => "the angular velocity, times the moment",
+            VectorNode::Imaginary(..) => "a quaternion changes by half the angular velocity times the quaternion",
             VectorNode::Perp(..) => "the quarter turn is turned back",
             VectorNode::Solve(..) => "M M⁻¹ = 1, so the derivative of M⁻¹ is −M⁻¹ dM M⁻¹",
             VectorNode::Cross(..) => "the product rule for the cross product",

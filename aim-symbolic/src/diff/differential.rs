@@ -15,6 +15,7 @@
 //! | v × w | v̇ × w + v × ẇ |
 //! | v − (v · u) u | v̇ − (v̇ · u) u − (v · u) u̇ − (v · u̇) u |
 //! | y = M⁻¹ v | M⁻¹ (v̇ − Ṁ y) |
+//! | the parts of the quaternion (u, w) of a rotation with the motion m | u̇ = ½ (w ṁ + ṁ × u), ẇ = −½ ṁ · u |
 //! | the motion of a quaternion (u, w) | 2 (w u̇ ± u × u̇ − ẇ u)/\|q\|², plus in the world |
 
 use crate::diff::partial::Partials;
@@ -124,6 +125,10 @@ impl Graph {
             ScalarNode::Dot(v, w) => vec![term(v, [Dot(w)]), term(w, [Dot(v)])],
             ScalarNode::Norm(v) => vec![term(v, [Dot(self.normalize(v).into())])],
             ScalarNode::Component(v, axis) => vec![term(v, [Component(axis)])],
+            ScalarNode::Real(motion, u, w) => {
+                let u = self.imaginary(motion, u, w);
+                vec![term(motion, [Dot(u), Factor(Partials::Factor(self.constant(-0.5)))])]
+            }
             _ => {
                 let partials = self.partials(scalar, |part| active.contains(part.into()));
                 partials.into_iter().map(|(part, partial)| term(part, [Factor(partial)])).collect()
@@ -146,6 +151,8 @@ impl Graph {
             VectorNode::Sub(v, w) => vec![term(v, []), term(w, [Neg])],
             VectorNode::Neg(v) => vec![term(v, [Neg])],
             VectorNode::Scale(k, v) => vec![term(k, [Along(v)]), term(v, [Scale(k)])],
+            // The vector is 0.
+            VectorNode::Rotate(rotation, v) if self.is_velocity(v) => vec![term(v, [Rotate(rotation)])],
             VectorNode::Rotate(rotation, v) => {
                 let mut terms = vec![];
                 if let Some((step, back)) = self.moved_by(rotation) {
@@ -180,6 +187,14 @@ impl Graph {
                 *after = Some(Scale(self.twice_over_square(u, w)));
                 let aside = term(u, [Cross { v: u, swapped: space == Space::World }]);
                 vec![term(u, [Scale(w)]), aside, term(w, [Along(u), Neg])]
+            }
+            VectorNode::Motion(space, Attitude::Turn(v)) if self.is_step(v) => {
+                vec![term(v, [Curl { v, back: space == Space::Body }])]
+            }
+            VectorNode::Imaginary(motion, u, w) => {
+                *after = Some(Scale(self.constant(0.5)));
+                let w = self.real(motion, u, w);
+                vec![term(motion, [Scale(w)]), term(motion, [Cross { v: vector, swapped: false }])]
             }
             VectorNode::Motion(space, Attitude::Turn(v)) => {
                 vec![term(v, [TurnedRate { v, curled_back: space == Space::Body }])]

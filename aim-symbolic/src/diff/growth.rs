@@ -87,6 +87,7 @@ impl DegreeRules<'_> {
             ScalarNode::Dot(v, w) => self.vector(v).saturating_add(self.vector(w)),
             ScalarNode::Norm(v) => self.vector(v).saturating_mul(2),
             ScalarNode::Component(v, _) => self.vector(v),
+            ScalarNode::Real(_, _, w) => self.scalar(w),
             _ => UNBOUNDED,
         }
     }
@@ -103,6 +104,7 @@ impl DegreeRules<'_> {
             VectorNode::Across(v, u) => self.vector(v).saturating_add(bounded(self.vector(u))),
             VectorNode::Motion(_, Attitude::Quaternion(u, w)) => self.vector(u).max(self.scalar(w)),
             VectorNode::Motion(_, Attitude::Turn(v)) => self.vector(v),
+            VectorNode::Imaginary(_, u, _) => self.vector(u),
             VectorNode::Solve(..) => UNBOUNDED,
         }
     }

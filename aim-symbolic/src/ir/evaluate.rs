@@ -133,6 +133,7 @@ impl<'a> Evaluation<'a> {
             ScalarNode::Step(_) => 0.0,
             ScalarNode::Stumpff(function, s) => function.value(self.scalar(s)),
             ScalarNode::Arc(order, s, w) => arc_value(order, self.scalar(s), self.scalar(w)),
+            ScalarNode::Real(_, _, w) => self.scalar(w),
         };
         self.scalars[scalar.0 as usize] = Some(value);
         value
@@ -186,6 +187,7 @@ impl<'a> Evaluation<'a> {
                 })
             }
             VectorNode::Motion(..) => [0.0; 3],
+            VectorNode::Imaginary(_, u, _) => self.vector(u),
         };
         self.vectors[vector.0 as usize] = Some(value);
         value

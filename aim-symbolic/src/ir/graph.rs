@@ -562,6 +562,10 @@ impl Graph {
         [0, 1, 2, 3].map(|order| self.stumpff(Stumpff { hyperbolic: false, order }, square))
     }
 
+    pub(crate) fn has_quaternion_parts(&self) -> bool {
+        self.vectors.nodes.iter().any(|node| matches!(node, VectorNode::Imaginary(..)))
+    }
+
     /// The rotation about a [`step`](Self::step) by its length. Composed with a rotation R it moves R on the rotation
     /// manifold; first and second derivatives by the step are those of the exponential map.
     pub fn turn_by_step(&mut self, step: Vector) -> Rotation {

@@ -107,6 +107,9 @@ pub enum ScalarNode {
     Stumpff(Stumpff, Scalar),
     /// The derivative of this order of [`Graph::arc`](crate::Graph::arc) by its first argument s, with D = 2 d/ds.
     Arc(u8, Scalar, Scalar),
+    /// The scalar part w of the quaternion (u, w) of a rotation with this motion m, in the order m, u, w:
+    /// ẇ = −½ ṁ · u.
+    Real(Vector, Vector, Scalar),
 }
 
 /// The operation and operands of a vector.
@@ -137,6 +140,9 @@ pub enum VectorNode {
     /// The infinitesimal rotation of an attitude. Its value is 0; its derivative is the angular velocity ω of the
     /// rotation, with Ṙ v = ω × R v in the world and Ṙ v = R (ω × v) in the body.
     Motion(Space, Attitude),
+    /// The vector part u of the quaternion (u, w) of a rotation with this motion m in the world, in the order m, u, w:
+    /// u̇ = ½ (w ṁ + ṁ × u).
+    Imaginary(Vector, Vector, Scalar),
 }
 
 /// A 3×3 matrix, stored as columns or as rows.
@@ -270,6 +276,7 @@ impl ScalarNode {
             Self::Step(_) => self,
             Self::Stumpff(stumpff, s) => Self::Stumpff(stumpff, parts.scalar(s)),
             Self::Arc(order, s, w) => Self::Arc(order, parts.scalar(s), parts.scalar(w)),
+            Self::Real(m, u, w) => Self::Real(parts.vector(m), parts.vector(u), parts.scalar(w)),
         }
     }
 }
@@ -296,6 +303,7 @@ impl VectorNode {
                 Self::Motion(space, Attitude::Quaternion(parts.vector(u), parts.scalar(w)))
             }
             Self::Motion(space, Attitude::Turn(v)) => Self::Motion(space, Attitude::Turn(parts.vector(v))),
+            Self::Imaginary(m, u, w) => Self::Imaginary(parts.vector(m), parts.vector(u), parts.scalar(w)),
         }
     }
 }

@@ -105,6 +105,7 @@ impl Lowering {
             }
             ScalarNode::Component(v, axis) => self.vector(v)[usize::from(axis)],
             ScalarNode::Step(_) => self.fold.g.constant(0.0),
+            ScalarNode::Real(_, _, w) => self.scalar(w),
             // These nodes come from limits, which builds with `aim_small` leave out.
             ScalarNode::Stumpff(..) | ScalarNode::Arc(..) if cfg!(aim_small) => unreachable!("no rig has one"),
             ScalarNode::Stumpff(function, s) => {
@@ -175,6 +176,7 @@ impl Lowering {
                 self.vector(solution)
             }
             VectorNode::Motion(..) => [self.fold.g.constant(0.0); 3],
+            VectorNode::Imaginary(_, u, _) => self.vector(u),
             VectorNode::Across(v, u) => {
                 let (v, u) = (self.vector(v), self.vector(u.into()));
                 let along = self.dot(v, u);

@@ -270,6 +270,7 @@ impl Writer<'_> {
                 let arguments = Formula::list([s, w].map(|part| self.scalar(part).0));
                 (Formula::Row(vec![name, Formula::Group(Box::new(arguments))]), Binding::Atom)
             }
+            ScalarNode::Real(_, _, w) => self.scalar(w),
             ScalarNode::Reciprocal(a) => quotient(Formula::number(1.0), self.scalar(a).0),
             ScalarNode::Dot(a, b) => {
                 let [a, b] = [a, b].map(|v| group(self.vector(v), Binding::Dot));
@@ -316,6 +317,7 @@ impl Writer<'_> {
             VectorNode::Motion(_, Attitude::Quaternion(u, _) | Attitude::Turn(u)) => {
                 (Formula::italic("ω").indexed(v(u).0), Binding::Atom)
             }
+            VectorNode::Imaginary(_, u, _) => v(u),
             VectorNode::Across(a, u) => {
                 // The index is any vector along the direction.
                 let along = match self.g.vector_node(u.into()) {

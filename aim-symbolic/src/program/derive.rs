@@ -7,8 +7,8 @@ use crate::lower::Effort;
 use crate::rewrite::log::Log;
 use crate::rewrite::rules::{
     self, ACROSS_FOR_CROSS, BASES, CANCELLING, COMMON_CROSS, COMMON_DOT, CONSTANT_SCALE, CROSS_OF_DOTS, DIRECTIONS,
-    DROP_RADIAL, EXPAND_ACROSS, FRAMES, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES, PRODUCTS,
-    RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
+    DROP_RADIAL, EXPAND_ACROSS, FORMULAS, FRAMES, LIMITS, LINEAR_MAP, MATRIX, MERGE_SHARED, OPTIONAL, OTHER_SIDES,
+    PRODUCTS, RATIOS, ROTATIONS, Rule, Rules, SCALES, SPREAD, TURN_INTO_ANGLE, WORDING,
 };
 use crate::{Function, Graph, Op, Program, ReciprocalPlacement, Rotation, Scalar, ScalarNode, Variable, VectorNode};
 
@@ -64,12 +64,21 @@ pub(crate) struct Choices {
     max_other_side: Option<usize>,
     /// Rotations whose inner frame the calculation moves to, because fewer vectors are rotated there.
     inner_frames: Vec<Rotation>,
+    /// Derivatives of quaternions' parts are those of their formulas, not of angular velocities.
+    by_formulas: bool,
 }
 
 impl Choices {
     fn first() -> Self {
         let sweep = Sweep::Reverse(ReciprocalPlacement::Late);
-        Self { sweep, forward: Vec::new(), without: OPTIONAL.to_vec(), max_other_side: None, inner_frames: Vec::new() }
+        Self {
+            sweep,
+            forward: Vec::new(),
+            without: OPTIONAL.to_vec(),
+            max_other_side: None,
+            inner_frames: Vec::new(),
+            by_formulas: false,
+        }
     }
 }
 
@@ -239,7 +248,8 @@ impl<'a> Problem<'a> {
         let limits = Rules { without: self.without, max_other_side: None };
         g.set_inner_frames(&choices.inner_frames);
         let stated = self.stated();
-        let limited = g.rewrite_with(&stated, &LIMITS, &limits, log);
+        let formulas = if choices.by_formulas { g.rewrite_by(&stated, &FORMULAS) } else { stated.clone() };
+        let limited = g.rewrite_with(&formulas, &LIMITS, &limits, log);
         let mut worded = g.rewrite_with(&limited, &WORDING, &rules, log);
         if !RATIOS.rules.is_empty() {
             // Dropping lengths may leave expressions that can be restated again.
@@ -491,6 +501,9 @@ impl Candidate<'_> {
         let Self { g, outputs, log, .. } = self;
         let applied = |rules: &[Rule]| log.applied.iter().filter(|done| rules.contains(&done.rule)).count();
         let mut rivals: Vec<Change> = Vec::new();
+        if cfg!(not(aim_small)) && self.problem.g.has_quaternion_parts() {
+            rivals.push(Box::new(|c| c.by_formulas = true));
+        }
         for sweep in self.problem.sweeps() {
             if sweep != Sweep::Forward || !self.has_limits_of_slopes() {
                 rivals.push(Box::new(move |c| c.sweep = sweep));

@@ -196,6 +196,22 @@ pub(crate) fn step_at_rest(g: &mut Graph, s: Scalar) -> Option<Scalar> {
     matches!(g.scalar_node(s), ScalarNode::Step(_)).then(|| g.constant(0.0))
 }
 
+/// The formula of a quaternion's vector part
+pub(crate) fn formula_of_vector(g: &mut Graph, v: Vector) -> Option<Vector> {
+    match g.vector_node(v) {
+        VectorNode::Imaginary(_, u, _) => Some(u),
+        _ => None,
+    }
+}
+
+/// The formula of a quaternion's scalar part
+pub(crate) fn formula_of_scalar(g: &mut Graph, s: Scalar) -> Option<Scalar> {
+    match g.scalar_node(s) {
+        ScalarNode::Real(_, _, w) => Some(w),
+        _ => None,
+    }
+}
+
 /// `exp(δ) v = v`, with a step δ
 pub(crate) fn turn_at_rest(g: &mut Graph, v: Vector) -> Option<Vector> {
     let (rotation, inner) = leading(g, v)?;

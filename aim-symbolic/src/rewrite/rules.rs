@@ -161,8 +161,12 @@ pub const ROTATIONS: RuleSet = RuleSet {
 /// Compositions, split into the rotations that they consist of, as both sweeps require.
 pub(crate) const COMPOSITIONS: RuleSet = RuleSet { rules: &[SPLIT_COMPOSITION], sums: Sums::Open };
 
-/// Steps set to 0, and the rotations about them removed.
-pub(crate) const AT_REST: RuleSet = RuleSet { rules: &[STEP_AT_REST, TURN_AT_REST], sums: Sums::Open };
+/// The parts of quaternions, replaced by the formulas of their values.
+pub(crate) const FORMULAS: RuleSet = RuleSet { rules: &[FORMULA_OF_VECTOR, FORMULA_OF_SCALAR], sums: Sums::Open };
+
+/// Steps set to 0, the rotations about them removed, and the parts of quaternions replaced by their formulas.
+pub(crate) const AT_REST: RuleSet =
+    RuleSet { rules: &[STEP_AT_REST, TURN_AT_REST, FORMULA_OF_VECTOR, FORMULA_OF_SCALAR], sums: Sums::Open };
 
 /// Constant rotations, merged into the angles of adjacent turns.
 pub const BASES: RuleSet = RuleSet { rules: &[TURN_INTO_ANGLE], sums: Sums::Open };
@@ -287,6 +291,12 @@ rules! {
     STEP_AT_REST = "a step is zero": Scalar(rotations::step_at_rest);
     /// The rotation about a step, whose value is 0, turns nothing.
     TURN_AT_REST = "a turn by a step is none": Vector(rotations::turn_at_rest);
+    /// The vector part of a quaternion has the value of its formula. Its derivative comes of the rotation's angular
+    /// velocity.
+    FORMULA_OF_VECTOR = "the vector part by its formula": Vector(rotations::formula_of_vector);
+    /// The scalar part of a quaternion has the value of its formula. Its derivative comes of the rotation's angular
+    /// velocity.
+    FORMULA_OF_SCALAR = "the scalar part by its formula": Scalar(rotations::formula_of_scalar);
     /// A rotation is undone by its transpose: R Rᵀ = 1. It keeps cross products, so it is undone in them, too:
     /// Rᵀ (v × R w) = Rᵀ v × w.
     UNDO_ROTATION = "undo rotation": Vector(rotations::undo_rotation);

@@ -412,6 +412,14 @@ impl Quaternion {
         Self { map, parts: (u, w) }
     }
 
+    /// Returns the vector part and the scalar part. Their derivatives are those of a rotation if it is one.
+    pub(crate) fn turning_parts(&self, a: &mut Algebra) -> (Vector, Scalar) {
+        match self.map {
+            Map::Rotation(rotation) => a.g.quaternion_parts(rotation, self.parts),
+            _ => self.parts,
+        }
+    }
+
     pub(crate) fn identity(a: &mut Algebra) -> Self {
         let (u, w) = (a.number_vector([0.0; 3]), a.number(1.0));
         Self { map: Map::identity(a), parts: (u, w) }

@@ -228,6 +228,7 @@ impl<T: Oracle> Evaluation<T> {
                 self.singular |= s.is_zero();
                 arc(order, s, w)
             }
+            ScalarNode::Real(_, _, w) => self.scalar(g, w),
             // If the point moves with a step, its components follow the inputs.
             ScalarNode::Step(component) => {
                 let place = g.inputs().len() + component as usize;
@@ -284,6 +285,7 @@ impl<T: Oracle> Evaluation<T> {
                 })
             }
             VectorNode::Motion(..) => [T::constant(0.0); 3],
+            VectorNode::Imaginary(_, u, _) => self.vector(g, u),
         };
         self.vectors.insert(vector, value);
         value

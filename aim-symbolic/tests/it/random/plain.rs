@@ -70,6 +70,7 @@ pub(crate) fn scalar(g: &Graph, expression: Scalar) -> String {
         ScalarNode::Op(Op::Atan2(a, b)) => format!("atan2({}, {})", s(a), s(b)),
         ScalarNode::Dot(a, b) => format!("dot({}, {})", v(a), v(b)),
         ScalarNode::Norm(a) => format!("|{}|", v(a)),
+        ScalarNode::Real(m, _, w) => format!("real({}, {})", v(m), s(w)),
         ScalarNode::Component(a, axis) => format!("{}.{}", v(a), AXES[usize::from(axis)]),
     }
 }
@@ -90,6 +91,7 @@ fn vector(g: &Graph, expression: Vector) -> String {
         VectorNode::Cross(a, b) => format!("cross({}, {})", v(a), v(b)),
         VectorNode::Motion(space, Attitude::Quaternion(u, w)) => format!("{space:?}({}, {})", v(u), scalar(g, w)),
         VectorNode::Motion(space, Attitude::Turn(a)) => format!("{space:?}({})", v(a)),
+        VectorNode::Imaginary(m, u, _) => format!("imaginary({}, {})", v(m), v(u)),
         VectorNode::Solve(m, a) => format!("solve({:?} {}, {})", m.columns.map(v), m.transposed, v(a)),
         VectorNode::Across(a, u) => format!("across({}, {})", v(a), v(u.into())),
     }

@@ -14,6 +14,28 @@ mod chains {
         q.inverse() * (to - dt * (0.5 * (q * force + fall) + rest))
     }
 
+    /// The motion of a chain is one angular velocity, of which the logarithm's slopes are multiples; by the formulas of
+    /// the quaternions the count is 759.
+    #[differentiate(wrt(tangent(start), bias), budget = 474)]
+    pub(super) fn integrated(start: DQuat, bias: DVec3, rates: [DVec3; 2], end: DQuat) -> DVec3 {
+        let turned = rates.iter().fold(start, |q, rate| q * DQuat::from_scaled_axis(*rate - bias));
+        (turned.inverse() * end).to_scaled_axis()
+    }
+
+    /// The same logarithm with second derivatives, perturbed on either side.
+    #[differentiate(wrt(tangent(a), turn), hessian)]
+    pub(super) fn apart(a: DQuat, turn: DVec3, b: DQuat) -> f64 {
+        (a.inverse() * DQuat::from_scaled_axis(turn) * b).to_scaled_axis().length_squared()
+    }
+    #[differentiate(wrt(tangent(a)), perturbation = left, hessian)]
+    pub(super) fn apart_to_the_left(a: DQuat, b: DQuat) -> f64 {
+        (b * a.inverse()).to_scaled_axis().dot(DVec3::new(0.3, -0.5, 0.7))
+    }
+    #[differentiate(wrt(a, b))]
+    pub(super) fn angle(a: DQuat, b: DQuat) -> f64 {
+        a.normalize().angle_between(b.normalize())
+    }
+
     /// The energy of two dipoles. With each component on its own the count is 48.
     #[differentiate(wrt(a, b), budget = 46)]
     pub(super) fn dipoles(a: DVec3, b: DVec3, place: DVec3) -> f64 {

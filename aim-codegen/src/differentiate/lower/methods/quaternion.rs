@@ -35,21 +35,21 @@ functions! {
         [x, y, z, w].map(Value::Scalar).to_vec()
     }
     to_scaled_axis(q: Quaternion) -> Vector {
-        let (u, w) = q.parts;
+        let (u, w) = q.turning_parts(a);
         let (square, two) = (a.dot(u, u), a.number(2.0));
         let arc = a.g.arc(square, w);
         let factor = a.mul(two, arc);
         a.scale(factor, u)
     }
     angle_between(q: Quaternion, r: Quaternion) -> Scalar {
-        let (u, w) = q.conjugate(a).compose(a, &r).parts;
+        let (u, w) = q.conjugate(a).compose(a, &r).turning_parts(a);
         let (length, two) = (a.norm(u), a.number(2.0));
         let Value::Scalar(size) = evaluate(a, "w.abs()", &["w"], &[Value::Scalar(w)]) else { return Err(CallError::Arguments) };
         let half = a.atan2(length, size);
         a.mul(two, half)
     }
     to_axis_angle(q: Quaternion) -> Tuple {
-        let (u, w) = q.parts;
+        let (u, w) = q.turning_parts(a);
         let (length, two) = (a.norm(u), a.number(2.0));
         let half = a.atan2(length, w);
         vec![Value::Vector(a.normalize(u)), Value::Scalar(a.mul(two, half))]
