@@ -100,11 +100,11 @@ fn square(a: &mut Algebra, (u, w): (Vector, Scalar)) -> Scalar {
 /// them, the weights are sin((1 − s) θ)/sin θ and sin(s θ)/sin θ.
 fn slerp(a: &mut Algebra, ends: [&Quaternion; 2], s: Scalar) -> Quaternion {
     let [near, far] = ends.map(|end| four(a, end.parts));
-    let far = evaluate(a, "if near.dot(far) < 0.0 { -far } else { far }", &["near", "far"], &[near.clone(), far]);
+    let Value::Scalar(along) = evaluate(a, "near.dot(far)", &["near", "far"], &[near.clone(), far.clone()]) else {
+        return ends[0].clone();
+    };
     // θ = 2 arcsin h, where h is half of the chord, so that sin θ = 2 h √(1 − h²).
-    let Value::Scalar(h2) =
-        evaluate(a, "0.25 * (far - near).length_squared()", &["near", "far"], &[near.clone(), far.clone()])
-    else {
+    let Value::Scalar(h2) = evaluate(a, "0.5 * (1.0 - along.abs())", &["along"], &[Value::Scalar(along)]) else {
         return ends[0].clone();
     };
     let one = a.number(1.0);
@@ -124,8 +124,10 @@ fn slerp(a: &mut Algebra, ends: [&Quaternion; 2], s: Scalar) -> Quaternion {
         let product = a.mul(s, sine);
         Value::Scalar(a.mul(scale, product))
     });
+    let names = ["near", "far", "from", "to", "along"];
+    let values = [near, far, from, to, Value::Scalar(along)];
     let Value::Four([x, y, z, w]) =
-        evaluate(a, "near * from + far * to", &["near", "far", "from", "to"], &[near, far, from, to])
+        evaluate(a, "near * from + far * if along < 0.0 { -to } else { to }", &names, &values)
     else {
         return ends[0].clone();
     };
