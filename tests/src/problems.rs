@@ -59,7 +59,7 @@ pub fn all() -> Vec<Problem> {
         chain_aim("aim in a general frame", 99, &[general()], general()),
         chain_aim("aim of a general effector", 60, &[CARDINAL], general()),
         residual(),
-        spun("spun point", 77, 1),
+        spun("spun point", 76, 1),
         spun("spun points", 159, 2),
         turned_point(),
         angle_of_directions(),

@@ -323,6 +323,6 @@ impl Graph {
 }
 
 /// The contribution of a node.
-fn term<const N: usize>(part: impl Into<Node>, maps: [Linear; N]) -> Term {
+pub(crate) fn term<const N: usize>(part: impl Into<Node>, maps: [Linear; N]) -> Term {
     Term { part: Part::Node(part.into()), maps: maps.into() }
 }

@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 
 use crate::diff::differential::{Differential, Linear, Part, ReciprocalPlacement};
 use crate::diff::growth::Growth;
+use crate::diff::local::LocalSlopes;
 use crate::diff::mask::{Mask, Masks};
 use crate::diff::sweep::VisitedNode;
 use crate::ir::node::Node;
@@ -22,7 +23,7 @@ impl Graph {
     /// [`reciprocal`](Self::reciprocal) that is 0 by its guard has derivatives 0, and the derivative of a root is 0
     /// where the root is 0.
     pub fn gradient(&mut self, output: Scalar, variables: &[Variable], placement: ReciprocalPlacement) -> Vec<Scalar> {
-        self.sweep_backward(output, variables, placement).0
+        self.sweep_backward(output, variables, placement, false).0
     }
 
     /// Returns the [`gradient`](Self::gradient) and the nodes that the sweep visited.
@@ -31,6 +32,7 @@ impl Graph {
         output: Scalar,
         variables: &[Variable],
         placement: ReciprocalPlacement,
+        local: bool,
     ) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let output = self.rewrite_by(&[output], &COMPOSITIONS)[0];
         let components: Vec<_> = variables.iter().map(|&variable| self.components_of(variable)).collect();
@@ -40,7 +42,7 @@ impl Graph {
                 alone.push(variable);
             }
         }
-        let (gradient, visited) = self.sweep_backward_to(output, &alone, placement);
+        let (gradient, visited) = self.sweep_backward_to(output, &alone, placement, local);
         let by = |variable| gradient[alone.iter().position(|&known| known == variable).expect("it was collected")];
         let sum = |terms: Vec<(Variable, Option<Scalar>)>| {
             let terms = terms.into_iter().map(|(variable, k)| (by(variable), k));
@@ -56,9 +58,11 @@ impl Graph {
         output: Scalar,
         variables: &[Variable],
         placement: ReciprocalPlacement,
+        local: bool,
     ) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let order = self.order(&[output]);
         let active = self.active(&order, variables);
+        let slopes = if local { LocalSlopes::of(self, &order, &active) } else { LocalSlopes::default() };
         // Builds with `aim_small`, as for the web, derive only rigs, which have no selects.
         let (masks, growth) = if cfg!(not(aim_small)) && self.selects(&order) {
             (Masks::of(self, output, &order, &active), Growth::of(self, &order))
@@ -69,6 +73,7 @@ impl Graph {
         let mut sweep = Sweep {
             g: self,
             placement,
+            slopes,
             active,
             variables,
             growth,
@@ -113,6 +118,7 @@ struct CurrentNode {
 struct Sweep<'g> {
     g: &'g mut Graph,
     placement: ReciprocalPlacement,
+    slopes: LocalSlopes,
     active: NodeSet,
     variables: &'g [Variable],
     growth: Growth,
@@ -199,7 +205,7 @@ impl Sweep<'_> {
         {
             return self.select(bar, [a, b], [then, otherwise]);
         }
-        let Differential { terms, after } = self.g.differential(node, &self.active, self.placement);
+        let Differential { terms, after } = self.slopes.differential(self.g, node, &self.active, self.placement);
         let bar = after.map_or(bar, |map| self.transposed(map, bar));
         for term in terms {
             let change = term.maps.into_iter().rev().fold(bar, |bar, map| self.transposed(map, bar));

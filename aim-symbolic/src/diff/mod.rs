@@ -3,6 +3,7 @@
 pub(crate) mod differential;
 mod gradient;
 mod growth;
+mod local;
 mod mask;
 mod partial;
 mod plane_angle;

@@ -1,6 +1,7 @@
 //! Derivatives by a forward sweep, which computes the tangent of each node: its derivative by one variable.
 
 use crate::diff::differential::{Differential, Part, ReciprocalPlacement};
+use crate::diff::local::LocalSlopes;
 use crate::diff::sweep::VisitedNode;
 use crate::ir::node::Node;
 use crate::ir::table::{NodeSet, NodeTable};
@@ -11,17 +12,23 @@ impl Graph {
     /// Returns the derivatives of each of `outputs` by `variable`, with the same conventions as
     /// [`gradient`](Self::gradient).
     pub fn tangents(&mut self, outputs: &[Scalar], variable: Variable) -> Vec<Scalar> {
-        self.sweep_forward(outputs, variable).0
+        self.sweep_forward(outputs, variable, false).0
     }
 
     /// Returns the [`tangents`](Self::tangents) and the nodes that the sweep visited.
-    pub(crate) fn sweep_forward(&mut self, outputs: &[Scalar], variable: Variable) -> (Vec<Scalar>, Vec<VisitedNode>) {
+    pub(crate) fn sweep_forward(
+        &mut self,
+        outputs: &[Scalar],
+        variable: Variable,
+        local: bool,
+    ) -> (Vec<Scalar>, Vec<VisitedNode>) {
         let outputs = self.rewrite_by(outputs, &COMPOSITIONS);
         let order = self.order(&outputs);
         let seeds = self.components_of(variable);
         let variables: Vec<Variable> = seeds.iter().map(|(variable, _)| *variable).collect();
         let active = self.active(&order, &variables);
-        let mut sweep = Sweep { g: self, seeds, active, tangents: NodeTable::default() };
+        let slopes = if local { LocalSlopes::of(self, &order, &active) } else { LocalSlopes::default() };
+        let mut sweep = Sweep { g: self, seeds, slopes, active, tangents: NodeTable::default() };
         let mut visited = Vec::new();
         for node in order {
             if sweep.active.contains(node)
@@ -40,6 +47,7 @@ struct Sweep<'g> {
     g: &'g mut Graph,
     /// The tangents of the variables; `None` stands for 1.
     seeds: Vec<(Variable, Option<Scalar>)>,
+    slopes: LocalSlopes,
     active: NodeSet,
     /// d node / d variable, for the nodes that depend on it.
     tangents: NodeTable<Node>,
@@ -80,7 +88,8 @@ impl Sweep<'_> {
                 }
             }
         }
-        let Differential { terms, after } = self.g.differential(node, &self.active, ReciprocalPlacement::Late);
+        let Differential { terms, after } =
+            self.slopes.differential(self.g, node, &self.active, ReciprocalPlacement::Late);
         let mut sum: Option<Node> = None;
         for term in terms {
             let Some(change) = self.of_part(term.part) else { continue };

@@ -66,6 +66,8 @@ pub(crate) struct Choices {
     inner_frames: Vec<Rotation>,
     /// Derivatives of quaternions' parts are those of their formulas, not of angular velocities.
     by_formulas: bool,
+    /// Functions of one or two numbers are differentiated on their own, once for all sweeps.
+    local: bool,
 }
 
 impl Choices {
@@ -78,6 +80,7 @@ impl Choices {
             max_other_side: None,
             inner_frames: Vec::new(),
             by_formulas: false,
+            local: false,
         }
     }
 }
@@ -327,7 +330,7 @@ impl Derived {
             for s in distinct(reverse.iter().map(|(s, _)| *s)) {
                 let by: Vec<Variable> = reverse.iter().filter(|(of, _)| *of == s).map(|(_, x)| *x).collect();
                 let value = self.get(Want::Value(s));
-                let (gradient, visited) = g.sweep_backward(value, &by, placement);
+                let (gradient, visited) = g.sweep_backward(value, &by, placement, choices.local);
                 log.sweeps.push(SweepRecord { direction: SweepDirection::Backward(value), visited });
                 self.0.extend(by.into_iter().map(|x| Want::Derivative(s, x)).zip(gradient));
             }
@@ -335,7 +338,7 @@ impl Derived {
         for x in distinct(pairs.iter().map(|(_, x)| *x).filter(|x| !is_reverse(x))) {
             let of: Vec<Scalar> = pairs.iter().filter(|(_, by)| *by == x).map(|(s, _)| *s).collect();
             let values: Vec<Scalar> = of.iter().map(|&s| self.get(Want::Value(s))).collect();
-            let (tangents, visited) = g.sweep_forward(&values, x);
+            let (tangents, visited) = g.sweep_forward(&values, x, choices.local);
             log.sweeps.push(SweepRecord { direction: SweepDirection::Forward(x), visited });
             self.0.extend(of.into_iter().map(|s| Want::Derivative(s, x)).zip(tangents));
         }
@@ -528,6 +531,9 @@ impl Candidate<'_> {
         }
         if g.has_constant_direction(outputs) {
             rivals.push(optional(CONSTANT_SCALE));
+        }
+        if cfg!(not(aim_small)) && self.problem.stated().len() > 1 {
+            rivals.push(Box::new(|c| c.local = true));
         }
         rivals.extend(self.matrix_change());
         if cfg!(not(aim_small)) {
