@@ -48,27 +48,26 @@ functions! {
     exp_m1(x: Scalar) = if x < -1.0 { x.exp() - 1.0 } else { 2.0 * (0.5 * x).sinh() * (0.5 * x).exp() };
     exp2(x: Scalar) = (x * core::f64::consts::LN_2).exp();
     ln(x: Scalar) -> Scalar { a.call(Ln, x) }
-    ln_1p(x: Scalar) -> Scalar { by_artanh(a, x, ["2.0", "1.0 / (2.0 + x)", "(1.0 + x).ln()"])? }
+    ln_1p(x: Scalar) -> Scalar { by_artanh(a, x, ["2.0", "1.0 / (2.0 + x)", "square < 0.0625", "(1.0 + x).ln()"])? }
     log(x: Scalar, base: Scalar) = x.ln() / base.ln();
     log2(x: Scalar) = x.ln() / core::f64::consts::LN_2;
     log10(x: Scalar) = x.ln() / core::f64::consts::LN_10;
     sinh(x: Scalar) -> Scalar { a.call(Sinh, x) }
     cosh(x: Scalar) -> Scalar { a.call(Cosh, x) }
     tanh(x: Scalar) -> Scalar { a.call(Tanh, x) }
-    asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x.clamp(-1.0, 1.0) * x.clamp(-1.0, 1.0)).sqrt()", ASINH])? }
+    asinh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0 / (1.0 + x * x).sqrt()", "x * x < 1.0 / 15.0", ASINH])? }
     acosh(x: Scalar) -> Scalar {
         // 1 + d loses the digits of a small d.
         let d = [0, 1].into_iter().find_map(|side| match a.g.scalar_node(x) {
             ScalarNode::Op(Op::Add(p, q)) if a.constant_of([p, q][side]) == Some(1.0) => Some([q, p][side]),
             _ => None,
         });
-        let formula = |d: &str, twice: &str| format!("({d} + ({d}).sqrt() * ({twice}).sqrt()).ln_1p()");
         match d {
-            Some(d) => number(a, &formula("x", "x + 2.0"), d)?,
-            None => number(a, &formula("x - 1.0", "x + 1.0"), x)?,
+            Some(d) => number(a, ACOSH, d)?,
+            None => number(a, &format!("{{ let x = x - 1.0; {ACOSH} }}"), x)?,
         }
     }
-    atanh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0", "0.5 * ((1.0 + x) / (1.0 - x)).ln()"])? }
+    atanh(x: Scalar) -> Scalar { by_artanh(a, x, ["1.0", "1.0", "square < 0.0625", "0.5 * ((1.0 + x) / (1.0 - x)).ln()"])? }
     floor(x: Scalar) -> Scalar { a.call(Floor, x) }
     ceil(x: Scalar) = -(-x).floor();
     trunc(x: Scalar) = if x < 0.0 { x.ceil() } else { x.floor() };
@@ -162,18 +161,28 @@ functions! {
 /// asinh |x| with the sign of x. An overflow of x² is harmless: 1/x² is then 0.
 const ASINH: &str = "x.signum() * (x.abs() * (1.0 + (1.0 + 1.0 / (x * x)).sqrt())).ln()";
 
-/// Returns c artanh(r x), with `r` given as an expression of x. Where |r x| < ¼, uses the series c r x Σ (r x)²ᵏ/(2k +
-/// 1), which loses no digits; elsewhere `closed`, an expression of x with logarithms. Both have the factor x, so that a
-/// quotient by x has its limit at 0.
-fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, closed]: [&str; 3]) -> Result<Scalar, CallError> {
+/// arcosh (1 + x) = 2 artanh √q with q = x/(x + 2), by its series where q < 1/16. Has the factor √x, so that its square
+/// is smooth at 0.
+const ACOSH: &str = "{
+    let q = x / (x + 2.0);
+    let series = (0..13).rev().fold(0.0, |sum, k| sum * q + 1.0 / (2 * k + 1) as f64);
+    let far = if q < 0.0625 { 1.0 } else { x };
+    let closed = (1.0 + far + far.sqrt() * (far + 2.0).sqrt()).ln() / far.sqrt();
+    x.sqrt() * if q < 0.0625 { 2.0 * series / (x + 2.0).sqrt() } else { closed }
+}";
+
+/// Returns c artanh(r x), with `r` given as an expression of x. Where `near`, which implies |r x| < ¼, uses the series
+/// c r x Σ (r x)²ᵏ/(2k + 1), which loses no digits; elsewhere `closed`, an expression of x with logarithms. Both have
+/// the factor x, so that a quotient by x has its limit at 0.
+fn by_artanh(a: &mut Algebra, x: Scalar, [c, r, near, closed]: [&str; 4]) -> Result<Scalar, CallError> {
     let formula = format!(
         "{{
             let r = {r};
             let square = (r * x) * (r * x);
             let series = (0..13).rev().fold(0.0, |sum, k| sum * square + 1.0 / (2 * k + 1) as f64);
-            let far = if square < 0.0625 {{ 0.5 }} else {{ x }};
+            let far = if {near} {{ 0.5 }} else {{ x }};
             let closed = |x: f64| {closed};
-            x * if square < 0.0625 {{ {c} * r * series }} else {{ closed(far) / far }}
+            x * if {near} {{ {c} * r * series }} else {{ closed(far) / far }}
         }}"
     );
     number(a, &formula, x)
