@@ -277,6 +277,9 @@ impl<'a> Problem<'a> {
         let of_all = self.variables_of_all().into_iter().flat_map(|x| residuals.iter().map(move |&s| (s, x)));
         let pairs = distinct(by_one.chain(of_all));
         derived.take_first(g, &pairs, choices, log);
+        for (_, slope) in derived.0.iter_mut().filter(|(want, _)| matches!(want, Want::Derivative(..))) {
+            *slope = g.without_slopes_of_roots(*slope, &limits, log);
+        }
         for &(s, x) in &pairs {
             let by = |want: &Want| match *want {
                 Want::Second(of, a, b) if (of, a) == (s, x) => Some(b),
@@ -288,7 +291,9 @@ impl<'a> Problem<'a> {
                 let slope = g.rewrite_with(&[derived.get(Want::Derivative(s, x))], &LIMITS, &limits, log);
                 let slope = g.rewrite_with(&slope, &DIRECTIONS, &rules, log)[0];
                 let gradient = g.gradient(slope, &by, ReciprocalPlacement::Late);
-                derived.0.extend(by.into_iter().map(|y| Want::Second(s, x, y)).zip(gradient));
+                for (y, second) in by.into_iter().zip(gradient) {
+                    derived.0.push((Want::Second(s, x, y), g.without_slopes_of_roots(second, &limits, log)));
+                }
             }
         }
 

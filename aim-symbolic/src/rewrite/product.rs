@@ -18,7 +18,7 @@ const HIGHEST_POWER: i32 = 64;
 
 impl Graph {
     /// Returns `true` if the number is recognisably not negative.
-    pub(super) fn is_length(&self, s: Scalar) -> bool {
+    pub(crate) fn is_length(&self, s: Scalar) -> bool {
         self.is_length_within(s, DEEPEST_LENGTH)
     }
 
@@ -53,6 +53,9 @@ impl Graph {
     /// (1 − a)(1 + a) = 1 − a², without loss of digits near |a| = 1.
     pub(crate) fn around_one(&mut self, a: Scalar) -> Scalar {
         let one = self.constant(1.0);
+        if let ScalarNode::Op(Op::Sqrt(square)) = self.scalar_node(a) {
+            return self.sub(one, square);
+        }
         let (below, above) = (self.sub(one, a), self.add(one, a));
         self.mul(below, above)
     }
@@ -292,8 +295,31 @@ impl Product {
         if let Some(v) = g.as_square(s) {
             return self.times_square(g, v, halves, whole);
         }
-        let s = g.one_minus_square(s).unwrap_or(s);
-        self.power(s, halves);
+        match g.scalar_node(s) {
+            ScalarNode::Op(Op::Constant(c)) if c.value() > 0.0 => {
+                self.coefficient *= c.value().powf(f64::from(halves) / 2.0)
+            }
+            ScalarNode::Op(Op::Mul(a, b)) if a == b && g.is_length(a) => self.times(g, a, 2 * halves, whole)?,
+            // (p q)² = p² q²
+            ScalarNode::Op(Op::Mul(a, b))
+                if a == b
+                    && let ScalarNode::Op(Op::Mul(p, q)) = g.scalar_node(a)
+                    && (g.is_length(p) || g.is_length(q)) =>
+            {
+                for side in [p, q] {
+                    let square = g.mul(side, side);
+                    self.times_plain(g, square, halves, whole)?;
+                }
+            }
+            ScalarNode::Op(Op::Mul(a, b)) if a != b && (g.is_length(a) || g.is_length(b)) => {
+                self.times_plain(g, a, halves, whole)?;
+                self.times_plain(g, b, halves, whole)?;
+            }
+            _ => {
+                let s = g.one_minus_square(s).unwrap_or(s);
+                self.power(s, halves);
+            }
+        }
         Some(())
     }
 

@@ -3,7 +3,7 @@
 use crate::ir::node::{Node, Parts};
 use crate::ir::table::{NodeTable, Table};
 use crate::rewrite::log::{Log, Rewrite};
-use crate::rewrite::rules::{OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
+use crate::rewrite::rules::{LIMITS, OTHER_SIDES, ROTATIONS, Rule, RuleSet, Rules, Sums};
 use crate::{Angle, Graph, Op, Rotation, RotationNode, Scalar, ScalarNode, Vector};
 
 /// Limit on rewrites per node of a statement. Rewriting normally terminates long before; the limit guarantees it.
@@ -49,6 +49,25 @@ impl Graph {
         let rewritten = scalars.iter().map(|&s| rewriter.scalar(s)).collect();
         self.open_all();
         rewritten
+    }
+
+    /// Returns a derivative restated by [`LIMITS`] if it depends on the derivative of the root of a number, which is
+    /// infinite at 0. A root of a length has the derivative 0 there.
+    pub(crate) fn without_slopes_of_roots(&mut self, slope: Scalar, rules: &Rules<'_>, log: &mut Log) -> Scalar {
+        let is_infinite = |node: Node| match node {
+            Node::Scalar(s) => match self.scalar_node(s) {
+                ScalarNode::Reciprocal(root) => {
+                    matches!(self.scalar_node(root), ScalarNode::Op(Op::Sqrt(a)) if !self.is_length(a))
+                }
+                _ => false,
+            },
+            Node::Vector(_) => false,
+        };
+        // Builds with `aim_small` derive only rigs, which have no such roots.
+        if cfg!(aim_small) || !self.order(&[slope]).into_iter().any(is_infinite) {
+            return slope;
+        }
+        self.rewrite_with(&[slope], &LIMITS, rules, log)[0]
     }
 }
 

@@ -152,10 +152,13 @@ impl Vanishing {
     /// Finds how a function vanishes: by its argument, and by what the argument vanishes with, down to this depth; with
     /// `any` also by power series of the argument.
     fn of_functions(g: &mut Graph, s: Scalar, divisors: &[Scalar], depth: u32, any: bool) -> Vec<Self> {
-        let Some(outer) = Self::of_function(g, s, divisors) else { return Vec::new() };
-        let argument = outer.length.base;
+        let Some(first) = Self::of_function(g, s, divisors) else { return Vec::new() };
         let mut found: Vec<Self> = Vec::new();
-        if outer.length.halves == 2 && depth > 0 {
+        for outer in Self::by_functions(g, s, &first) {
+            let argument = outer.length.base;
+            if outer.length.halves != 2 || depth == 0 {
+                continue;
+            }
             let others: Vec<Scalar> = divisors.iter().copied().filter(|&base| base != argument).collect();
             let mut insides = Self::of_functions(g, argument, &others, depth - 1, any);
             if insides.is_empty() {
@@ -173,8 +176,34 @@ impl Vanishing {
                 }
             }
         }
-        found.push(outer);
+        found.push(first);
         found
+    }
+
+    /// Returns how a function vanishes, as `first` and with each other factor of its argument that is a function.
+    fn by_functions(g: &mut Graph, s: Scalar, first: &Self) -> Vec<Self> {
+        let mut factors = first.length.others.clone();
+        if let Some(product) = Product::of(g, first.length.base) {
+            factors.extend(product.powers.into_iter().filter(|&(factor, _)| factor != first.length.base));
+        }
+        let is_function = |g: &Graph, s| matches!(g.scalar_node(s), ScalarNode::Op(Op::Call(..) | Op::Atan2(..)));
+        factors.retain(|&(factor, halves)| halves == 2 && is_function(g, factor));
+        let others = factors.into_iter().filter_map(|(factor, _)| Self::of_function(g, s, &[factor]));
+        [first.clone()].into_iter().chain(others).collect()
+    }
+
+    /// Finds how a function vanishes with one of these bases: by its argument, or by a function that is a factor of
+    /// the argument.
+    fn of_nested(g: &mut Graph, s: Scalar, bases: &[Scalar]) -> Option<Self> {
+        let first = Self::of_function(g, s, bases)?;
+        if bases.contains(&first.base()) {
+            return Some(first);
+        }
+        Self::by_functions(g, s, &first).into_iter().filter(|outer| outer.length.halves == 2).find_map(|outer| {
+            let inside = Self::of_function(g, outer.length.base, bases)?;
+            let is_found = bases.contains(&inside.base()) && inside.halves() > 0;
+            is_found.then(|| Self { inside: Some(Box::new(inside)), ..outer })
+        })
     }
 
     fn of_function(g: &mut Graph, s: Scalar, divisors: &[Scalar]) -> Option<Self> {
@@ -492,7 +521,7 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
                     *all += order * power / 2;
                 }
             }
-        } else if let Some(found) = Vanishing::of_function(g, factor, bases)
+        } else if let Some(found) = Vanishing::of_nested(g, factor, bases)
             && let Some(place) = bases.iter().position(|&base| base == found.base())
             && found.halves() * power % 2 == 0
             && found.is_free_in(g, &product, factor)
@@ -524,7 +553,7 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         } else if parts(g, factor).is_some() {
             Some(Vanishing::sum(base, orders(g, factor, &[base], left)?[0]))
         } else {
-            Vanishing::of_function(g, factor, &[base]).filter(|found| found.base() == base)
+            Vanishing::of_nested(g, factor, &[base])
         };
         let is_free = |found: &Vanishing| found.halves() * power % 2 == 0 && found.is_free_in(g, &product, factor);
         if let Some(found) = found.filter(|found| is_order(found.halves()) && is_free(found)) {
