@@ -4,6 +4,10 @@ macro_rules! functions {
     ($real:ident, $vec2:ident, $vec3:ident, $quat:ident:
         numbers { $($number:ident = |$x:ident, $k:ident| $body:expr, [$value:expr, $slope:expr];)* }
         angles { $($angle:ident = |$t:ident| $of_angle:expr, $limit:expr;)* }
+        roots {
+            $($root:ident = |$u:ident, $m:ident| $of_root:expr, $end:expr,
+                [$there:expr, $slope_there:expr, $curvature_there:expr];)*
+        }
     ) => {
         use aim::differentiate;
         use aim::glam::{$quat, $vec2, $vec3};
@@ -69,6 +73,41 @@ macro_rules! functions {
                 ];
                 (stringify!($angle), found, $limit)
             }),*]
+        }
+
+        $(mod $root {
+            #[aim::differentiate(wrt(x), hessian)]
+            pub(super) fn root(x: $real, k: $real) -> $real {
+                let ($u, $m) = (x, k);
+                $of_root
+            }
+        })*
+
+        /// Returns each name with value, slope and curvature at the end of the domain, and the expected ones.
+        pub(super) fn roots(m: $real) -> Vec<(&'static str, [$real; 3], [$real; 3])> {
+            vec![$({
+                let (value, (slope,), [[curvature]]) = $root::root_hessian($end, m);
+                let $m = m;
+                (stringify!($root), [value, slope, curvature], [$there, $slope_there, $curvature_there])
+            }),*]
+        }
+
+        /// The energy of a rotation whose angle saturates.
+        #[differentiate(wrt(v), hessian)]
+        pub(super) fn saturated_turn(v: $vec3, p: $vec3) -> $real {
+            ($quat::from_axis_angle(v.normalize(), v.length().tanh()) * p).dot(p)
+        }
+
+        #[differentiate(wrt(a, b), hessian)]
+        pub(super) fn angle_times_sine(a: $vec3, b: $vec3, k: $real) -> $real {
+            let angle = a.angle_between(b);
+            angle * (k * angle).sin()
+        }
+
+        /// The squared distance in a hyperbolic space, beside a variable factor.
+        #[differentiate(wrt(v), hessian)]
+        pub(super) fn weighted_distance(v: $vec3, k: $real) -> $real {
+            k * (1.0 + v.length_squared()).acosh().powi(2)
         }
 
         /// The root of x² is |x|, not x: no limit at 0.
@@ -152,6 +191,19 @@ in_both_precisions! {
         half_cotangent = |t| 0.5 * t * t.sin() / (1.0 - t.cos()), 1.0;
         product = |t| { let u = t.sin(); (u - u * t.cos()) / t.powi(3) }, 0.5;
     }
+    roots {
+        arcosh = |x, _k| (1.0 + x).acosh().powi(2), 0.0, [0.0, 2.0, -2.0 / 3.0];
+        weighted_arcosh = |x, k| k * x.acosh().powi(2), 1.0, [0.0, 2.0 * k, -2.0 / 3.0 * k];
+        quotient_of_arcosh = |x, _k| (1.0 + x).acosh().powi(2) / x, 0.0, [2.0, -1.0 / 3.0, 8.0 / 45.0];
+        arccos = |x, k| k * x.acos().powi(2), 1.0, [0.0, -2.0 * k, 2.0 / 3.0 * k];
+        arcsin = |x, _k| x.sqrt().asin().powi(2), 0.0, [0.0, 1.0, 2.0 / 3.0];
+        cosine = |x, k| (k * x).sqrt().cos(), 0.0, [1.0, -0.5 * k, k * k / 12.0];
+        cubed = |x, _k| x.sqrt().cosh().powi(3), 0.0, [1.0, 1.5, 1.75];
+        product_of_roots = |x, _k| x.sqrt() * x.sqrt().sin(), 0.0, [0.0, 1.0, -1.0 / 3.0];
+        chebyshev = |x, _k| (3.0 * x.acos()).cos(), 1.0, [1.0, 9.0, 24.0];
+        order = |x, k| (k * x.acos()).cos(), 1.0, [1.0, k * k, k * k * (k * k - 1.0) / 3.0];
+        sine = |x, _k| x.acos().sin().powi(2), 1.0, [0.0, -2.0, -2.0];
+    }
 }
 
 #[test]
@@ -199,6 +251,46 @@ fn functions_of_angles_have_their_limits_in_every_spelling() {
             assert!((value - expected).abs() < 1e-6 && slope == 0.0, "{name}: {found:?} instead of {expected}");
         }
     }
+}
+
+#[test]
+fn even_functions_of_roots_have_their_derivatives_where_the_root_is_zero() {
+    for (name, found, expected) in double::roots(1.3) {
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-12, "{name}: {found} instead of {expected}");
+        }
+    }
+    for (name, found, expected) in single::roots(1.3) {
+        for (found, expected) in found.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-4, "{name}: {found} instead of {expected}");
+        }
+    }
+}
+
+#[test]
+fn functions_of_functions_that_vanish_have_their_hessians() {
+    use aim::glam::{DVec3, Vec3};
+    let (p, k) = (DVec3::new(0.3, -0.5, 0.8), 1.3);
+    // p · R p = p² cos θ + (n · p)² (1 − cos θ), whose second derivatives by the rotation vector are p pᵀ − p².
+    let rows = double::saturated_turn_hessian(DVec3::ZERO, p).2;
+    let single = single::saturated_turn_hessian(Vec3::ZERO, p.as_vec3()).2;
+    let distances = double::weighted_distance_hessian(DVec3::ZERO, k).2;
+    let single_distances = single::weighted_distance_hessian(Vec3::ZERO, 1.3).2;
+    for (i, j) in (0..9).map(|n| (n / 3, n % 3)) {
+        let unit = if i == j { 1.0 } else { 0.0 };
+        let expected = p[i] * p[j] - unit * p.length_squared();
+        assert!((rows[i][j] - expected).abs() < 1e-14, "{rows:?}");
+        assert!((f64::from(single[i][j]) - expected).abs() < 1e-6, "{single:?}");
+        assert!((distances[i][j] - 4.0 * k * unit).abs() < 1e-14, "{distances:?}");
+        assert!((f64::from(single_distances[i][j]) - 4.0 * k * unit).abs() < 1e-6, "{single_distances:?}");
+    }
+    // k θ² near 0, and θ is the part of b − a across a, over |a|.
+    let a = DVec3::new(2.0, 0.0, 0.0);
+    let rows = double::angle_times_sine_hessian(a, a, k).2;
+    let single = single::angle_times_sine_hessian(a.as_vec3(), a.as_vec3(), 1.3).2;
+    assert!((rows[1][1] - 0.5 * k).abs() < 1e-14 && (rows[1][4] + 0.5 * k).abs() < 1e-14, "{rows:?}");
+    assert!((f64::from(single[1][1]) - 0.5 * k).abs() < 1e-6, "{single:?}");
+    assert_eq!((rows[0][0], rows[1][2], single[0][0]), (0.0, 0.0, 0.0));
 }
 
 #[test]
