@@ -295,22 +295,23 @@ impl Product {
         if let Some(v) = g.as_square(s) {
             return self.times_square(g, v, halves, whole);
         }
+        if let ScalarNode::Op(Op::Mul(a, b)) = g.scalar_node(s)
+            && a == b
+            && let ScalarNode::Op(Op::Mul(p, q)) = g.scalar_node(a)
+            && (g.is_length(p) != g.is_length(q))
+        {
+            // (p q)² = p² q²
+            for side in [p, q] {
+                let square = g.mul(side, side);
+                self.times_plain(g, square, halves, whole)?;
+            }
+            return Some(());
+        }
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Constant(c)) if c.value() > 0.0 => {
                 self.coefficient *= c.value().powf(f64::from(halves) / 2.0)
             }
             ScalarNode::Op(Op::Mul(a, b)) if a == b && g.is_length(a) => self.times(g, a, 2 * halves, whole)?,
-            // (p q)² = p² q²
-            ScalarNode::Op(Op::Mul(a, b))
-                if a == b
-                    && let ScalarNode::Op(Op::Mul(p, q)) = g.scalar_node(a)
-                    && (g.is_length(p) || g.is_length(q)) =>
-            {
-                for side in [p, q] {
-                    let square = g.mul(side, side);
-                    self.times_plain(g, square, halves, whole)?;
-                }
-            }
             ScalarNode::Op(Op::Mul(a, b)) if a != b && (g.is_length(a) || g.is_length(b)) => {
                 self.times_plain(g, a, halves, whole)?;
                 self.times_plain(g, b, halves, whole)?;
