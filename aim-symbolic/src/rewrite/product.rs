@@ -309,7 +309,7 @@ impl Product {
         }
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Constant(c)) if c.value() > 0.0 => {
-                self.coefficient *= c.value().powf(f64::from(halves) / 2.0)
+                self.coefficient *= c.value().powf(f64::from(halves) / 2.0);
             }
             ScalarNode::Op(Op::Mul(a, b)) if a == b && g.is_length(a) => self.times(g, a, 2 * halves, whole)?,
             ScalarNode::Op(Op::Mul(a, b)) if a != b && (g.is_length(a) || g.is_length(b)) => {
