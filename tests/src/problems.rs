@@ -50,6 +50,7 @@ pub fn all() -> Vec<Problem> {
         under_one_turn(),
         turned_centroid(),
         along_turned_axis(),
+        force_seen_from_the_body(),
         projected_distance(),
         length_times_direction(),
         seen_from_a_turned_frame(),
@@ -302,6 +303,22 @@ fn along_turned_axis() -> Problem {
         let (t, forward) = (g.rotate(turn, t), g.rotate(turn, forward));
         let way = g.sub_vectors(target, t);
         (vec![g.dot(way, forward)], vec![angle.into()])
+    })
+}
+
+/// States Rᵀ (a + k (R b + c)): a force that the body carries, added to others and seen from the body.
+fn force_seen_from_the_body() -> Problem {
+    Problem::new("force seen from the body", 17, |g| {
+        let angle = g.angle("p");
+        let turn = g.turn(PITCH, angle);
+        let [a, own, c] = ["a", "b", "c"].map(|name| g.vector_input(name));
+        let (k, back) = (g.input("k"), g.transpose(turn));
+        let own = g.rotate(turn, own);
+        let sum = g.add_vectors(own, c);
+        let scaled = g.scale(k, sum);
+        let all = g.add_vectors(a, scaled);
+        let seen = g.rotate(back, all);
+        ([0, 1, 2].map(|axis| g.component(seen, axis)).to_vec(), vec![angle.into()])
     })
 }
 
