@@ -341,6 +341,17 @@ int main(void) {
     }
 }
 
+/// Two minus signs would be a decrement in C.
+#[test]
+fn a_negated_constant_is_written_as_one_number() {
+    let place = Place::new();
+    let f = "(k * v.length()).cos().acos().powi(2).exp_m1().exp()";
+    place.write("f.rs", &format!("#[differentiate(wrt(v), hessian)]\nfn f(v: DVec3, k: f64) -> f64 {{\n    {f}\n}}\n"));
+    place.done("generate f.rs --function f --lang c -o f.c");
+    let written = String::from_utf8(place.read("f.c")).expect("C is text");
+    assert!(written.contains("< 1.0 ? -1.0 : 0.0") && !written.contains("--"), "{written}");
+}
+
 #[test]
 fn functions_that_cannot_be_written() {
     let place = Place::with_mannequin();

@@ -201,6 +201,9 @@ impl RewrittenProgram {
         if !stored.negated {
             return stored.value;
         }
+        if let Op::Constant(c) = self.ops[stored.value.index()] {
+            return self.push(Op::Constant(Constant::new(-c.value())), false).value;
+        }
         self.negations += 1;
         self.push(Op::Neg(stored.value), false).value
     }
