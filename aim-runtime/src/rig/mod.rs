@@ -24,7 +24,7 @@ pub use outcome::{JointSet, Outcome, Status};
 pub use pose::Pose;
 pub(crate) use pose::PoseSlices;
 pub use settings::{Ascent, Behind, Settings, Solver};
-pub(crate) use state::{HeadGoal, Side, StateSlices, Support};
+pub(crate) use state::{HeadGoal, Side, StateSlices, Support, Swings};
 pub use state::{Joint, Memory, State};
 
 /// An immutable rig: its description and the kernels derived for it. One rig can be shared by any number of characters.

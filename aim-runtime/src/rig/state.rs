@@ -179,8 +179,7 @@ pub struct Memory {
     /// Exact solver: the dual point at which the last frame ended. Natural solver: [`HeadGoal::velocity`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) lambda: [f32; 2],
-    /// Exact solver: remaining strain of the last strained frame, 0…1. Natural solver: [`HeadGoal::slowdown`], with
-    /// [`HeadGoal::is_accelerating`] as its sign.
+    /// Exact solver: remaining strain of the last strained frame, 0…1. Natural solver: [`HeadGoal::slowdown`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     pub(crate) strain: f32,
     /// Exact solver: the target of the last strained frame, in the innermost joint's space. Natural solver:
@@ -201,7 +200,8 @@ pub struct Memory {
     /// Heading and pitch of the other eye, radians, about axes parallel to joint 0's; NaN if the last pose had none.
     #[cfg_attr(feature = "serde", serde(with = "stored::optional"))]
     other_eye: [f32; 2],
-    /// Heading and pitch of the virtual eye midway between the two, which leads, radians.
+    /// Heading and pitch of the virtual eye midway between the two, which leads, radians. For a head without eyes:
+    /// [`Memory::swings`].
     #[cfg_attr(feature = "serde", serde(with = "stored::finite"))]
     leading_eye: [f32; 2],
     /// Exact solver: the target, in the innermost joint's space, of the last search from all starting points, as the
@@ -223,9 +223,10 @@ pub struct Memory {
 
 impl PartialEq for Memory {
     fn eq(&self, other: &Self) -> bool {
-        let numbers = |m: &Self| (m.lambda, m.strain, m.target, m.still_s, m.blocked_s, m.wait_s, m.eyes());
+        let numbers = |m: &Self| (m.lambda, m.strain, m.target, m.still_s, m.blocked_s, m.wait_s);
+        let eyes = |m: &Self| (m.other_eye(), m.leading_eye);
         let flags = |m: &Self| (m.searched, m.turn, m.caution, m.support, m.side, m.behind);
-        numbers(self) == numbers(other) && flags(self) == flags(other)
+        numbers(self) == numbers(other) && eyes(self) == eyes(other) && flags(self) == flags(other)
     }
 }
 
@@ -266,8 +267,32 @@ impl Memory {
         if self.other_eye[0].is_nan() { None } else { Some([self.other_eye, self.leading_eye]) }
     }
 
-    pub(crate) fn set_eyes(&mut self, eyes: Option<[[f32; 2]; 2]>) {
-        [self.other_eye, self.leading_eye] = eyes.unwrap_or([ABSENT, [0.0; 2]]);
+    pub(crate) fn set_eyes(&mut self, eyes: [[f32; 2]; 2]) {
+        [self.other_eye, self.leading_eye] = eyes;
+    }
+
+    /// Forgets the other eye.
+    pub(crate) fn forget_eyes(&mut self) {
+        if self.eyes().is_some() {
+            [self.other_eye, self.leading_eye] = [ABSENT, [0.0; 2]];
+        }
+    }
+
+    /// Returns how the goal of a head without eyes swings, which is stored in the field for the leading eye.
+    pub(crate) fn swings(&self) -> Swings {
+        let [mean, braking] = self.leading_eye;
+        if self.eyes().is_some() {
+            return Swings::default();
+        }
+        let bits = mean.to_bits();
+        Swings { mean_velocity: [bits & 0xffff_0000, bits << 16].map(f32::from_bits), braking }
+    }
+
+    pub(crate) fn set_swings(&mut self, swings: Swings) {
+        if self.eyes().is_none() {
+            let [heading, pitch] = swings.mean_velocity.map(f32::to_bits);
+            self.leading_eye = [f32::from_bits(heading & 0xffff_0000 | pitch >> 16), swings.braking];
+        }
     }
 
     /// Returns `true` if the last frame left nothing that the next frame must consider: no target behind, no strain, no
@@ -286,20 +311,18 @@ impl Memory {
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn head_goal(&self) -> HeadGoal {
         let [heading, pitch, heading_rate] = self.target;
-        let (slowdown, is_accelerating) = (self.strain.abs(), self.strain.is_sign_negative());
         HeadGoal {
             angles: [heading, pitch],
             feed_forward: [heading_rate, self.still_s],
             velocity: self.lambda,
-            slowdown,
-            is_accelerating,
+            slowdown: self.strain,
         }
     }
 
     #[cfg_attr(not(aim_small), inline(always))]
     pub(crate) fn set_head_goal(&mut self, goal: HeadGoal) {
-        let HeadGoal { angles, feed_forward, velocity, slowdown, is_accelerating } = goal;
-        self.strain = if is_accelerating { -slowdown } else { slowdown };
+        let HeadGoal { angles, feed_forward, velocity, slowdown } = goal;
+        self.strain = slowdown;
         self.target = [angles[0], angles[1], feed_forward[0]];
         (self.still_s, self.lambda) = (feed_forward[1], velocity);
     }
@@ -356,11 +379,17 @@ pub(crate) struct HeadGoal {
     pub(crate) feed_forward: [f32; 2],
     /// Velocity of the goal itself in that frame, including jumps, rad/s.
     pub(crate) velocity: [f32; 2],
-    /// Degree to which the head is slowed down because its goal jumps to and fro or shakes, 0…1.5.
+    /// Degree to which the head is slowed down because its goal jumps to and fro, 0…1.5.
     pub(crate) slowdown: f32,
-    /// `true` if the goal's velocity differed from the feed-forward velocity in that frame; a further change is then no
-    /// jerk.
-    pub(crate) is_accelerating: bool,
+}
+
+/// How the goal of a head without eyes has lately moved to and fro.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Swings {
+    /// Mean velocity of the goal in heading and pitch over about a frame, rad/s, to 8 bits.
+    pub(crate) mean_velocity: [f32; 2],
+    /// Largest recent deceleration of the goal, rad/s².
+    pub(crate) braking: f32,
 }
 
 /// Activity of the joints that support a natural gaze.
@@ -496,7 +525,7 @@ mod tests {
         let (mut joint, mut memory) = (Joint::REST, Memory::NONE);
         assert_eq!((joint.destination(), memory.eyes(), joint, memory), (None, None, Joint::REST, Memory::NONE));
         joint.set_destination(Some([0.5, -0.25]));
-        memory.set_eyes(Some([[0.5, 0.0], [0.25, -1.0]]));
+        memory.set_eyes([[0.5, 0.0], [0.25, -1.0]]);
         assert_eq!((joint.destination(), memory.other_eye()), (Some([0.5, -0.25]), Some([0.5, 0.0])));
         assert!(joint != Joint::REST && memory != Memory::NONE);
         memory.set_searched_target(Vec3A::new(1.0, -0.3, 1e-20));

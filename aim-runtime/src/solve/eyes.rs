@@ -170,7 +170,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
         }
         let lead = joints[0];
         joints[0] = with_angles(&lead, [h, p]);
-        memory.set_eyes(Some([[other_h, other_p], lead.angles()]));
+        memory.set_eyes([[other_h, other_p], lead.angles()]);
         let info = &self.rig.joints[0];
         corrections[0] = turn(&info.axes, &info.planes, [half_sin.z, half_cos.z, half_sin.x, half_cos.x]);
         let other_halves = Vec4::new(half_sin.w, half_cos.w, half_sin.y, half_cos.y);
@@ -220,7 +220,7 @@ impl<'a, const C: usize> Eyes<'a, C> {
             return None;
         }
         joints[0] = with_angles(&lead, angles[0]);
-        memory.set_eyes(Some([angles[1], lead.angles()]));
+        memory.set_eyes([angles[1], lead.angles()]);
         let (info, tilt) = (&self.rig.joints[0], self.tilts()[0]);
         let turns = both(|eye| correction(info, &with_angles(&lead, angles[eye]), tilt));
         corrections[0] = turns[0];

@@ -90,7 +90,7 @@ pub(crate) fn solve<const C: usize>(
     let outcome = match pose.other_eye {
         Some(other_eye) => aim_eyes(rig, pose, other_eye, &mut motions, call, output),
         None => {
-            output.memory.set_eyes(None);
+            output.memory.forget_eyes();
             solve_chain(rig, pose, &mut motions, call, output)
         }
     };

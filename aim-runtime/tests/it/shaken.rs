@@ -37,8 +37,8 @@ fn worst_shaken(hz: f32, from_s: f32, turn_at: impl Fn(f32) -> f32) -> f64 {
     worst
 }
 
-/// If the shaking exceeds the head's acceleration, the error is no larger than the shaking itself; slower shaking is
-/// compensated.
+/// Shaking that needs less than 0.45 of the head's acceleration is compensated. Of faster shaking, the head compensates
+/// a part; where it can compensate hardly any, the error is about the shaking itself.
 #[test]
 fn shaking_is_not_amplified() {
     const SWING_DEG: f32 = 12.0;
@@ -46,9 +46,27 @@ fn shaking_is_not_amplified() {
         for tenths in [5, 10, 15, 16, 18, 20, 25, 30, 40, 50] {
             let swings_hz = tenths as f32 / 10.0;
             let worst = worst_shaken(hz, 2.0, |t| SWING_DEG * DEG * (std::f32::consts::TAU * swings_hz * t).sin());
-            let most = if tenths <= 15 { 0.1 } else { 1.15 * f64::from(SWING_DEG) };
+            let most = f64::from(SWING_DEG) * if tenths <= 15 { 0.75 } else { 1.25 };
+            let most = if tenths <= 10 { 0.1 } else { most };
             assert!(worst < most, "{swings_hz} Hz at {hz} frames a second: {worst}° of {SWING_DEG}°");
         }
+    }
+}
+
+/// Shaking far beyond its acceleration does not swing a head without eyes between the extremes of it.
+#[test]
+fn shaking_does_not_reverse_the_head() {
+    const ACCELERATION_DEG_S2: f32 = 1200.0;
+    for hz in [60.0, 120.0, 144.0] {
+        let mut headings = Vec::new();
+        let turn_at = |t: f32| 12.0 * DEG * (std::f32::consts::TAU * 4.0 * t).sin();
+        shaken(hz, 2.0, turn_at, |rig, _| {
+            let [head, neck] = [0, 1].map(|joint| rig.joints[joint].heading());
+            headings.push((head + neck).to_degrees());
+        });
+        let gains = headings.windows(3).map(|three| (three[0] - 2.0 * three[1] + three[2]) * hz * hz);
+        let most = gains.fold(0.0_f32, |most, gain| most.max(gain.abs())) / ACCELERATION_DEG_S2;
+        assert!(most < 0.55, "{most} of the acceleration at {hz} frames a second");
     }
 }
 
@@ -74,7 +92,8 @@ fn saw(t: f32, swings_hz: f32) -> f32 {
 }
 
 /// If the animation reverses abruptly, like one with ten keys a second, or is faster in one direction, the error is
-/// less than the peak-to-peak shaking, and the head does not drift away.
+/// less than the peak-to-peak shaking, and the head does not drift away. At 0.5 Hz, the speed v changes by at most 57°/s,
+/// which 0.45 of the acceleration a takes v²/0.9a = 3° to follow.
 #[test]
 fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
     const SWING_DEG: f32 = 12.0;
@@ -83,7 +102,7 @@ fn a_head_that_is_thrown_to_and_fro_does_not_drift() {
         for (name, wave) in waves {
             for swings_hz in [0.5, 1.4, 1.8, 2.3, 3.0, 4.0] {
                 let worst = worst_shaken(hz, 4.0, |t| SWING_DEG * DEG * wave(t, swings_hz));
-                let most = if swings_hz < 1.0 { 2.0 } else { 2.0 * f64::from(SWING_DEG) };
+                let most = if swings_hz < 1.0 { 3.5 } else { 2.0 * f64::from(SWING_DEG) };
                 assert!(worst < most, "{name}, {swings_hz} Hz at {hz} frames a second: {worst}°");
             }
         }

@@ -10,7 +10,7 @@ use glam::{Vec4, Vec4Swizzles};
 
 use crate::math;
 use crate::math::Bounded;
-use crate::rig::HeadGoal;
+use crate::rig::{HeadGoal, Swings};
 
 /// Heading and pitch in the first two lanes; the other lanes are unspecified.
 pub(super) type Pair = Vec4;
@@ -218,16 +218,41 @@ fn braking(distance: f32, gain: f32, dt: f32) -> f32 {
     gain * (frames + (distance - 0.5 * frames * (frames + 1.0)) / (frames + 1.0))
 }
 
+/// Part of the acceleration up to which a head follows its goal's changes of velocity. Less than half of the
+/// acceleration, in either direction, is no full reversal.
+const FOLLOWED: f32 = 0.45;
+
+impl Swings {
+    /// Returns the part of its goal's movement that a head follows, for the goal's velocity `change` in this frame: all
+    /// of it, or as much as keeps the accelerations with which the goal has lately been slowed down within [`FOLLOWED`].
+    ///
+    /// A head that followed all of a faster swing as far as its acceleration allows would lag behind, and turn away from
+    /// its goal half of the time. A goal that speeds up in one direction does not count.
+    pub(super) fn followed_part(&mut self, change: Pair, bounds: &Bounds) -> f32 {
+        /// Time constant of the mean velocity, seconds. It levels the steps between an animation's keys.
+        const MEAN_S: f32 = 0.02;
+        /// Time constant with which a deceleration is forgotten, seconds.
+        const FORGOTTEN_S: f32 = 0.3;
+        let &Bounds { dt, rate, acceleration, .. } = bounds;
+        let fastest = Vec4::splat(rate);
+        let mean = pair(self.mean_velocity).max(-fastest).min(fastest);
+        // A goal that is faster jumps.
+        if square(change) <= rate * rate {
+            let gain = (change - mean) / (dt + MEAN_S);
+            let slows = -(gain.x * mean.x + gain.y * mean.y) / length(mean).at_least(f32::MIN_POSITIVE);
+            self.mean_velocity = to_array(mean + gain * dt);
+            self.braking = (self.braking / (1.0 + dt / FORGOTTEN_S)).at_least(slows);
+        }
+        (FOLLOWED * acceleration / self.braking.at_least(f32::MIN_POSITIVE)).at_most(1.0)
+    }
+}
+
 /// Splits the movement of the head's goal in a frame into a velocity that the region follows (feed-forward) and an
 /// offset. Returns the feed-forward velocity at the start of the frame, and the jump of the goal.
 ///
-/// - A change of the goal's velocity is followed at once up to `part` of the acceleration.
-/// - If `part` is 1, a velocity that lasts, from its second frame on, is followed up to the rate, without a step in the
-///   region's own velocity.
+/// - The head follows `part` of the goal's velocity, as far as the rate allows.
+/// - A change of that velocity is followed at once up to [`FOLLOWED`], and gradually beyond.
 /// - A jump becomes offset entirely, and so does a hop from which the goal returns.
-/// - A sudden change within the acceleration, as at an animation key, is followed over two frames. Alternating ones
-///   would otherwise drive the head from one end of its acceleration to the other.
-/// - A goal that shakes is followed by its mean velocity.
 #[cfg_attr(not(aim_small), inline(always))]
 pub(super) fn split_goal_motion(
     head_goal: &mut HeadGoal,
@@ -236,48 +261,29 @@ pub(super) fn split_goal_motion(
     part: f32,
     bounds: &Bounds,
 ) -> [Pair; 2] {
-    /// Part of the acceleration that follows a sudden change at once.
-    const AT_ONCE: f32 = 0.5;
-    /// Part of the acceleration up to which a change does not count as a gain of speed.
-    const GAINS: f32 = 0.25;
     let &Bounds { dt, per_dt, rate, acceleration, .. } = bounds;
     let most = Vec4::splat(acceleration * dt);
     let [last_goal, last_feed_forward, last_velocity] =
         [head_goal.angles, head_goal.feed_forward, head_goal.velocity].map(pair);
-    let change = (goal - last_goal) * per_dt;
-    let is_near = |other: Pair| is_near_to(change, other, most);
-    let lasts = is_near(last_velocity);
+    let moved = goal - last_goal;
+    let change = moved * (per_dt * part);
+    let lasts = is_near_to(change, last_velocity, most);
     // The goal hops if its velocities in two frames lie on either side of the feed-forward velocity.
-    let gain = change - last_feed_forward;
+    let mut gain = change - last_feed_forward;
     let hops = (gain * (last_velocity - last_feed_forward)).cmplt(Vec4::ZERO);
-    let within = |part: f32| gain.max(most * -part).min(most * part);
-    let gain = match (lasts, head_goal.is_accelerating) {
-        (true, true) if part == 1.0 => gain,
-        (true, _) => within(part.min(AT_ONCE)),
-        (false, _) => Vec4::select(hops, Vec4::ZERO, within(part)),
-    };
-    head_goal.is_accelerating = !is_near_to(change, last_feed_forward, most * GAINS);
-    let mut speed = last_feed_forward;
     if square(change) <= rate * rate {
-        speed += gain;
-    } else if lasts {
-        speed = change * (rate / length(change));
+        gain = if lasts { gain } else { Vec4::select(hops, Vec4::ZERO, gain) };
+    } else {
+        let within_rate = change * (rate / length(change));
+        gain = if lasts { within_rate - last_feed_forward } else { Vec4::ZERO };
     }
-    let mut is_smooth = is_near_to(speed, last_feed_forward, most);
-    if !lasts || head_goal.slowdown > 0.0 {
-        (head_goal.slowdown, speed, is_smooth) = head_goal.damp_shaking(speed, change, lasts, *bounds);
-    }
-    let mut begins = last_feed_forward;
-    if !is_smooth {
-        glide.speed += last_feed_forward - speed;
-        begins = speed;
-    }
-    let (jump, ahead) = ((change - speed) * dt, last_goal - sum);
+    let speed = last_feed_forward + gain.max(most * -FOLLOWED).min(most * FOLLOWED);
+    let (jump, ahead) = (moved - speed * dt, last_goal - sum);
     glide.offset = -ahead - jump;
     head_goal.slow_for_reversal(jump, ahead, dt);
     (head_goal.angles, head_goal.feed_forward, head_goal.velocity) =
         (to_array(goal), to_array(speed), to_array(change));
-    [begins, jump]
+    [last_feed_forward, jump]
 }
 
 /// Returns `true` if both angles are within `most` of the others.
@@ -303,57 +309,6 @@ impl HeadGoal {
     pub(super) fn pace_factor(&self) -> f32 {
         const LEAST: f32 = 0.4;
         (1.0 - self.slowdown).at_least(LEAST).at_most(1.0)
-    }
-
-    /// Limits how a shaking goal is followed. `lasts` tells whether the goal's last change was within the acceleration.
-    ///
-    /// A goal shakes if it turns back while the head still follows its former velocity. The further it comes back, the
-    /// more the head follows only the mean of the goal's velocity.
-    ///
-    /// If the goal's velocity departs by v from the feed-forward velocity faster than the acceleration a can follow, the
-    /// head overshoots by v²/2a. This lowers its pace, which would add to the overshoot, but is no shaking: after a
-    /// single turn, the mean would carry the head on where the goal stops.
-    ///
-    /// Returns the new `slowdown`, the feed-forward velocity that replaces `speed`, and whether its change is within the
-    /// acceleration.
-    #[cold]
-    #[inline(never)]
-    fn damp_shaking(mut self, mut speed: Pair, change: Pair, lasts: bool, bounds: Bounds) -> (f32, Pair, bool) {
-        /// Time constant of the mean, seconds.
-        const MEAN_S: f32 = 0.25;
-        /// Time after which a goal that outruns the head counts in full, seconds.
-        const OUTRUN_S: f32 = 0.1;
-        /// The most that it counts. A higher `slowdown` is one of shaking.
-        const OUTRUN: f32 = 0.6;
-        /// Overshoots from which movement begins to count, and from which it counts in full.
-        const OVERSHOOTS_RAD: [f32; 2] = [0.03 * PI / 180.0, 0.2 * PI / 180.0];
-        /// Way back that counts as 1.
-        const TURN_BACK_RAD: f32 = 12.0 * PI / 180.0;
-        let Bounds { dt, rate, acceleration, .. } = bounds;
-        let most = Vec4::splat(acceleration * dt);
-        let before = pair(self.feed_forward);
-        let along = change * before;
-        let turns_back = along.x + along.y < 0.0;
-        // A goal that is faster than the head's rate in one frame only has jumped instead.
-        if turns_back && (lasts || square(change) <= rate * rate) {
-            self.slowdown += length(change) * dt / TURN_BACK_RAD;
-        } else if !lasts && self.slowdown < OUTRUN {
-            let off = square(change - before).at_most(square(pair(self.velocity) - before));
-            let counts = (off / (2.0 * acceleration) - OVERSHOOTS_RAD[0]) / (OVERSHOOTS_RAD[1] - OVERSHOOTS_RAD[0]);
-            self.slowdown = (self.slowdown + counts.at_least(0.0).at_most(1.0) * (dt / OUTRUN_S)).at_most(OUTRUN);
-        }
-        if !(self.slowdown > 0.0) {
-            return (self.slowdown, speed, is_near_to(speed, before, most));
-        }
-        if self.slowdown > OUTRUN {
-            // A jump is not motion, so only little of its velocity counts. Some must, as a goal that swings back faster
-            // than forth would otherwise make the mean drift.
-            let counted = change * (3.0 * rate / length(change)).at_most(1.0);
-            let mean = before + (counted - before) * (dt / (dt + MEAN_S));
-            speed += (mean - speed) * ((self.slowdown.at_most(1.0) - OUTRUN) / (1.0 - OUTRUN));
-        }
-        // Without this limit, sudden changes in one direction only would push the head that way.
-        (self.slowdown, before + (speed - before).max(-most).min(most), true)
     }
 
     /// Makes the head slower for a while if its goal jumps back before the head has arrived, so that it stays near the

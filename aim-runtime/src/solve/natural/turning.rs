@@ -12,7 +12,7 @@ use super::{Aims, Gaze, Motion, Posture, SAME_RAD, THERE_RAD, at, sum};
 use crate::kinematics::bearing::heading_and_pitch;
 use crate::math::Bounded;
 use crate::math::trig;
-use crate::rig::{BodyPart, EXACT_JOINTS, HeadGoal, PerJoint};
+use crate::rig::{BodyPart, EXACT_JOINTS, HeadGoal, PerJoint, Swings};
 use crate::{Joint, math};
 
 /// The goal of a region's turn, with the turns of the joints inward of it undone.
@@ -338,14 +338,17 @@ impl<const C: usize> Gaze<'_, C> {
             (head_goal, glide) = head_goal.fade([before, goal], glide, dt);
         } else if is_head {
             let jump;
-            // An eye compensates for what its head does not follow. Less than half of the acceleration either way is no
-            // full reversal.
-            let part = if self.has_eye() { 0.45 } else { 1.0 };
+            let mut part = 1.0;
+            if !self.has_eye() {
+                let mut swings = if motion.is_first { Swings::default() } else { motion.memory.swings() };
+                part = swings.followed_part((goal - pair(head_goal.angles)) * per_dt, &bounds);
+                motion.memory.set_swings(swings);
+            }
             [begins, jump] = split_goal_motion(&mut head_goal, [before, goal], &mut glide, part, &bounds);
             if !self.has_eye() {
                 let jump_lag = jump_lag_after(motion.memory.jump_lag(), jump).at_most(length(glide.offset));
                 motion.memory.set_jump_lag(jump_lag);
-                bounds.pace *= 1.0 + (jump_pace_factor(jump_lag) - 1.0) * (1.0 - head_goal.slowdown).at_least(0.0);
+                bounds.pace *= 1.0 + (jump_pace_factor(jump_lag) - 1.0) * (part - head_goal.slowdown).at_least(0.0);
             }
             carries = pair(head_goal.feed_forward);
         } else {
