@@ -7,6 +7,10 @@
 use crate::rewrite::rules::AT_REST;
 use crate::{Attitude, Graph, Rotation, RotationNode, Scalar, ScalarNode, Space, Vector, VectorNode};
 
+/// Limit on the number of factors of a rotation whose motions are added up, counted with their products. A factor may
+/// appear many times: squaring a rotation over and over doubles its factors.
+const MOST_FACTORS: usize = 128;
+
 impl Graph {
     /// Returns the step or motion of `rotation`, and `true` if `rotation` is the inverse of that rotation. The inverse
     /// of a moving rotation has the motion in the body.
@@ -41,8 +45,9 @@ impl Graph {
     }
 
     /// Returns the motion of `rotation` in the world: the sum of the motions of its factors, each turned by those
-    /// outside of it. `None` if it contains rotations by angles, or no motion.
-    fn motion(&mut self, rotation: Rotation, back: bool) -> Option<Option<Vector>> {
+    /// outside of it; `Some(None)` if it does not move. `None` if it contains rotations by angles, or too many factors.
+    fn motion(&mut self, rotation: Rotation, back: bool, left: &mut usize) -> Option<Option<Vector>> {
+        *left = left.checked_sub(1)?;
         let signed = |g: &mut Self, v| if back { g.neg_vector(v) } else { v };
         match self.rotation_node(rotation) {
             RotationNode::Matrix(_) | RotationNode::Basis(_) | RotationNode::Quaternion(..) => Some(None),
@@ -53,10 +58,10 @@ impl Graph {
                 let motion = self.intern_vector(VectorNode::Motion(space, Attitude::Turn(v)));
                 Some(Some(signed(self, motion)))
             }
-            RotationNode::Transpose(inner) => self.motion(inner, !back),
+            RotationNode::Transpose(inner) => self.motion(inner, !back, left),
             RotationNode::Compose(a, b) => {
                 let [outer, inner] = if back { [b, a] } else { [a, b] };
-                let (first, second) = (self.motion(outer, back)?, self.motion(inner, back)?);
+                let (first, second) = (self.motion(outer, back, left)?, self.motion(inner, back, left)?);
                 let outer = if back { self.transpose(outer) } else { outer };
                 let second = second.map(|v| self.rotate(outer, v));
                 Some(match (first, second) {
@@ -70,7 +75,7 @@ impl Graph {
     /// Returns the parts of the quaternion (u, w) of `rotation`, with derivatives by the rotation's motion where it has
     /// one.
     pub fn quaternion_parts(&mut self, rotation: Rotation, (u, w): (Vector, Scalar)) -> (Vector, Scalar) {
-        match self.motion(rotation, false).flatten() {
+        match self.motion(rotation, false, &mut { MOST_FACTORS }).flatten() {
             Some(motion) => (self.imaginary(motion, u, w), self.real(motion, u, w)),
             None => (u, w),
         }

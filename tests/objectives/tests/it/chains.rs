@@ -2,6 +2,7 @@
 //! taken forward together. The budgets are those of the rules that the functions are for.
 
 use aim::differentiate;
+use aim::glam::{DMat3, DQuat, DVec3};
 
 #[differentiate(check = true)]
 mod chains {
@@ -55,4 +56,21 @@ mod chains {
     pub(super) fn between(a: DQuat, b: DQuat, t: f64, p: DVec3) -> DVec3 {
         a.slerp(b, t) * p
     }
+}
+
+/// Squared over and over, a rotation has a million factors. They are not taken one by one.
+#[differentiate(wrt(tangent(q)))]
+fn squared(q: DQuat) -> DVec3 {
+    let mut q = q;
+    for _ in 0..20 {
+        q = q * q;
+    }
+    q.to_scaled_axis()
+}
+
+#[test]
+fn a_rotation_squared_many_times_is_derived() {
+    let (turn, (by_q,)) = squared_jacobian(DQuat::IDENTITY);
+    assert_eq!(turn, DVec3::ZERO);
+    assert_eq!(by_q, f64::from(1 << 20) * DMat3::IDENTITY);
 }
