@@ -202,21 +202,49 @@ pub(super) struct Product {
     pub(super) above: Vec<Scalar>,
     /// The factors that appear in the denominator.
     pub(super) below: Vec<Scalar>,
+    /// The factors that appear in the denominator of a guarded reciprocal, which is 0 where they are.
+    guarded: Vec<Scalar>,
+    /// The factors that appear in a root, so that they are not negative.
+    in_roots: Vec<Scalar>,
+    /// Whether the factors are those of a guarded reciprocal.
+    in_guard: bool,
     parts: usize,
 }
 
 impl Product {
     pub(super) const fn new() -> Self {
-        Self { coefficient: 1.0, powers: Vec::new(), above: Vec::new(), below: Vec::new(), parts: 0 }
+        Self {
+            coefficient: 1.0,
+            powers: Vec::new(),
+            above: Vec::new(),
+            below: Vec::new(),
+            guarded: Vec::new(),
+            in_roots: Vec::new(),
+            in_guard: false,
+            parts: 0,
+        }
     }
 
     pub(super) fn power(&mut self, factor: Scalar, halves: i32) {
         let side = if halves < 0 { &mut self.below } else { &mut self.above };
         side.push(factor);
+        if halves < 0 && self.in_guard {
+            self.guarded.push(factor);
+        }
         match self.powers.iter_mut().find(|(known, _)| *known == factor) {
             Some((_, power)) => *power += halves,
             None => self.powers.push((factor, halves)),
         }
+    }
+
+    /// Returns `true` if the factor appears in the denominator of a guarded reciprocal.
+    pub(super) fn is_guarded(&self, factor: Scalar) -> bool {
+        self.guarded.contains(&factor)
+    }
+
+    /// Sets whether the factors to come are those of a guarded reciprocal.
+    pub(super) fn guard(&mut self, in_guard: bool) {
+        self.in_guard = in_guard;
     }
 
     pub(super) fn power_of(&self, factor: Scalar) -> i32 {
@@ -266,8 +294,12 @@ impl Product {
                 self.times(g, b, -halves, whole)?;
             }
             // A guarded reciprocal of a negative number is 0, so this holds only for lengths.
-            ScalarNode::Reciprocal(a) if g.is_length(a) => self.times(g, a, -halves, whole)?,
-            ScalarNode::Op(Op::Sqrt(a)) => self.times_plain(g, a, halves / 2, whole)?,
+            ScalarNode::Reciprocal(a) if g.is_length(a) => {
+                let outer = std::mem::replace(&mut self.in_guard, true);
+                self.times(g, a, -halves, whole)?;
+                self.in_guard = outer;
+            }
+            ScalarNode::Op(Op::Sqrt(a)) => self.times_root(g, a, halves / 2, whole)?,
             ScalarNode::Norm(v) => self.times_square(g, v, halves / 2, whole)?,
             ScalarNode::Dot(v, w) if v == w => self.times_square(g, v, halves, whole)?,
             ScalarNode::Dot(v, w) if v != w && halves == 2 => {
@@ -295,30 +327,39 @@ impl Product {
         if let Some(v) = g.as_square(s) {
             return self.times_square(g, v, halves, whole);
         }
-        if let ScalarNode::Op(Op::Mul(a, b)) = g.scalar_node(s)
-            && a == b
-            && let ScalarNode::Op(Op::Mul(p, q)) = g.scalar_node(a)
-            && (g.is_length(p) != g.is_length(q))
-        {
-            // (p q)² = p² q²
-            for side in [p, q] {
-                let square = g.mul(side, side);
-                self.times_plain(g, square, halves, whole)?;
-            }
-            return Some(());
+        let s = g.one_minus_square(s).unwrap_or(s);
+        self.power(s, halves);
+        Some(())
+    }
+
+    /// Multiplies by a power of the root of `s`, which is not negative then: `halves` of a power of `s`.
+    fn times_root(&mut self, g: &mut Graph, s: Scalar, halves: i32, whole: &[Scalar]) -> Option<()> {
+        self.parts += 1;
+        if self.parts > MOST_PARTS {
+            return None;
         }
         match g.scalar_node(s) {
             ScalarNode::Op(Op::Constant(c)) if c.value() > 0.0 => {
                 self.coefficient *= c.value().powf(f64::from(halves) / 2.0);
             }
-            ScalarNode::Op(Op::Mul(a, b)) if a == b && g.is_length(a) => self.times(g, a, 2 * halves, whole)?,
-            ScalarNode::Op(Op::Mul(a, b)) if a != b && (g.is_length(a) || g.is_length(b)) => {
-                self.times_plain(g, a, halves, whole)?;
-                self.times_plain(g, b, halves, whole)?;
+            ScalarNode::Op(Op::Mul(a, b)) if a == b => match g.scalar_node(a) {
+                // (p q)² = p² q²
+                ScalarNode::Op(Op::Mul(p, q)) if g.is_length(p) != g.is_length(q) => {
+                    for side in [p, q] {
+                        let square = g.mul(side, side);
+                        self.times_root(g, square, halves, whole)?;
+                    }
+                }
+                _ if halves % 2 == 0 || g.is_length(a) => self.times(g, a, 2 * halves, whole)?,
+                _ => self.power(s, halves),
+            },
+            ScalarNode::Op(Op::Mul(a, b)) if g.is_length(a) || g.is_length(b) => {
+                self.times_root(g, a, halves, whole)?;
+                self.times_root(g, b, halves, whole)?;
             }
             _ => {
-                let s = g.one_minus_square(s).unwrap_or(s);
-                self.power(s, halves);
+                self.in_roots.push(g.one_minus_square(s).unwrap_or(s));
+                self.times_plain(g, s, halves, whole)?;
             }
         }
         Some(())
@@ -405,9 +446,16 @@ impl Product {
 
     /// Returns the product as an expression, or `None` if it is 1.
     pub(super) fn stated(self, g: &mut Graph) -> Option<Scalar> {
-        let [mut above, mut below]: [Vec<Scalar>; 2] = Default::default();
+        let [mut above, mut below, mut guarded]: [Vec<Scalar>; 3] = Default::default();
         for &(factor, halves) in &self.powers {
-            let side = if halves > 0 { &mut above } else { &mut below };
+            // A guarded reciprocal of a negative number is 0.
+            let is_not_negative = halves.abs() % 4 != 2 || g.is_length(factor) || self.in_roots.contains(&factor);
+            let is_guarded = self.is_guarded(factor) && is_not_negative;
+            let side = match halves {
+                1.. => &mut above,
+                _ if is_guarded => &mut guarded,
+                _ => &mut below,
+            };
             for _ in 0..halves.abs() / 2 {
                 side.push(factor);
             }
@@ -420,6 +468,9 @@ impl Product {
         }
         if self.coefficient.abs() != 1.0 {
             above.push(g.constant(self.coefficient.abs()));
+        }
+        if let Some(product) = guarded.into_iter().reduce(|a, b| g.mul(a, b)) {
+            above.push(g.reciprocal(product));
         }
         let [above, below] = [above, below].map(|side| side.into_iter().reduce(|a, b| g.mul(a, b)));
         let stated = match below {

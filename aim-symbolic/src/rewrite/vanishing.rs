@@ -300,18 +300,28 @@ impl Vanishing {
     }
 
     /// Returns `true` if the power of the length can be taken out of the function in `product`. If the product has an
-    /// odd number of halves of it, a root, the factors must not be negative: the root of x² is |x|.
+    /// odd number of halves of it, a root, the factors must not be negative: the root of x² is |x|. No power may be less
+    /// than a half. Neither may the factors be negative in a guarded reciprocal, or it could not be stated by them.
     pub(super) fn is_free_in(&self, g: &Graph, product: &Product, s: Scalar) -> bool {
-        if product.power_of(s) % 2 == 0 {
+        self.is_free(g, product, product.power_of(s), product.is_guarded(s))
+    }
+
+    fn is_free(&self, g: &Graph, product: &Product, power: i32, is_guarded: bool) -> bool {
+        let is_root = power % 2 != 0;
+        if !is_root && !is_guarded {
             return true;
         }
         let base = self.length.base;
-        let is_root = self.length.halves == 1 && !matches!(self.rest, Rest::Sum { .. });
+        let is_of_root = self.length.halves == 1 && !matches!(self.rest, Rest::Sum { .. });
+        let is_power = self.coefficient() > 0.0
+            && self.halves() % 2 == 0
+            && (is_of_root || product.power_of(base) % 2 != 0 || g.is_length(base));
         let common = if let Rest::Series { common, .. } = &self.rest { &common[..] } else { &[] };
-        let mut others = self.length.others.iter().chain(common);
-        self.coefficient() > 0.0
-            && others.all(|&(factor, _)| g.is_length(factor))
-            && (is_root || product.power_of(base) % 2 != 0 || g.is_length(base))
+        let others = self.length.others.iter().map(|&(factor, halves)| (factor, halves * self.order));
+        let is_free = |(factor, halves): (Scalar, i32)| g.is_length(factor) && halves * power % 2 == 0;
+        (!is_root || is_power)
+            && others.chain(common.iter().copied()).all(is_free)
+            && self.inside.as_ref().is_none_or(|inside| inside.is_free(g, product, self.order * power, is_guarded))
     }
 
     /// Returns the constant factor of the power of the length.
@@ -327,7 +337,9 @@ impl Vanishing {
 
     /// Takes the power of the length out of the function `s` in `product`; `None` if the product becomes too long.
     pub(super) fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) -> Option<()> {
+        let is_guarded = product.is_guarded(s);
         let halves = product.remove(s);
+        product.guard(is_guarded);
         product.coefficient *= self.coefficient().powi(halves / 2);
         if halves % 2 != 0 {
             product.coefficient *= self.coefficient().sqrt().powi(halves % 2);
@@ -359,6 +371,7 @@ impl Vanishing {
                 product.power(quotient, halves);
             }
         }
+        product.guard(false);
         match &self.inside {
             Some(inside) => inside.take_out(g, product, self.length.base),
             None => Some(()),
@@ -517,13 +530,12 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
             }
             for ((all, order), &base) in all.iter_mut().zip(of_sum).zip(bases) {
                 let is_free = || Vanishing::sum(base, order).is_free_in(g, &product, factor);
-                if is_order(order) && order * power % 2 == 0 && is_free() {
+                if is_order(order) && is_free() {
                     *all += order * power / 2;
                 }
             }
         } else if let Some(found) = Vanishing::of_nested(g, factor, bases)
             && let Some(place) = bases.iter().position(|&base| base == found.base())
-            && found.halves() * power % 2 == 0
             && found.is_free_in(g, &product, factor)
         {
             all[place] += found.halves() * power / 2;
@@ -547,7 +559,7 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
     if product.coefficient == 0.0 {
         return Some(g.constant(0.0));
     }
-    for (factor, power) in product.powers.clone() {
+    for (factor, _) in product.powers.clone() {
         let found = if factor == base {
             None
         } else if parts(g, factor).is_some() {
@@ -555,8 +567,8 @@ fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -
         } else {
             Vanishing::of_nested(g, factor, &[base])
         };
-        let is_free = |found: &Vanishing| found.halves() * power % 2 == 0 && found.is_free_in(g, &product, factor);
-        if let Some(found) = found.filter(|found| is_order(found.halves()) && is_free(found)) {
+        let is_free = |found: &Vanishing| is_order(found.halves()) && found.is_free_in(g, &product, factor);
+        if let Some(found) = found.filter(is_free) {
             found.take_out(g, &mut product, factor)?;
         }
     }

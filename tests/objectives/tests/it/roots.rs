@@ -34,6 +34,10 @@ functions! {
     length = |x, y| x.hypot(x * y) / x;
     fourth_root = |x, y| (x.powi(4) * y).sqrt().sqrt() / x;
     root_of_quotient = |x, y| (y / (x * x)).sqrt() * x;
+    root_of_length = |x, y| (x.hypot(1.0) * y).sqrt();
+    root_of_lengths = |x, y| (x.hypot(1.0) / y.hypot(x)).sqrt();
+    root_of_root = |x, y| ((x * x).sqrt() * y).sqrt();
+    over_root_of_sine = |x, y| x.hypot(y) / x.hypot(y).sin().sqrt();
 }
 
 #[test]
@@ -56,6 +60,42 @@ fn what_comes_out_of_a_root_is_not_negative() {
                     );
                 }
             }
+        }
+    }
+}
+
+macro_rules! roots {
+    ($($name:ident = |$x:ident, $y:ident| $body:expr;)*) => {
+        $(mod $name {
+            #[aim::differentiate(wrt(x, y), hessian)]
+            pub(super) fn function($x: f64, $y: f64) -> f64 {
+                $body
+            }
+        })*
+
+        /// Each root by name, with its derivatives.
+        const ROOTS: &[(&str, Hessian)] = &[$((stringify!($name), $name::function_hessian),)*];
+    };
+}
+
+type Hessian = fn(f64, f64) -> (f64, (f64, f64), [[f64; 2]; 2]);
+
+roots! {
+    root_of_scaled = |x, y| (x.exp() * y).sqrt();
+    root_of_scaled_square = |x, y| (x * x * y).sqrt();
+    root_of_scaled_size = |x, y| (x.abs() * y * y).sqrt();
+    root_of_scaled_length = |x, y| (x.hypot(x) * y).sqrt();
+    root_of_product = |x, y| (x * y).sqrt();
+}
+
+#[test]
+fn the_slopes_of_a_root_are_0_where_it_is_0() {
+    for &(name, hessian) in ROOTS {
+        for x in [0.0, 0.7] {
+            let (value, (by_x, by_y), second) = hessian(x, 0.0);
+            let [[xx, xy], [yx, yy]] = second;
+            let all = [value, by_x, by_y, xx, xy, yx, yy];
+            assert_eq!(all, [0.0; 7], "{name} of {x} and 0");
         }
     }
 }
