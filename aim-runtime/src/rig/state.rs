@@ -285,7 +285,10 @@ impl Memory {
             return Swings::default();
         }
         let bits = mean.to_bits();
-        Swings { mean_velocity: [bits & 0xffff_0000, bits << 16].map(f32::from_bits), braking }
+        // Stored data may be arbitrary.
+        let mean_velocity = [bits & 0xffff_0000, bits << 16].map(f32::from_bits);
+        let is_known = mean_velocity.iter().all(|velocity| velocity.is_finite());
+        Swings { mean_velocity: if is_known { mean_velocity } else { [0.0; 2] }, braking }
     }
 
     pub(crate) fn set_swings(&mut self, swings: Swings) {
@@ -521,13 +524,19 @@ mod tests {
     }
 
     #[test]
-    fn absent_angles_are_none() {
+    fn optional_data_is_absent_or_stored() {
         let (mut joint, mut memory) = (Joint::REST, Memory::NONE);
         assert_eq!((joint.destination(), memory.eyes(), joint, memory), (None, None, Joint::REST, Memory::NONE));
         joint.set_destination(Some([0.5, -0.25]));
         memory.set_eyes([[0.5, 0.0], [0.25, -1.0]]);
         assert_eq!((joint.destination(), memory.other_eye()), (Some([0.5, -0.25]), Some([0.5, 0.0])));
         assert!(joint != Joint::REST && memory != Memory::NONE);
+        assert_eq!(memory.swings().braking, 0.0);
+        memory.forget_eyes();
+        memory.set_swings(Swings { mean_velocity: [0.5, -0.25], braking: 3.0 });
+        assert_eq!((memory.swings().mean_velocity, memory.swings().braking), ([0.5, -0.25], 3.0));
+        memory.leading_eye[0] = f32::from_bits(0x3f80_7fc0);
+        assert_eq!(memory.swings().mean_velocity, [0.0; 2]);
         memory.set_searched_target(Vec3A::new(1.0, -0.3, 1e-20));
         assert!((memory.searched_target() - Vec3A::new(1.0, -0.3, 0.0)).length() < 2e-3);
     }
