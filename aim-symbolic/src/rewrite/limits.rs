@@ -10,7 +10,7 @@
 use rustc_hash::FxHashSet;
 
 use super::product::{Product, terms};
-use super::vanishing::Vanishing;
+use super::vanishing::{Quotients, Vanishing};
 use crate::{Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 /// `a b / a = b`, also where a is 0, and `sin r / r`, which becomes a series near 0.
@@ -125,8 +125,9 @@ impl Product {
             if by_itself && !functions_in(1) {
                 continue;
             }
+            let mut quotients = Quotients::by(base);
             for (s, found) in functions {
-                found.take_out(g, self, *s)?;
+                found.take_out(g, self, *s, &mut quotients)?;
             }
         }
         Some(any)

@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Vector, VectorNode};
 
 /// Limit on the number of parts; longer products are not analysed.
-const MOST_PARTS: usize = 48;
+const MOST_PARTS: usize = 128;
 
 /// Limit on the depth to which numbers are searched for whether they may be negative.
 const DEEPEST_LENGTH: u32 = 6;

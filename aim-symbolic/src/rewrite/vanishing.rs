@@ -1,7 +1,7 @@
 //! Functions that vanish like a power of a length or of a number, split into that power and a factor that does not
 //! vanish.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::cases::{comparisons, distinguished};
 use super::length::Length;
@@ -10,8 +10,8 @@ use super::series::{Expansion, NearZero};
 use crate::ir::smooth::factorial;
 use crate::{Function, Graph, Op, Scalar, ScalarNode, Stumpff};
 
-/// Limit on the number of sums that are visited.
-const MOST_SUMS: usize = 64;
+/// Limit on the number of different sums that are visited.
+const MOST_SUMS: usize = 100;
 
 /// Limit on the number of subexpressions that are searched for a base.
 const MOST_PARTS: usize = 100;
@@ -112,7 +112,7 @@ impl Vanishing {
     }
 
     fn of_terms(g: &mut Graph, sum: Scalar, divisors: &[Scalar]) -> Vec<Self> {
-        let orders = orders(g, sum, divisors, &mut { MOST_SUMS }).unwrap_or_default();
+        let orders = orders(g, sum, divisors, &mut FxHashMap::default()).unwrap_or_default();
         // A negative power of a plain input stays as stated.
         let is_plain = |g: &Graph, base| matches!(g.scalar_node(base), ScalarNode::Op(Op::Input(_)));
         let by = |(&base, order): (&Scalar, i32)| {
@@ -336,7 +336,13 @@ impl Vanishing {
     }
 
     /// Takes the power of the length out of the function `s` in `product`; `None` if the product becomes too long.
-    pub(super) fn take_out(&self, g: &mut Graph, product: &mut Product, s: Scalar) -> Option<()> {
+    pub(super) fn take_out(
+        &self,
+        g: &mut Graph,
+        product: &mut Product,
+        s: Scalar,
+        quotients: &mut Quotients,
+    ) -> Option<()> {
         let is_guarded = product.is_guarded(s);
         let halves = product.remove(s);
         product.guard(is_guarded);
@@ -362,7 +368,7 @@ impl Vanishing {
             }
             &Rest::Arc(w) => product.power(g.arc(square, w), halves),
             Rest::Sum { stated } => {
-                let rest = over(g, stated.unwrap_or(s), self.length.base, self.order, &mut { MOST_SUMS })?;
+                let rest = quotients.over(g, stated.unwrap_or(s), self.order)?;
                 product.power(rest, halves);
             }
             Rest::Series { common, of, number, series } => {
@@ -373,7 +379,7 @@ impl Vanishing {
         }
         product.guard(false);
         match &self.inside {
-            Some(inside) => inside.take_out(g, product, self.length.base),
+            Some(inside) => inside.take_out(g, product, self.length.base, quotients),
             None => Some(()),
         }
     }
@@ -436,9 +442,9 @@ fn common_factors(g: &mut Graph, s: Scalar, base: Scalar, divisors: &[Scalar]) -
     let bases = first.map_or(Vec::new(), |first| first.powers.iter().map(|&(base, _)| base).collect());
     let is_free = |factor: &Scalar| !divisors.contains(factor) && !depends_on(g, *factor, base);
     let bases: Vec<Scalar> = bases.into_iter().filter(is_free).collect();
-    let orders = orders(g, s, &bases, &mut { MOST_SUMS }).unwrap_or_default();
+    let orders = orders(g, s, &bases, &mut FxHashMap::default()).unwrap_or_default();
     for (base, order) in bases.into_iter().zip(orders).filter(|&(_, order)| is_order(order)) {
-        if let Some(without) = over(g, rest, base, order, &mut { MOST_SUMS }) {
+        if let Some(without) = Quotients::by(base).over(g, rest, order) {
             rest = without;
             common.push((base, order));
         }
@@ -498,11 +504,21 @@ fn is_order(order: i32) -> bool {
     order != 0 && order < ORDER_OF_ZERO
 }
 
+/// The lowest powers of some bases in sums, in halves, by sum.
+type Orders = FxHashMap<Scalar, Vec<i32>>;
+
 /// Returns the lowest power of each base among the terms of a sum, in halves; `None` if the sum is too long.
-fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Option<Vec<i32>> {
+/// Uses and adds to what is `known` of sums with these bases.
+fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], known: &mut Orders) -> Option<Vec<i32>> {
     if let Some((a, b)) = parts(g, s) {
-        *left = left.checked_sub(1)?;
-        let (a, b) = (orders(g, a, bases, left)?, orders(g, b, bases, left)?);
+        if let Some(orders) = known.get(&s) {
+            return Some(orders.clone());
+        }
+        if known.len() >= MOST_SUMS {
+            return None;
+        }
+        known.insert(s, Vec::new());
+        let (a, b) = (orders(g, a, bases, known)?, orders(g, b, bases, known)?);
         let is_choice = matches!(g.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
         let of_both = |((a, b), &base): ((i32, i32), &Scalar)| match (a.min(b), a.max(b)) {
             (least, most) if is_choice && g.may_be_of_length_zero(base) => match (least, most) {
@@ -515,7 +531,9 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
             (..0, 0..) if is_choice => 0,
             (least, _) => least,
         };
-        return Some(a.into_iter().zip(b).zip(bases).map(of_both).collect());
+        let orders: Vec<i32> = a.into_iter().zip(b).zip(bases).map(of_both).collect();
+        known.insert(s, orders.clone());
+        return Some(orders);
     }
     let product = Product::of(g, s)?;
     if product.coefficient == 0.0 {
@@ -524,7 +542,7 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     let mut all: Vec<i32> = bases.iter().map(|&base| product.power_of(base)).collect();
     for &(factor, power) in product.powers.iter().filter(|(factor, _)| !bases.contains(factor)) {
         if parts(g, factor).is_some() {
-            let of_sum = orders(g, factor, bases, left)?;
+            let of_sum = orders(g, factor, bases, known)?;
             if of_sum.contains(&ORDER_OF_ZERO) && power > 0 {
                 return Some(of_sum);
             }
@@ -544,42 +562,68 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], left: &mut usize) -> Optio
     Some(all)
 }
 
-/// Divides each term of `s` by a power of the base, in halves; `None` if the sum is too long.
-fn over(g: &mut Graph, s: Scalar, base: Scalar, halves: i32, left: &mut usize) -> Option<Scalar> {
-    if let Some((a, b)) = parts(g, s) {
-        *left = left.checked_sub(1)?;
-        let (a, b) = (over(g, a, base, halves, left)?, over(g, b, base, halves, left)?);
-        return Some(match g.scalar_node(s) {
+/// Quotients of sums by powers of a base.
+pub(super) struct Quotients {
+    base: Scalar,
+    orders: Orders,
+    /// The quotients by sum and power, in halves.
+    known: FxHashMap<(Scalar, i32), Scalar>,
+}
+
+impl Quotients {
+    pub(super) fn by(base: Scalar) -> Self {
+        Self { base, orders: Orders::default(), known: FxHashMap::default() }
+    }
+
+    /// Divides each term of `s` by a power of the base, in halves; `None` if the sum is too long.
+    fn over(&mut self, g: &mut Graph, s: Scalar, halves: i32) -> Option<Scalar> {
+        let Some((a, b)) = parts(g, s) else { return self.term_over(g, s, halves) };
+        if let Some(&quotient) = self.known.get(&(s, halves)) {
+            return Some(quotient);
+        }
+        if self.known.len() >= MOST_SUMS {
+            return None;
+        }
+        self.known.insert((s, halves), s);
+        let (a, b) = (self.over(g, a, halves)?, self.over(g, b, halves)?);
+        let quotient = match g.scalar_node(s) {
             ScalarNode::Op(Op::Add(..)) => g.add(a, b),
             ScalarNode::Op(Op::SelectLess(less, than, ..)) => g.select_less(less, than, a, b),
             _ => g.sub(a, b),
-        });
-    }
-    let mut product = Product::of(g, s)?;
-    if product.coefficient == 0.0 {
-        return Some(g.constant(0.0));
-    }
-    for (factor, _) in product.powers.clone() {
-        let found = if factor == base {
-            None
-        } else if parts(g, factor).is_some() {
-            Some(Vanishing::sum(base, orders(g, factor, &[base], left)?[0]))
-        } else {
-            Vanishing::of_nested(g, factor, &[base])
         };
-        let is_free = |found: &Vanishing| is_order(found.halves()) && found.is_free_in(g, &product, factor);
-        if let Some(found) = found.filter(is_free) {
-            found.take_out(g, &mut product, factor)?;
+        self.known.insert((s, halves), quotient);
+        Some(quotient)
+    }
+
+    /// Divides a term that is not a sum.
+    fn term_over(&mut self, g: &mut Graph, s: Scalar, halves: i32) -> Option<Scalar> {
+        let base = self.base;
+        let mut product = Product::of(g, s)?;
+        if product.coefficient == 0.0 {
+            return Some(g.constant(0.0));
         }
+        for (factor, _) in product.powers.clone() {
+            let found = if factor == base {
+                None
+            } else if parts(g, factor).is_some() {
+                Some(Vanishing::sum(base, orders(g, factor, &[base], &mut self.orders)?[0]))
+            } else {
+                Vanishing::of_nested(g, factor, &[base])
+            };
+            let is_free = |found: &Vanishing| is_order(found.halves()) && found.is_free_in(g, &product, factor);
+            if let Some(found) = found.filter(is_free) {
+                found.take_out(g, &mut product, factor, self)?;
+            }
+        }
+        product.power(base, -halves);
+        let missing = -product.power_of(base);
+        if missing <= 0 || !g.is_length(base) {
+            return Some(product.stated(g).unwrap_or_else(|| g.constant(1.0)));
+        }
+        product.remove(base);
+        let stated = product.stated(g).unwrap_or_else(|| g.constant(1.0));
+        let length = root(g, base);
+        let reciprocal = g.reciprocal(length);
+        Some((0..missing).fold(stated, |quotient, _| g.mul(quotient, reciprocal)))
     }
-    product.power(base, -halves);
-    let missing = -product.power_of(base);
-    if missing <= 0 || !g.is_length(base) {
-        return Some(product.stated(g).unwrap_or_else(|| g.constant(1.0)));
-    }
-    product.remove(base);
-    let stated = product.stated(g).unwrap_or_else(|| g.constant(1.0));
-    let length = root(g, base);
-    let reciprocal = g.reciprocal(length);
-    Some((0..missing).fold(stated, |quotient, _| g.mul(quotient, reciprocal)))
 }

@@ -93,6 +93,9 @@ in_both_precisions! {
         artanh = |l, k| (k * l).atanh().powi(2), 2.0 * k * k;
         arsinh = |l, k| (l / k).asinh().powi(2), 2.0 / (k * k);
         logarithmic = |l, k| (k * l).ln_1p().powi(2), 2.0 * k * k;
+        weighted_artanh = |l, k| k * l.atanh().powi(2), 2.0 * k;
+        weighted_arsinh = |l, k| k * l.asinh().powi(2), 2.0 * k;
+        weighted_logarithm = |l, k| k * l.ln_1p().powi(2), 2.0 * k;
         ratio = |l, k| k * (0.5 * ((1.0 + l) / (1.0 - l)).ln()).powi(2), 2.0 * k;
         arcosh = |l, _k| l.cosh().acosh().powi(2), 2.0;
         hyperbolic = |l, k| (1.0 + k * l * l).acosh().powi(2), 4.0 * k;
