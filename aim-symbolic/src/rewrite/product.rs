@@ -237,6 +237,14 @@ impl Product {
         }
     }
 
+    /// Multiplies by a power of |factor|, in halves.
+    pub(super) fn power_of_size(&mut self, g: &mut Graph, factor: Scalar, halves: i32) {
+        let (zero, opposite) = (g.constant(0.0), g.neg(factor));
+        let size = g.select_less(factor, zero, opposite, factor);
+        self.in_roots.push(size);
+        self.power(size, halves);
+    }
+
     /// Returns `true` if the factor appears in the denominator of a guarded reciprocal.
     pub(super) fn is_guarded(&self, factor: Scalar) -> bool {
         self.guarded.contains(&factor)
@@ -379,9 +387,7 @@ impl Product {
                 } else if halves % 2 == 0 || g.is_length(k) {
                     self.times(g, k, 2 * halves, whole)?;
                 } else {
-                    let (zero, opposite) = (g.constant(0.0), g.neg(k));
-                    let size = g.select_less(k, zero, opposite, k);
-                    self.power(size, 2 * halves);
+                    self.power_of_size(g, k, 2 * halves);
                 }
                 self.times_square(g, inner, halves, whole)?;
             }

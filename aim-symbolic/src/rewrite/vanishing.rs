@@ -318,7 +318,9 @@ impl Vanishing {
             && (is_of_root || product.power_of(base) % 2 != 0 || g.is_length(base));
         let common = if let Rest::Series { common, .. } = &self.rest { &common[..] } else { &[] };
         let others = self.length.others.iter().map(|&(factor, halves)| (factor, halves * self.order));
-        let is_free = |(factor, halves): (Scalar, i32)| g.is_length(factor) && halves * power % 2 == 0;
+        let is_free = |(factor, halves): (Scalar, i32)| {
+            g.is_length(factor) && halves * power % 2 == 0 || is_root && is_even_power(halves)
+        };
         (!is_root || is_power)
             && others.chain(common.iter().copied()).all(is_free)
             && self.inside.as_ref().is_none_or(|inside| inside.is_free(g, product, self.order * power, is_guarded))
@@ -351,9 +353,15 @@ impl Vanishing {
             product.coefficient *= self.coefficient().sqrt().powi(halves % 2);
         }
         product.power(self.length.base, self.order * self.length.halves * halves / 2);
-        for &(factor, power) in &self.length.others {
-            product.power(factor, power * self.order * halves / 2);
-        }
+        // The root of a square is not negative.
+        let times = |g: &mut Graph, product: &mut Product, factor, power| {
+            if halves % 2 != 0 && is_even_power(power) && !g.is_length(factor) {
+                product.power_of_size(g, factor, power * halves / 2);
+            } else {
+                product.power(factor, power * halves / 2);
+            }
+        };
+        self.length.others.iter().for_each(|&(factor, power)| times(g, product, factor, power * self.order));
         let square = self.length.square(g);
         match &self.rest {
             &Rest::Stumpff(function) => product.power(g.stumpff(function, square), halves),
@@ -372,7 +380,7 @@ impl Vanishing {
                 product.power(rest, halves);
             }
             Rest::Series { common, of, number, series } => {
-                common.iter().for_each(|&(factor, power)| product.power(factor, power * halves / 2));
+                common.iter().for_each(|&(factor, power)| times(g, product, factor, power));
                 let quotient = self.quotient(g, *of, *number, series);
                 product.power(quotient, halves);
             }
@@ -497,6 +505,11 @@ fn root(g: &mut Graph, square: Scalar) -> Scalar {
         ScalarNode::Dot(v, w) if v == w => g.norm(v),
         _ => g.sqrt(square),
     }
+}
+
+/// Returns `true` for a power, in halves, that is the square of a number of any sign.
+fn is_even_power(halves: i32) -> bool {
+    halves % 4 == 0
 }
 
 /// Returns `true` if there is a power to take out: the base occurs, and the expression is not 0.

@@ -99,3 +99,22 @@ fn the_slopes_of_a_root_are_0_where_it_is_0() {
         }
     }
 }
+
+/// The length of a chord over that of a vector: k² comes out of the root as |k|, whatever the sign of k.
+#[aim::differentiate(wrt(v), hessian)]
+fn chord_over_length(v: aim::glam::DVec3, k: f64) -> f64 {
+    ((1.0 - (k * v.length()).cos()) * 2.0).sqrt() / v.length()
+}
+
+#[test]
+fn the_root_of_a_square_has_its_limit_for_either_sign() {
+    for k in [1.3, -1.3_f64] {
+        let (value, (slope,), second) = chord_over_length_hessian(aim::glam::DVec3::ZERO, k);
+        assert!((value - k.abs()).abs() <= 1e-15, "{value}");
+        assert_eq!(slope, aim::glam::DVec3::ZERO);
+        for (i, j) in (0..9).map(|n| (n / 3, n % 3)) {
+            let expected = if i == j { -k.abs().powi(3) / 12.0 } else { 0.0 };
+            assert!((second[i][j] - expected).abs() <= 1e-15, "{second:?}");
+        }
+    }
+}
