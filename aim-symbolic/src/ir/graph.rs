@@ -14,6 +14,9 @@ use crate::ir::op::{Constant, Function, Op};
 use crate::ir::smooth::Stumpff;
 use crate::ir::table::Table;
 
+/// Limit on the number of factors of a rotation that are taken one by one if most of them repeat others.
+const MOST_REPEATED: usize = 16;
+
 #[derive(Clone, Debug)]
 struct Arena<N> {
     nodes: Vec<N>,
@@ -575,6 +578,29 @@ impl Graph {
     /// The composition that applies `inner`, then `outer`.
     pub fn compose(&mut self, outer: Rotation, inner: Rotation) -> Rotation {
         self.intern_rotation(RotationNode::Compose(outer, inner))
+    }
+
+    /// Returns `true` for a composition of many factors most of which appear again and again, such as a rotation that
+    /// was squared over and over: it costs less to rotate by it as one.
+    #[must_use]
+    pub fn repeats_factors(&self, rotation: Rotation) -> bool {
+        let mut known = FxHashMap::default();
+        let factors = self.factors(rotation, &mut known);
+        factors > MOST_REPEATED && factors > 2 * known.len()
+    }
+
+    /// Returns the number of factors of a composition, and as `known` that of each different part of it.
+    fn factors(&self, rotation: Rotation, known: &mut FxHashMap<Rotation, usize>) -> usize {
+        if let Some(&factors) = known.get(&rotation) {
+            return factors;
+        }
+        let factors = match self.rotation_node(rotation) {
+            RotationNode::Compose(a, b) => self.factors(a, known).saturating_add(self.factors(b, known)),
+            RotationNode::Transpose(inner) => self.factors(inner, known),
+            _ => 1,
+        };
+        known.insert(rotation, factors);
+        factors
     }
 
     /// The inverse rotation.

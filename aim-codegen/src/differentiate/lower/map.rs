@@ -161,7 +161,10 @@ impl Map {
         match (self, inner) {
             (Self::Rotation(outer), _) if *outer == identity => inner.clone(),
             (_, Self::Rotation(inner)) if *inner == identity => self.clone(),
-            (Self::Rotation(outer), Self::Rotation(inner)) => Self::Rotation(a.g.compose(*outer, *inner)),
+            (Self::Rotation(outer), Self::Rotation(turn)) => {
+                let composed = a.g.compose(*outer, *turn);
+                if a.g.repeats_factors(composed) { self.multiplied_out(a, inner) } else { Self::Rotation(composed) }
+            }
             (Self::Compose(outer), Self::Compose(inner)) if Rc::ptr_eq(outer, inner) && !self.is_rotation() => {
                 self.multiplied_out(a, self)
             }
@@ -491,7 +494,12 @@ impl Quaternion {
         let vector = a.add_vectors(wv, xu);
         let vector = a.add_vectors(vector, uv);
         let (wx, dot) = (a.mul(w, x), a.dot(u, v));
-        Self { map: self.map.compose(a, &inner.map), parts: (vector, a.sub(wx, dot)) }
+        let parts = (vector, a.sub(wx, dot));
+        let map = match (&self.map, &inner.map, self.map.compose(a, &inner.map)) {
+            (Map::Rotation(_), Map::Rotation(_), Map::Columns(_)) => Map::Spin(parts.0, parts.1),
+            (_, _, map) => map,
+        };
+        Self { map, parts }
     }
 }
 

@@ -74,3 +74,53 @@ fn a_rotation_squared_many_times_is_derived() {
     assert_eq!(turn, DVec3::ZERO);
     assert_eq!(by_q, f64::from(1 << 20) * DMat3::IDENTITY);
 }
+
+/// A vector is not rotated factor by factor either.
+#[differentiate(wrt(tangent(q), v))]
+fn rotated(q: DQuat, v: DVec3) -> DVec3 {
+    let mut q = q;
+    for _ in 0..14 {
+        q = q * q;
+    }
+    q * v
+}
+#[differentiate(wrt(turn))]
+fn rotated_by_matrix(turn: DVec3, v: DVec3) -> DVec3 {
+    let mut m = DMat3::from_quat(DQuat::from_scaled_axis(turn));
+    for _ in 0..14 {
+        m *= m;
+    }
+    m * v
+}
+/// The same rotation as `turned`, squared 5 times and in one.
+#[differentiate(wrt(turn), hessian)]
+fn turned_by_squares(turn: DVec3, v: DVec3) -> f64 {
+    let mut q = DQuat::from_scaled_axis(turn);
+    for _ in 0..5 {
+        q = q * q;
+    }
+    (q * v).dot(DVec3::new(1.0, 2.0, -0.4))
+}
+#[differentiate(wrt(turn), hessian)]
+fn turned(turn: DVec3, v: DVec3) -> f64 {
+    (DQuat::from_scaled_axis(32.0 * turn) * v).dot(DVec3::new(1.0, 2.0, -0.4))
+}
+
+#[test]
+fn a_rotation_squared_many_times_turns_a_vector() {
+    let v = DVec3::new(0.25, -0.5, 0.75);
+    let times = f64::from(1 << 14);
+    // ∂(exp δ v) = δ × v
+    let by_turn = DMat3::from_cols(DVec3::X.cross(v), DVec3::Y.cross(v), DVec3::Z.cross(v)) * times;
+    assert_eq!(rotated_jacobian(DQuat::IDENTITY, v), (v, (by_turn, DMat3::IDENTITY)));
+    assert_eq!(rotated_by_matrix_jacobian(DVec3::ZERO, v), (v, (by_turn,)));
+    for turn in [DVec3::ZERO, DVec3::new(0.01, 0.02, -0.03)] {
+        let (squared, at_once) = (turned_by_squares_hessian(turn, v), turned_hessian(turn, v));
+        let close = |a: f64, b: f64| assert!((a - b).abs() <= 1e-12 * (1.0 + a.abs()), "{a} instead of {b}");
+        close(squared.0, at_once.0);
+        for i in 0..3 {
+            close(squared.1.0[i], at_once.1.0[i]);
+            (0..3).for_each(|j| close(squared.2[i][j], at_once.2[i][j]));
+        }
+    }
+}
