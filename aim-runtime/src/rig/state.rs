@@ -280,10 +280,10 @@ impl Memory {
 
     /// Returns how the goal of a head without eyes swings, which is stored in the field for the leading eye.
     pub(crate) fn swings(&self) -> Swings {
-        let [mean, braking] = self.leading_eye;
         if self.eyes().is_some() {
             return Swings::default();
         }
+        let [mean, braking] = self.leading_eye;
         let bits = mean.to_bits();
         // Stored data may be arbitrary.
         let mean_velocity = [bits & 0xffff_0000, bits << 16].map(f32::from_bits);
@@ -386,7 +386,7 @@ pub(crate) struct HeadGoal {
     pub(crate) slowdown: f32,
 }
 
-/// How the goal of a head without eyes has lately moved to and fro.
+/// Recent movement to and fro of the goal of a head without eyes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Swings {
     /// Mean velocity of the goal in heading and pitch over about a frame, rad/s, to 8 bits.

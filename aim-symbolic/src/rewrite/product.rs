@@ -206,7 +206,7 @@ pub(super) struct Product {
     guarded: Vec<Scalar>,
     /// The factors that appear in a root, so that they are not negative.
     in_roots: Vec<Scalar>,
-    /// Whether the factors are those of a guarded reciprocal.
+    /// `true` if the factors to come are those of a guarded reciprocal.
     in_guard: bool,
     parts: usize,
 }

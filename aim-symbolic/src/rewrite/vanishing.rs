@@ -530,6 +530,7 @@ fn orders(g: &mut Graph, s: Scalar, bases: &[Scalar], known: &mut Orders) -> Opt
         if known.len() >= MOST_SUMS {
             return None;
         }
+        // Counts before the sums within it do.
         known.insert(s, Vec::new());
         let (a, b) = (orders(g, a, bases, known)?, orders(g, b, bases, known)?);
         let is_choice = matches!(g.scalar_node(s), ScalarNode::Op(Op::SelectLess(..)));
@@ -597,6 +598,7 @@ impl Quotients {
         if self.known.len() >= MOST_SUMS {
             return None;
         }
+        // Counts before the sums within it do.
         self.known.insert((s, halves), s);
         let (a, b) = (self.over(g, a, halves)?, self.over(g, b, halves)?);
         let quotient = match g.scalar_node(s) {

@@ -248,7 +248,7 @@ impl Swings {
 }
 
 /// Splits the movement of the head's goal in a frame into a velocity that the region follows (feed-forward) and an
-/// offset. Returns the feed-forward velocity at the start of the frame, and the jump of the goal.
+/// offset. Returns the offset and the jump of the goal.
 ///
 /// - The head follows `part` of the goal's velocity, as far as the rate allows.
 /// - A change of that velocity is followed at once up to [`FOLLOWED`], and gradually beyond.
@@ -257,7 +257,6 @@ impl Swings {
 pub(super) fn split_goal_motion(
     head_goal: &mut HeadGoal,
     [sum, goal]: [Pair; 2],
-    glide: &mut Glide,
     part: f32,
     bounds: &Bounds,
 ) -> [Pair; 2] {
@@ -279,11 +278,10 @@ pub(super) fn split_goal_motion(
     }
     let speed = last_feed_forward + gain.max(most * -FOLLOWED).min(most * FOLLOWED);
     let (jump, ahead) = (moved - speed * dt, last_goal - sum);
-    glide.offset = -ahead - jump;
     head_goal.slow_for_reversal(jump, ahead, dt);
     (head_goal.angles, head_goal.feed_forward, head_goal.velocity) =
         (to_array(goal), to_array(speed), to_array(change));
-    [last_feed_forward, jump]
+    [-ahead - jump, jump]
 }
 
 /// Returns `true` if both angles are within `most` of the others.

@@ -337,14 +337,15 @@ impl<const C: usize> Gaze<'_, C> {
         } else if is_head && motion.fades && !motion.is_first {
             (head_goal, glide) = head_goal.fade([before, goal], glide, dt);
         } else if is_head {
-            let jump;
             let mut part = 1.0;
             if !self.has_eye() {
                 let mut swings = if motion.is_first { Swings::default() } else { motion.memory.swings() };
                 part = swings.followed_part((goal - pair(head_goal.angles)) * per_dt, &bounds);
                 motion.memory.set_swings(swings);
             }
-            [begins, jump] = split_goal_motion(&mut head_goal, [before, goal], &mut glide, part, &bounds);
+            begins = pair(head_goal.feed_forward);
+            let [offset, jump] = split_goal_motion(&mut head_goal, [before, goal], part, &bounds);
+            glide.offset = offset;
             if !self.has_eye() {
                 let jump_lag = jump_lag_after(motion.memory.jump_lag(), jump).at_most(length(glide.offset));
                 motion.memory.set_jump_lag(jump_lag);
