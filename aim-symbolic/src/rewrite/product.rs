@@ -105,14 +105,14 @@ impl Graph {
     /// Returns the vector of which `s` is the square, if `s` is a sum of two or three squares of numbers.
     fn as_square(&mut self, s: Scalar) -> Option<Vector> {
         let (mut components, mut open) = (Vec::new(), vec![s]);
-        while let Some(s) = open.pop().filter(|_| components.len() < 3) {
+        while let Some(s) = open.pop() {
             match self.scalar_node(s) {
-                ScalarNode::Op(Op::Add(a, b)) => open.extend([a, b]),
-                ScalarNode::Op(Op::Mul(a, b)) if a == b => components.push(a),
+                ScalarNode::Op(Op::Add(a, b)) if open.len() < 3 => open.extend([a, b]),
+                ScalarNode::Op(Op::Mul(a, b)) if a == b && components.len() < 3 => components.push(a),
                 _ => return None,
             }
         }
-        if !open.is_empty() || components.len() < 2 {
+        if components.len() < 2 {
             return None;
         }
         components.resize(3, self.constant(0.0));

@@ -118,3 +118,20 @@ fn the_root_of_a_square_has_its_limit_for_either_sign() {
         }
     }
 }
+
+/// A sum of four squares, which is not the square of a vector, beside one of three under a root.
+#[aim::differentiate(wrt(x))]
+fn four_squares(x: f64, y: f64, z: f64, w: f64, s: f64, t: f64) -> f64 {
+    let three = x * x + y * y + z * z;
+    (9.0 - three.sqrt()).sqrt() + x * (s * x + t) / (three + w * w) / s
+}
+
+#[test]
+fn each_of_four_squares_counts() {
+    let (x, y, z, w, s, t) = (0.3, 0.5, -0.4, 0.7, 0.9, -0.6);
+    let (_, (found,)) = four_squares_gradient(x, y, z, w, s, t);
+    const H: f64 = 1e-5;
+    let at = |x| four_squares(x, y, z, w, s, t);
+    let expected = (at(x + H) - at(x - H)) / (2.0 * H);
+    assert!((found - expected).abs() < 1e-9, "{found} is not {expected}");
+}
